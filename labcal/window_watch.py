@@ -1,7 +1,7 @@
 """The window, watched: where it breaks off, what it said and where it stood are kept, and it is started again there.
 
-A person who closes it, or a system that ends it (SIGTERM, SIGINT, SIGHUP), is obeyed. A run goes to zero by its own
-process when its window is gone, and can be gone on with.
+A person who closes it, or a system that ends it (SIGTERM, SIGINT, SIGHUP), is obeyed. A run goes on in its own process
+while its window is started again, and goes to zero, to be gone on with, where none comes back.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from labcal import run_door
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, SECRETS, for_children, home, own_folder
 from labcal.qt_packages import QT_PACKAGES
@@ -46,6 +47,13 @@ class Ended:
     lived_s: float
 
     @property
+    def worker(self) -> int:
+        """The process of the run that went on when the window ended; 0 where none did."""
+        run = self.state.get("run")
+        worker = run.get("worker") if isinstance(run, dict) else 0
+        return worker if type(worker) is int else 0
+
+    @property
     def broke_off(self) -> bool:
         """Whether nobody wanted it."""
         return self.code not in (CLOSED, CANNOT, *(-number for number in WANTED)) and NO_SCREEN not in self.log
@@ -59,10 +67,19 @@ def watch(given: Sequence[str], say: Callable[[str], None], command: Sequence[st
         report = keep_report(ended)
         soon = soon + 1 if ended.lived_s < AT_ONCE_S else 0
         if soon == TRIES:
+            run_door.send_to_its_end(ended.worker)
             say(f"labcal gui: the window broke off {soon} times as soon as it was open; please report it with {report}")
             return CANNOT
         say(f"labcal gui: the window broke off ({how(ended.code)}) and is started again; kept: {report}")
-        again = ("--after-crash", str(report), "--page", str(ended.state.get("page", "")))
+        again = (
+            "--after-crash",
+            str(report),
+            "--page",
+            str(ended.state.get("page", "")),
+            "--worker",
+            str(ended.worker),
+        )
+    run_door.send_to_its_end(ended.worker)
     if NO_SCREEN in ended.log:
         say(f"labcal gui: Qt reaches no screen; on Debian: apt-get install {' '.join(QT_PACKAGES)}")
         return CANNOT

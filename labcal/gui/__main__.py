@@ -17,6 +17,7 @@ def main() -> int:
     parser.add_argument("--state", type=Path, help="keep here where the window stands, for who watches it")
     parser.add_argument("--after-crash", metavar="REPORT", help="the window before this one broke off")
     parser.add_argument("--page", default="", help="and stood on this page")
+    parser.add_argument("--worker", type=int, default=0, metavar="PID", help="and its run goes on in this process")
     given = parser.parse_args()
     try:
         from PySide6.QtWidgets import QApplication
@@ -37,7 +38,8 @@ def main() -> int:
     application.setApplicationName("labcal")
     chosen = str(window_settings().value("language", "") or "")
     install_translator(application, QLocale(chosen) if chosen else QLocale.system())
-    shown = Shown(open_window(given.bench), lambda window: Standing(window, given.state))
+    window = open_window(given.bench, watched=given.state is not None, worker=given.worker)
+    shown = Shown(window, lambda window: Standing(window, given.state))
     sys.excepthook = shown.window.app_state.handle_exception
     if given.after_crash:
         come_back(shown.window, given.page, given.after_crash)

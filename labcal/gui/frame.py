@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QMainWindow,
     QPushButton,
+    QScrollArea,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -99,11 +100,12 @@ class SidePanel(Surface):
         self.unit = QPushButton("nT")
         self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
         self.unit.clicked.connect(self._next_unit)
-        head = QHBoxLayout()
-        head.addWidget(label(self.tr("FIELD"), "caption"))
+        head, words = QHBoxLayout(), QVBoxLayout()
+        words.setSpacing(0)
         self._field_old = label("", "caption")
-        head.addWidget(self._field_old)
-        head.addStretch()
+        for caption in (label(self.tr("FIELD"), "caption"), self._field_old):
+            words.addWidget(caption)
+        head.addLayout(words, 1)
         head.addWidget(self.unit)
         self._column.addLayout(head)
         self._field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
@@ -121,12 +123,29 @@ class SidePanel(Surface):
         self._column.addWidget(self._zero)
         self._column.addSpacing(GRID)
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
-        self._lights = QVBoxLayout()
-        self._column.addLayout(self._lights)
-        self._legend = label("", "caption", wrap=True)
-        self._column.addWidget(self._legend)
-        self._column.addStretch()
+        self._column.addWidget(self._instruments(), 1)
         self._rows: list[QLabel] = []
+
+    def _instruments(self) -> QScrollArea:
+        """Who answers. In a low window these roll, so that what is said of the coils above is always whole."""
+        area, holder = QScrollArea(), QWidget()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setMinimumHeight(5 * GRID)
+        area.viewport().setAutoFillBackground(False)
+        self._lights = QVBoxLayout()
+        self._lights.setSpacing(GRID // 2)
+        self._legend = label("", "caption", wrap=True)
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addLayout(self._lights)
+        column.addWidget(self._legend)
+        column.addStretch()
+        area.setWidget(holder)
+        holder.setAutoFillBackground(False)
+        return area
 
     def _next_unit(self) -> None:
         self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])

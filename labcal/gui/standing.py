@@ -33,7 +33,12 @@ class Standing(QObject):
             "page": list(self._window.lazy_pages)[self._window.stack.currentIndex()],
             "bench": app_state.bench,
             "simulated": None if app_state.facts is None else app_state.facts.simulated,
-            "run": {"id": run.run_id, "state": run.state, "steps": [[name, str(mark)] for name, mark in run.steps()]},
+            "run": {
+                "id": run.run_id,
+                "state": run.state,
+                "steps": [[name, str(mark)] for name, mark in run.steps()],
+                "worker": app_state.bench_worker.pid if run.alive else 0,
+            },
         }
         if self._file is None or (text := json.dumps(told)) == self._written:
             return
@@ -50,7 +55,9 @@ def come_back(window: Window, page: str, report: str) -> None:
     words = QCoreApplication.translate(
         "Standing", "The window broke off, and was started again. What it said last is kept in {0}."
     )
-    remedy = QCoreApplication.translate(
+    interrupted = QCoreApplication.translate(
         "Standing", "A run that went on is interrupted by its own process, as by Stop: resume it on Start."
     )
+    went_on = QCoreApplication.translate("Standing", "The run went on meanwhile in its own process: here it is.")
+    remedy = went_on if window.app_state.run.alive else interrupted
     window.app_state.fault.emit(Fault("crash", words.format(report), remedy))

@@ -33,6 +33,7 @@ from labcal.gui.widgets.key_sheet import described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.sounds import is_on, switch
+from labcal.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
@@ -118,7 +119,7 @@ class Window(Frame):
         self.size_switch.clicked.connect(self.toggle_wall)
         self.sound_switch.clicked.connect(self._other_sound)
         self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
-        self.next.clicked.connect(lambda: app_state.go(app_state.path.next()))
+        self.next.clicked.connect(self._go_on)
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         self._show_path()
@@ -231,6 +232,16 @@ class Window(Frame):
         path = self.app_state.path
         self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()}, path.next().words)
 
+    def _go_on(self) -> None:
+        """To what is next; where it is to say who and what, into the field that is wanted."""
+        to, state = self.app_state.path.next(), self.app_state.lab.state
+        self.app_state.go(to)
+        if to.page == "Start" and state.bench:
+            wanted = [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
+            wanted += [self.top.operator] * (not state.operator)
+            for entry in wanted[:1]:
+                entry.setFocus()
+
     def _scanned(self, text: str) -> None:
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
@@ -307,15 +318,17 @@ def _palette(theme: Theme) -> QPalette:
     return palette
 
 
-def open_window(bench: str | None) -> Window:
-    """The window on `bench`, else on the last one."""
-    app_state = AppState()
+def open_window(bench: str | None, *, watched: bool = False, worker: int = 0) -> Window:
+    """The window on `bench`, else on the last one; or come back to the run that goes on in the process `worker`."""
+    app_state = AppState(watched=watched)
     window = Window(app_state)
+    if comes_back := bool(worker) and goes_on_at(worker):
+        app_state.come_back(worker)
     window.resize(window.size().boundedTo(window.screen().availableSize()))
     window.show()
     QTimer.singleShot(PREBUILD_DELAY_MS, window, window.prebuild)
     app_state.request(ListPeople(), app_state.login.take_people)
     chosen = bench or str(app_state.settings.value("bench", "") or "")
-    if chosen and (bench or Path(chosen).is_file()):
+    if not comes_back and chosen and (bench or Path(chosen).is_file()):
         QTimer.singleShot(0, app_state, lambda: app_state.open_bench(chosen))
     return window

@@ -26,9 +26,13 @@ class NotKept(Aborted):
 
 
 class Control:
-    """Pause takes hold where the next step begins; stop and abort at the next sample. All leave the coils at zero."""
+    """Pause takes hold where the next step begins; stop and abort at the next sample. All leave the coils at zero.
 
-    def __init__(self) -> None:
+    With `to_be_resumed` a run that the operator ends is `interrupted`, where its procedure can be gone on with.
+    """
+
+    def __init__(self, *, to_be_resumed: bool = False) -> None:
+        self.to_be_resumed = to_be_resumed
         self._going, self._stop, self._abort, self._left = Event(), Event(), Event(), Event()
         self._going.set()
         self._notes: SimpleQueue[tuple[str, Mapping[str, str]]] = SimpleQueue()

@@ -211,6 +211,8 @@ def _drive(
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
+    if drive.control.to_be_resumed and procedure.resumable and isinstance(ending.fault, Stopped):
+        ending = Ending(INTERRUPTED, ending.fault)
     lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
     writer.waits = lambda fault: seen.not_kept(bench.clock.now() + offset_s, fault)
     status, fault, told = _written(writer, ending)

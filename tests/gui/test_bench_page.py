@@ -1,15 +1,19 @@
 """The bench page without a process: readings, the cage's vectors, reconnect, an instrument that is silent."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
 
 from labcal.gui.ipc.answers import Doubt, Greeting, Identified
+from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.record.stream import Block
 
+BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 T = np.array([1.0])
 CURRENTS = np.array([[0.5, -0.2, 0.1]])
 FIELD = np.array([[20_000.0, -3.0, 40_000.0]])
@@ -72,3 +76,15 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
     bench.check_all()
     still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", lifted=True)))
     assert still.app_state.lab.state.message == "they agree again"
+
+
+def test_what_the_earth_s_field_is_at_the_bench_s_place_stands_beside_the_ambient_field(still, bench, tmp_path):
+    file = tmp_path / "bench.toml"
+    file.write_text(f"{BENCH.read_text()}\n[site]\nlatitude_deg = 47.0\nlongitude_deg = 8.0\nheight_m = 500\n")
+    assert "outdoors" not in bench.cage_words.text()
+    still.app_state.quick_worker.asked.clear()
+    still.app_state.open_bench(str(file))
+    still.app_state.quick_worker.answer(ReadBench, facts := read_bench(None, ReadBench(str(file))))
+    assert facts.earth.magnitude_nT == pytest.approx(48_100, abs=600)  # of middle Europe in these years
+    assert 200 < facts.earth.U_nT < 500
+    assert f"{facts.earth.model} here, outdoors: 48 " in bench.cage_words.text().replace("\u202f", " ")

@@ -88,7 +88,8 @@ def test_f12_ends_a_run_that_waits_for_an_answer_with_the_coils_at_zero(qtbot, w
     begin(qtbot, window)
     qtbot.keyClick(window, Qt.Key.Key_F12)
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
-    assert window.app_state.run.status == "failed: aborted by the operator"
+    assert window.app_state.run.status == "interrupted"  # it may be gone on with
+    assert window.app_state.run.message.endswith("interrupted: aborted by the operator")
     assert at_zero()
 
 
@@ -97,8 +98,16 @@ def test_stop_ends_the_run_in_order(qtbot, window):
     page = begin(qtbot, window)
     qtbot.mouseClick(page.live.stop, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
-    assert window.app_state.run.status == "stopped"
+    assert window.app_state.run.status == "interrupted"
+    assert "the Start page goes on with it" in page.live.fault.text.text()
     assert at_zero()
+
+
+def test_what_cannot_be_gone_on_with_is_stopped(qtbot, window):
+    page = begin(qtbot, window, "field-hold", {})
+    qtbot.mouseClick(page.live.stop, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
+    assert window.app_state.run.status == "stopped"
 
 
 @pytest.mark.slow

@@ -10,10 +10,14 @@ from PySide6.QtCore import QLocale
 from labcal.bench.coils.state import AT_ZERO, CoilReading, LabState, Witness
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations import translate
+from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.sentences import COILS, form_of, in_words
+from labcal.gui.widgets.parameter_form import title_of
 from labcal.record.stream import Prompt
+from labcal.runner import catalogue
 
 ROOT = Path(__file__).parents[2]
+ROOMS = ("labcal", "drivers", "procedures")
 MOUNT = (
     "Mount the DUT with body X up along the platform axis, body Y towards the cage's Y, at platform angle 0.",
     "Den Prüfling mit Körperachse X nach oben",
@@ -48,6 +52,36 @@ def test_every_sentence_about_the_coils_has_a_form():
             form, filled = form_of(one.sentence(now_s))
             assert in_words(one.sentence(now_s)) == one.sentence(now_s)
             assert form != "coils on: {0}" or "read back" not in filled[0]
+
+
+def test_all_that_procedures_say_of_themselves_has_a_form():
+    found = catalogue()[0].values()
+    settings = [one for procedure in found for one in procedure.parameters]
+    said = {text for procedure in found for text in (procedure.title, procedure.needs)}
+    said |= {text for one in settings for text in (one.help, one.expected, title_of(one))}
+    assert {text for text in said - {""} if form_of(text) is None} == set()
+
+
+def test_no_fault_has_a_form_here_that_nobody_says():
+    files = (file for room in ROOMS for file in (ROOT / room).rglob("*.py") if "gui" not in file.parts)
+    nodes = (node for file in files for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+    said = "\n".join(node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    pieces = {piece.strip(" .;:,'()`") for form in FAULTS for piece in re.split(r"\{\d\}", str(form))}
+    assert {piece for piece in pieces if piece not in said} == set()
+
+
+@pytest.mark.parametrize(
+    ("fault", "german_words"),
+    [
+        ("reference: no sample for 2.1 s.", "reference: seit 2.1 s kein Wert."),
+        ("supply_x (tcp://10.0.0.7:5): the link is lost (reset).", "Die Verbindung ist verloren (reset)."),
+        ("a number from 0 to 60 deg/s", "eine Zahl von 0 bis 60 deg/s"),
+        ("VALID: signed by jdoe@lab.", "GÜLTIG: signiert von jdoe@lab."),
+        ("interrupted: aborted by the operator", "unterbrochen: vom Bediener abgebrochen"),
+    ],
+)
+def test_what_people_meet_most_is_said_in_german(german, fault, german_words):
+    assert in_words(fault).endswith(german_words)
 
 
 def test_what_has_no_form_is_shown_as_it_came(german):

@@ -10,7 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.parameters import ParameterSpec
-from labcal.bench.serials import USUAL
+from labcal.gui.ipc.bench_facts import Bench as Bench
+from labcal.gui.ipc.bench_facts import Cage as Cage
+from labcal.gui.ipc.bench_facts import Earth as Earth
+from labcal.gui.ipc.bench_facts import Instrument as Instrument
+from labcal.gui.ipc.bench_facts import Reference as Reference
+from labcal.gui.ipc.bench_facts import Triple as Triple
 from labcal.gui.ipc.wire import Fault
 from labcal.model.calibration import EffectRecord
 from labcal.record.run import Dut
@@ -18,52 +23,8 @@ from labcal.record.stream import Measurement
 from labcal.uncertainty.conformity import Changes, Judged
 
 Array = NDArray[np.float64]
-Triple = tuple[float, float, float]
 Matrix = tuple[tuple[float, ...], ...]
 Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
-
-
-@dataclass(frozen=True, slots=True)
-class Instrument:
-    """One instrument of a bench file."""
-
-    role: str
-    link: str
-    driver: str
-
-
-@dataclass(frozen=True, slots=True)
-class Cage:
-    """The coils as a bench file states them. `matrix` [nT/A]: its columns are the coil axes in C."""
-
-    matrix: tuple[Triple, Triple, Triple]
-    stated: bool  # as a matrix, not as constants alone
-    calibration: str | None  # an approved cage calibration
-    limit_A: tuple[float, ...]
-    limit_nT: float
-
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """What is known of the reference sensor."""
-
-    u_offset_nT: float | None
-    u_scale_ppm: float | None
-    calibration: str | None
-
-
-@dataclass(frozen=True, slots=True)
-class Bench:
-    """What a bench file states."""
-
-    name: str
-    simulated: bool
-    dut: Dut
-    reference: Reference
-    cage: Cage
-    instruments: Mapping[str, Instrument]
-    serial_pattern: str = USUAL  # of the DUTs that this bench takes
-    virtual_time: bool = False  # it passes as fast as is wanted
 
 
 @dataclass(frozen=True, slots=True)

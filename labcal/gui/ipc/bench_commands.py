@@ -8,11 +8,13 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from labcal.errors import InputError
 from labcal.gui.ipc.answers import (
     Bench,
     Cage,
     CoilEnd,
     Doubt,
+    Earth,
     Ended,
     Greeting,
     Identified,
@@ -25,10 +27,12 @@ from labcal.gui.ipc.answers import (
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
+    GoesOn,
     Identify,
     ListProcedures,
     ReadBench,
     Rehearse,
+    Rejoin,
     ResumeRun,
     RunProcedure,
     SwitchOff,
@@ -38,7 +42,7 @@ from labcal.gui.ipc.wire import fault_of
 from labcal.record import Dut
 
 if TYPE_CHECKING:
-    from labcal.bench.config import CageConfig
+    from labcal.bench.config import CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
     from labcal.runner import Found, Outcome
 
@@ -59,7 +63,19 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
         instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
         serial_pattern=dut.serial_pattern,
         virtual_time=config.simulated,
+        earth=None if config.site is None else _earth(config.site),
     )
+
+
+def _earth(site: SiteConfig) -> Earth | None:
+    """What the World Magnetic Model expects at the bench's place today; None in years that it does not hold for."""
+    from labcal.earth.wmm import FIRST_YEAR, LAST_YEAR, wmm
+
+    today = datetime.now(UTC).date()
+    if not FIRST_YEAR <= today.year < LAST_YEAR:
+        return None
+    found = wmm(site.latitude_deg, site.longitude_deg, site.height_m, today)
+    return Earth(found.model, found.magnitude_nT, 2.0 * found.u_magnitude_nT)
 
 
 def _cage(config: CageConfig) -> Cage:
@@ -114,13 +130,18 @@ def resume(channel: Channel, asked: ResumeRun) -> Ended:
     )
 
 
+def rejoin(channel: Channel, asked: Rejoin) -> Ended:
+    """Asked of a worker whose run has lost no window (`channel` answers where one has). Raises InputError."""
+    raise InputError("no run goes on here that could be come back to")
+
+
 def _on_bench(
     channel: Channel, asked: RunProcedure | ResumeRun, work: Callable[..., Outcome], after: str = ""
 ) -> Ended:
     from labcal.bench.config import read_config
 
     simulated = read_config(Path(asked.bench)).simulated
-    channel.run_begins(simulated)
+    channel.run_begins(simulated, _going(channel, asked))
     try:
         clock = simulated_clock(asked.pace, *_from(after)) if simulated else None
         ended = work(
@@ -137,6 +158,14 @@ def _on_bench(
     if ended.fault is not None:
         fault = fault_of(ended.fault, "".join(traceback.format_exception(ended.fault)))
     return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.told)
+
+
+def _going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
+    """What a window that comes back to this run needs to know first."""
+    order = asked
+    if isinstance(order, ResumeRun):
+        order = RunProcedure(order.procedure, order.bench, {}, order.dut, order.operator, order.pace, order.seed)
+    return GoesOn(order, f"{datetime.now():%Y-%m-%d %H:%M}", read_bench(channel, ReadBench(asked.bench)))
 
 
 def _from(after: str) -> tuple[datetime, float]:
@@ -174,6 +203,7 @@ HANDLERS = (
     handles(SwitchOff, switch_off),
     handles(RunProcedure, run),
     handles(ResumeRun, resume),
+    handles(Rejoin, rejoin),
     handles(Rehearse, rehearse),
     handles(ListProcedures, procedures),
 )

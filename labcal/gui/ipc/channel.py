@@ -6,8 +6,9 @@ import os
 import queue
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import replace
 from typing import TextIO
 
 from labcal.bench.coils.state import LabState
@@ -17,60 +18,92 @@ from labcal.gui.ipc.messages import (
     Abort,
     Answer,
     Beat,
+    Done,
     Event,
     Failed,
+    GoesOn,
     GoOn,
+    HangUp,
     Note,
     Pause,
     Recorded,
+    Rejoin,
     Request,
     StateRead,
     Stop,
     Word,
 )
+from labcal.gui.ipc.past import Past
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
+from labcal.run_door import Caller, Door
 from labcal.runner import Control
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
 POLL_S = 0.05
 FROZEN_S = 1.0  # so long a window may stand still while real coils are on: nobody could say off there
 LATE_S = 0.2  # a process that runs freely wakes no later
+ALONE_S = 20.0  # so long a run goes on while a window that broke off is started again
+UNANSWERED_S = 1.0  # of that, with coils on at a question: it cannot go on, and nobody is there
 
 
 class Channel:
     """Hears what the window says while work goes on. When it dies, or stands still while real instruments are driven,
     the coils go to zero and the run is interrupted.
+
+    Where the window is `watched`, a run goes on for `ALONE_S` without it: it is started again meanwhile, and comes back
+    by the run's door. At a question it waits only with the coils at zero. A window that hangs up on purpose says so.
     """
 
-    def __init__(self, requests: TextIO, messages: TextIO) -> None:
+    def __init__(
+        self, requests: TextIO, messages: TextIO, *, watched: bool = False, let_go: Callable[[], object] = lambda: None
+    ) -> None:
         self.control = Control()
-        self._input, self._output, self._lock = requests, messages, threading.Lock()
+        self._input, self._lock = requests, threading.RLock()
+        self._output: TextIO | None = messages  # None while no window listens
         self._requests: queue.Queue[Request | None] = queue.Queue()
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
+        self._watched, self._hung_up, self._let_go = watched, False, let_go
+        self._back_by_s = 0.0  # until then a window that broke off is being started, or has just been
+        self._door: Door | None = None
+        self._past: Past | None = None
+        self._comes: Caller | None = None  # let in, and not told yet how far the run is
+        self._working_on, self._other_numbers = 0, dict[int, int]()  # requests of a window before as of this
 
     def requests(self) -> Iterator[Request]:
         """What is asked for, one after another, until the window hangs up."""
         threading.Thread(target=self._read_requests, daemon=True, name="window").start()
         while (request := self._requests.get()) is not None:
+            self._working_on = request.number
             yield request
+        self._close_door()
 
     def send(self, event: Event) -> None:
-        """Send one message."""
-        line = write_line(event)
-        try:
-            with self._lock:
-                self._output.write(line + "\n")
-                self._output.flush()
-        except BrokenPipeError:  # nobody is there to read it
-            self.control.leave()
+        """Send one message; it is kept for a window that comes back."""
+        with self._lock:
+            if isinstance(event, Done | Failed):
+                event = replace(event, number=self._other_numbers.pop(event.number, event.number))
+            if self._past is not None:
+                self._past.keep(event)
+            self._write(event)
 
-    def run_begins(self, simulated: bool) -> None:
-        """From here on a hang-up means abort, not exit."""
-        self._on_bench, self.control = True, Control()
+    def _write(self, event: Event) -> None:
+        if self._output is None:
+            return
+        try:
+            self._output.write(write_line(event) + "\n")
+            self._output.flush()
+        except ConnectionError:  # nobody is there to read it
+            self._nobody_reads()
+
+    def run_begins(self, simulated: bool, going: GoesOn | None = None) -> None:
+        """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
+        self._on_bench, self.control = True, Control(to_be_resumed=True)
+        if self._watched and going is not None:
+            self._door, self._past = self._door or Door(), Past(going)
         if not simulated:
             threading.Thread(target=self._watch_heartbeat, args=(self.control,), daemon=True, name="still").start()
 
@@ -106,8 +139,13 @@ class Channel:
 
     def answer(self, prompt: Prompt) -> str:
         """Wait for the person's answer to `prompt`. Raises Stopped where that is wanted instead."""
+        attended_s = time.monotonic()
         while True:
             self.control.check()
+            if self._output is not None or self._at_zero():
+                attended_s = time.monotonic()
+            elif time.monotonic() - attended_s > UNANSWERED_S:
+                self.control.leave()
             try:
                 key, text = self._answers.get(timeout=POLL_S)
             except queue.Empty:
@@ -116,25 +154,78 @@ class Channel:
                 return text
 
     def _read_requests(self) -> None:
-        for line in self._input:
-            try:
-                self._dispatch(read_request(line))
-            except InputError as error:
-                self.send(Failed(number_in(line), fault_of(error)))
+        self._hear(self._input)
+        while (came := self._without_window()) is not None:
+            self._comes = came
+            self._hear(came.says)
+            came.close()
         self.control.leave()
         self._requests.put(None)
         if not self._on_bench:
+            self._close_door()
             os._exit(0)
+
+    def _hear(self, window: TextIO) -> None:
+        """Whatever it says until it hangs up or is gone."""
+        with suppress(ConnectionError):
+            for line in window:
+                try:
+                    self._dispatch(read_request(line))
+                except InputError as error:
+                    self.send(Failed(number_in(line), fault_of(error)))
+
+    def _without_window(self) -> Caller | None:
+        """The window that comes back to a run; None where none is to come, or none did in time."""
+        if self._door is None or not self._on_bench or self._hung_up:
+            return None
+        self._nobody_reads()
+        return self._door.wait(ALONE_S)
+
+    def _nobody_reads(self) -> None:
+        """The window is gone. Where it may come back, the run goes on for a while; else it ends now."""
+        with self._lock:
+            gone, self._output, self._comes, self._heartbeat_s = self._output, None, None, None
+        if self._door is None:
+            return self.control.leave()
+        if gone is not None:
+            self._let_go()
+            self._back_by_s = time.monotonic() + ALONE_S
+            too_long = threading.Timer(ALONE_S, self._leave_if_alone, [self.control])
+            too_long.daemon = True
+            too_long.start()
+        return None
+
+    def _leave_if_alone(self, control: Control) -> None:
+        if self._output is None:
+            control.leave()
+
+    def _come_back(self, number: int) -> None:
+        """Tell the window that has come how far the run is; from here on it hears all the rest."""
+        with self._lock:
+            if self._comes is None or self._past is None:
+                return
+            self._output, self._comes, self._heartbeat_s = self._comes.hears, None, time.monotonic()
+            self._other_numbers[self._working_on] = number
+            for event in self._past.events():
+                self._write(replace(event, number=number) if isinstance(event, Done | Failed) else event)
+
+    def _at_zero(self) -> bool:
+        state = None if self._past is None else self._past.state
+        return state is not None and state.at_zero(time.monotonic()) is True
+
+    def _close_door(self) -> None:
+        if self._door is not None:
+            self._door.close()
 
     def _watch_heartbeat(self, control: Control) -> None:
         """See that the window still moves. Who wakes late itself was kept from listening, and judges nobody for it."""
         while self._on_bench and self.control is control:
             begun = time.monotonic()
             time.sleep(POLL_S)
-            now = time.monotonic()
-            if self._heartbeat_s is not None and now - begun > POLL_S + LATE_S:
+            now, heard_s = time.monotonic(), self._heartbeat_s
+            if heard_s is not None and now - begun > POLL_S + LATE_S:
                 self._heartbeat_s = now
-            elif self._heartbeat_s is not None and now - self._heartbeat_s > FROZEN_S:
+            elif heard_s is not None and now - heard_s > FROZEN_S and now > self._back_by_s:
                 control.leave()
                 return
 
@@ -142,6 +233,10 @@ class Channel:
         if self._heartbeat_s is not None or isinstance(said, Beat):
             self._heartbeat_s = time.monotonic()
         match said:
+            case Request(number, Rejoin()) if self._comes is not None:
+                self._come_back(number)
+            case HangUp():
+                self._hung_up = True
             case Request():
                 self._requests.put(said)
             case Answer(key, text):
@@ -162,8 +257,16 @@ class Channel:
                 raise AssertionError(f"nobody hears {said}")
 
 
-def stdio_channel() -> Channel:
+def stdio_channel(*, watched: bool = False) -> Channel:
     """The channel over stdin and stdout; whatever else prints goes to stderr."""
     out = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
-    return Channel(open(os.dup(0), encoding="utf-8", closefd=True), out)
+    return Channel(open(os.dup(0), encoding="utf-8", closefd=True), out, watched=watched, let_go=_mute)
+
+
+def _mute() -> None:
+    """Whoever read what else is printed is gone: printing is to break nothing."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for printed in (1, 2):
+        os.dup2(nowhere, printed)
+    os.close(nowhere)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import time
 from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, Protocol, TypeVar
 
 from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
@@ -14,12 +16,27 @@ from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signa
 from labcal.errors import InputError
 from labcal.files.home import SECRETS
 from labcal.gui.ipc.lines import read_answer, read_event, write_line
-from labcal.gui.ipc.messages import Beat, Command, Done, Event, Failed, Progress, Recorded, Request, StateRead, Word
+from labcal.gui.ipc.messages import (
+    Beat,
+    Command,
+    Done,
+    Event,
+    Failed,
+    GoesOn,
+    HangUp,
+    Progress,
+    Recorded,
+    Request,
+    StateRead,
+    Word,
+)
 from labcal.gui.ipc.wire import Fault
 
 R = TypeVar("R")
 OnFault = Callable[[Fault], object]
 COMMAND = ("-P", "-m", "labcal.gui.ipc.worker")  # nothing is loaded from the current folder
+WATCHED = (*COMMAND, "--watched")  # whose run goes on until a window that broke off is back
+REJOIN = ("-P", "-m", "labcal.gui.ipc.rejoin")
 TIME_SLICE_S = 0.01  # of one turn of the event loop for what the worker said
 STDERR_TAIL = 6000  # of stderr, for the details of a crash
 HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing still
@@ -51,11 +68,13 @@ class Client(QObject):
     items = Signal(tuple)  # of the timeline, in order
     states = Signal(object)  # LabState, by the computer's monotonic clock
     progress = Signal(str)
+    came_back = Signal(object)  # GoesOn: the run of a worker that was there before this window
 
     def __init__(self, parent: QObject | None = None, command: tuple[str, ...] = COMMAND) -> None:
         super().__init__(parent)
         self._command = command
         self._process: QProcess | None = None
+        self._worker_before = 0  # the process that this window has come back to
         self._pending: dict[int, tuple[Command[Any], Callable[[Any], object], OnFault]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
@@ -65,8 +84,15 @@ class Client(QObject):
 
     def start(self) -> None:
         """Have the process ready before it is needed."""
-        if self._process is not None:
-            return
+        if self._process is None:
+            self._start(self._command)
+
+    def come_back(self, worker: int) -> None:
+        """Speak to the process `worker`, whose run went on without a window."""
+        self._worker_before = worker
+        self._start((*REJOIN, str(worker)))
+
+    def _start(self, command: tuple[str, ...]) -> None:
         process = QProcess(self)
         process.readyReadStandardOutput.connect(self._read_stdout)
         process.readyReadStandardError.connect(self._read_stderr)
@@ -74,7 +100,7 @@ class Client(QObject):
         process.errorOccurred.connect(self._process_error)
         process.setProcessEnvironment(_environment())
         self._process, self._stderr, self._partial_line, self._ended_here = process, "", b"", ""
-        process.start(sys.executable, list(self._command))
+        process.start(sys.executable, list(command))
         self._heartbeat.start()
 
     def request(self, command: Command[R], then: Callable[[R], object], failed: OnFault) -> None:
@@ -96,8 +122,8 @@ class Client(QObject):
 
     @property
     def pid(self) -> int:
-        """Of the process; 0 where there is none."""
-        return self._process.processId() if self._process is not None else 0
+        """Of the process that works; 0 where there is none."""
+        return self._worker_before or (self._process.processId() if self._process is not None else 0)
 
     def kill(self) -> None:
         """End the process at once; whoever waits is told."""
@@ -106,6 +132,8 @@ class Client(QObject):
     def _kill(self, why: str) -> None:
         if self._process is not None:
             self._ended_here = self._ended_here or why
+            if self._worker_before:
+                _end(self._worker_before)
             self._process.kill()
 
     def close(self, wait_ms: int = 3000) -> None:
@@ -113,9 +141,11 @@ class Client(QObject):
         process, self._process = self._process, None
         self._heartbeat.stop()
         self._pending.clear()
+        self._worker_before = 0
         if process is None:
             return
         process.blockSignals(True)
+        process.write((write_line(HangUp()) + "\n").encode())
         process.closeWriteChannel()
         if not process.waitForFinished(wait_ms):
             process.kill()
@@ -155,6 +185,8 @@ class Client(QObject):
                 self.states.emit(state)
             case Progress(text):
                 self.progress.emit(text)
+            case GoesOn():
+                self.came_back.emit(event)
             case Done(number, answer):
                 self._answered(number, answer)
             case Failed(number, fault):
@@ -198,12 +230,19 @@ class Client(QObject):
     def _process_gone(self, text: str) -> None:
         self._read_stderr()
         process, self._process = self._process, None
+        self._worker_before = 0
         self._heartbeat.stop()
         if process is not None:
             process.deleteLater()
         waiting, self._pending = list(self._pending.values()), {}
         for _, _, failed in waiting:
             failed(Fault("ended", text, "", self._stderr))
+
+
+def _end(worker: int) -> None:
+    """As QProcess ends a process of its own; the line to it is open, so it is that process still."""
+    with suppress(OSError):
+        os.kill(worker, signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
 
 
 def _named_signal(number: int) -> str:

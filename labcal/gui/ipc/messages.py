@@ -16,6 +16,14 @@ from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.words import Abort as Abort
+from labcal.gui.ipc.words import Answer as Answer
+from labcal.gui.ipc.words import Beat as Beat
+from labcal.gui.ipc.words import GoOn as GoOn
+from labcal.gui.ipc.words import HangUp as HangUp
+from labcal.gui.ipc.words import Note as Note
+from labcal.gui.ipc.words import Pause as Pause
+from labcal.gui.ipc.words import Stop as Stop
 from labcal.record.stream import Item
 from labcal.uncertainty.conformity import Changes
 
@@ -81,6 +89,13 @@ class ResumeRun(Command[answers.Ended]):
     dut: str
     pace: str = "at once"
     seed: int | None = None
+    procedure: str = ""
+    operator: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Rejoin(Command[answers.Ended]):
+    """Come back to the run that this worker goes on with: GoesOn and all that was Recorded first, then its end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -303,47 +318,6 @@ class FindSimulatedBench(Command[str]):
 
 
 @dataclass(frozen=True, slots=True)
-class Beat(Word):
-    """This window is not standing still."""
-
-
-@dataclass(frozen=True, slots=True)
-class Answer(Word):
-    """What the person says to the prompt `key`."""
-
-    key: str
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class Pause(Word):
-    """Wait where the next step begins."""
-
-
-@dataclass(frozen=True, slots=True)
-class GoOn(Word):
-    """Go on after a pause."""
-
-
-@dataclass(frozen=True, slots=True)
-class Stop(Word):
-    """End in order."""
-
-
-@dataclass(frozen=True, slots=True)
-class Abort(Word):
-    """Coils to zero before anything else."""
-
-
-@dataclass(frozen=True, slots=True)
-class Note(Word):
-    """A remark into the record; `data` goes with it."""
-
-    text: str
-    data: Mapping[str, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
 class Request:
     """A command with the number that its answer bears."""
 
@@ -372,6 +346,15 @@ class Progress(Event):
     """How far the work is, in words."""
 
     text: str
+
+
+@dataclass(frozen=True, slots=True)
+class GoesOn(Event):
+    """The run that a window has come back to: its order, the time on the wall when it began, what the bench states."""
+
+    order: RunProcedure
+    began: str
+    bench: answers.Bench
 
 
 @dataclass(frozen=True, slots=True)

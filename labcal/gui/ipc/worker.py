@@ -2,11 +2,13 @@
 
 `python -m labcal.gui.ipc.worker` reads one message a line from stdin (`messages`, `lines`), works through the commands
 in order and says for each Done or Failed, and Progress before that. During a run it also says what is Recorded and the
-StateRead, and hears Answer, Pause, GoOn, Stop, Abort and Note at any moment.
+StateRead, and hears Answer, Pause, GoOn, Stop, Abort and Note at any moment. With `--watched` somebody starts a window
+that broke off again: a run goes on until it is back (`channel`).
 """
 
 from __future__ import annotations
 
+import sys
 import traceback
 
 from labcal.gui.ipc import bench_commands, bench_file_commands, compare_commands, file_commands, study_commands
@@ -34,4 +36,4 @@ def carried_out(channel: Channel, request: Request) -> Event:
 
 
 if __name__ == "__main__":
-    serve(stdio_channel())
+    serve(stdio_channel(watched="--watched" in sys.argv))

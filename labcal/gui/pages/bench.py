@@ -10,7 +10,7 @@ import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.answers import Cage, Doubt, Identified, Instrument
+from labcal.gui.ipc.answers import Cage, Doubt, Earth, Identified, Instrument
 from labcal.gui.ipc.messages import FindOnLines, FindSimulatedBench, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
@@ -283,7 +283,8 @@ class BenchPage(QWidget):
         if applied is not None and reference is not None:
             ambient = (reference[0] - applied[0], reference[1] - applied[1], reference[2] - applied[2])
         self.cage.show_vectors(applied, ambient, reference)
-        self.cage_words.setText(self._legend((applied, ambient, reference)) + self._limits(facts.cage))
+        words = self._legend((applied, ambient, reference)), self._expected(facts.earth), self._limits(facts.cage)
+        self.cage_words.setText("".join(words))
 
     def _legend(self, vectors: tuple[Triple | None, ...]) -> str:
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
@@ -292,6 +293,13 @@ class BenchPage(QWidget):
             size = "–" if vector is None else f"{format_number(hypot(*vector), 0, signed=False)} nT"
             lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
+
+    def _expected(self, earth: Earth | None) -> str:
+        """What the Earth's field is outdoors at this place today, beside the ambient field that was recorded."""
+        if earth is None:
+            return ""
+        size, U = (format_number(one, 0, signed=False) for one in (earth.magnitude_nT, earth.U_nT))
+        return self.tr("<br>{0} here, outdoors: {1} ± {2} nT").format(earth.model, size, U)
 
     def _limits(self, cage: Cage) -> str:
         most = " / ".join(f"{one:g}" for one in dict.fromkeys(cage.limit_A))

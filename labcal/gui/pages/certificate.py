@@ -35,6 +35,7 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step, standing_word, state_of
@@ -254,7 +255,7 @@ class CertificatePage(QWidget):
             draft = not standing.signatures
             state = "" if draft else state_of(standing)
             approved = ", ".join(one.approvers) or self.tr("nobody yet")
-            words = [self.tr("Draft: not signed.")] if draft else list(standing.sentences)
+            words = [self.tr("Draft: not signed.")] if draft else list(map(in_words, standing.sentences))
             words.append(self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved))
             self.standing.setText(" ".join(words))
             set_state(self.standing, state)
@@ -394,5 +395,6 @@ class CertificatePage(QWidget):
         self.said.clear()
         shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
-        self.drop.words.setText(f"{shape} {Path(said.path).name}: {' '.join([*said.sentences, *faults])}")
+        words = " ".join([*map(in_words, said.sentences), *faults])
+        self.drop.words.setText(f"{shape} {Path(said.path).name}: {words}")
         set_state(self.drop.words, state_of(said))

@@ -13,6 +13,7 @@ from labcal.gui.ipc.answers import Procedure, Procedures
 from labcal.gui.ipc.messages import ListProcedures, Rehearse
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
@@ -136,7 +137,7 @@ class Choose(QWidget):
         self._app_state.bench_worker.request(
             Rehearse(name, self._app_state.bench, given),
             planned,
-            lambda fault: show_plan(f"✕ {fault.text} {fault.remedy}"),
+            lambda fault: show_plan(f"✕ {in_words(fault.text)} {in_words(fault.remedy)}"),
         )
 
     def _what_for(self) -> list[str]:
@@ -195,7 +196,8 @@ class Choose(QWidget):
 
     def _is_found(self, name: str) -> bool:
         one = self._procedures.get(name)
-        about = name if one is None else f"{name} {procedure_title(name)} {one.title} {one.needs} {group_of(name)}"
+        said = (name,) if one is None else (name, procedure_title(name), one.title, one.needs, group_of(name))
+        about = " ".join((*said, *map(in_words, said)))
         return all(word in about.casefold() for word in self.search.text().casefold().split())
 
     def choose(self, names: str) -> None:
@@ -210,7 +212,7 @@ class Choose(QWidget):
         self._keep_typed()
         one = self._procedures[name]
         self.heading.setText(procedure_title(name))
-        self.title.setText(one.title)
+        self.title.setText(in_words(one.title))
         self.needs.setText(needs_text(one))
         if self.form is not None and self.form is not self._area.widget():
             self.form.hide()  # it never came to be shown, and nothing else would take it away
@@ -253,6 +255,6 @@ class Choose(QWidget):
 
 def needs_text(one: Procedure) -> str:
     """What a procedure needs and how long it takes, in one line."""
-    needs = translated("Needs: {0}").format(one.needs) if one.needs else ""
+    needs = translated("Needs: {0}").format(in_words(one.needs)) if one.needs else ""
     lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min or 0)
     return "\n".join(part for part in (needs, lasts if one.lasts_min else "") if part)

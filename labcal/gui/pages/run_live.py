@@ -262,7 +262,10 @@ class Live(QWidget):
             return self.fault.say_coils(self._coils_left(fault))
         self.fault.say_coils(self._coils_left(fault))
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
-        return self.fault.text.setText(kept)
+        goes_on = self.tr(
+            "Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew."
+        )
+        return self.fault.text.setText(goes_on if self._run.status == "interrupted" else kept)
 
     def _coils_known(self) -> None:
         """They were switched off after a run that failed: its card knows. No result stays under another's serial."""

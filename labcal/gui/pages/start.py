@@ -71,7 +71,7 @@ class StartPage(QWidget):
 
     def _hello_card(self) -> Card:
         card = Card()
-        today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
+        today = QLocale().toString(QDate.currentDate(), QLocale.FormatType.LongFormat)
         self.date, self.question = label(today, "large", wrap=True), label("", wrap=True)
         self.morning = button(
             translated(MORNING),
@@ -207,7 +207,7 @@ class StartPage(QWidget):
             if (widget := old.widget()) is not None:
                 widget.hide()
                 widget.deleteLater()
-        broken = [one for one in runs if one.status == "interrupted"]
+        broken = to_be_resumed(runs)
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
 
@@ -225,6 +225,12 @@ class StartPage(QWidget):
             again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
             again.setEnabled(self._app_state.facts is not None)
             self.interrupted.body.addWidget(again)
+
+
+def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:
+    """Of `runs`, the newest first, the interrupted ones after which nobody began the same of the same DUT anew."""
+    last = {(one.procedure, one.dut_serial): one for one in reversed(runs)}
+    return [one for one in last.values() if one.status == "interrupted"][::-1]
 
 
 def days_since(utc: str) -> int:

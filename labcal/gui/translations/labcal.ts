@@ -254,6 +254,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>&lt;br&gt;{0} here, outdoors: {1} ± {2} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
         <translation type="unfinished"></translation>
     </message>
@@ -718,6 +722,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>taking the coils to zero: ordered, and no read-back told yet …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero is to be ordered: no guardian has answered yet …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no reference was asked</source>
         <translation type="unfinished"></translation>
     </message>
@@ -755,6 +767,18 @@
     </message>
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} UTC, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: open the output of {2} at its panel, or switch it off at its mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -963,6 +987,1510 @@
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a run needs the serial number of its DUT: --dut SERIAL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} was not interrupted: it is {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} is of DUT {1}, the bench has {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} is of {1}, not of {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} was changed since run {1} began: start it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} cannot go on after an interruption: start it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: there is no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: is signed already ({1}); only a draft can be approved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is signed: its serial stands; another DUT needs a run of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another person than the operator approves: --as NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase is empty; nothing was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aborted by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whoever ran this is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only the session that drives this bench sets currents.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no reply in {1} s, {2} came.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is it switched on, and is the link in bench.toml the right one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost{1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the link does not open{1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the link does not open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it{1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it{1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guardian did not start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a guardian holds the ports and does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero was ordered for coil {0}: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero was ordered{0}; what was being asked of this line was given up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See guardian.log; what was measured since then was measured without this coil.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See guardian.log in labcal&apos;s data folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A was set and nothing flows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A was set and {2} A flows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the winding whole, does the voltage suffice? Set the coils off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A root mean square over {2} s, its limit is {3} A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the winding cool, then use less current or shorter times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: the contacts did not switch to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the relay and its supply.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the interlock is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It closes when every coil is read back at zero; `guardian.log` says which is not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: its {1} protection tripped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: a reading at full scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} samples came in {2} s, too few to say anything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its power and its cable, or listen for longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the computer&apos;s clock was set back by {0} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the clock right and start the run again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch {0} off by hand before anything else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VALID: signed by {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT VALID: {0} carries no signature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT VALID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was made from the run that was named.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not made from the run that was named ({0} differs).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worked out again from its run, it is the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not worked out again: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worked out again from its run it differs: {0}. The signature stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worked out again from its run it differs: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PROVISIONAL: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EXPIRED: it was good until {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUPERSEDED: by the calibration of run {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED: it describes no real sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no approver is named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>named as approver, but is the operator: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>named as approver, but has not signed: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its numbers were not confirmed by its run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero, not open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no sample for {1} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the same reading for {1} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no temperature for {1} s, and it has a limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} is {2} degC, its limit is {3} degC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: a field of {1} nT is seen, the limit is {2} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no samples came from {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its power and its cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the sensor off and on, and look at its range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the ambient field what it was when it was measured last?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is this the instrument that bench.toml names, and is its link the right one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its panel, then begin this step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for what holds it, home it and begin this step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the stage, home it and begin this step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate the DUT at rest: the coils play directions all over; K and k in the cage&apos;s frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check sign, order and handedness of cage, reference and DUT, and the sense of the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the reference&apos;s due date, its zero by 180° turns, and its magnitude against direction and a standard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find where DUT and reference stand, from the gradients of coil pairs with one half reversed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go through the checklist; every &quot;no&quot; is named at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold a field by feedback on the reference, taken over from the open-loop set-point without a bump.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map the field of each coil over the working volume, computed and probed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure mean, drift, noise and mains of the room, and say whether it is fit for the job.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure offset and gain against the DUT&apos;s temperature while it changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the DUT&apos;s offset from four attitudes in the ambient field, coils off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the DUT&apos;s permanent and induced dipole from what the reference sees of it at two distances.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the current-to-field matrix and offset at the DUT&apos;s place and at the reference&apos;s; a draft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the current-to-field matrix, its squareness and the ambient field by a scalar sensor in the centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the delay of DUT, reference and angle against the set-point and each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the platform&apos;s own field with the reference at the DUT&apos;s place, coils off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play a field history, with the tracking error recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat one rotation, with the coils off in between.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step the field along a body axis (or two together) and measure the departure from a straight line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch each load and measure the bias per ampere (3 × N) and its delay, coils off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole calibration before flight, from the zero to the closing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn once forwards and once backwards at one rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the DUT about one body axis in one steady field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn there and back at several rates in one mounting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>[cage.geometry] with halves that a person can reverse; a vector reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vector reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vector reference that can be moved, the coils&apos; geometry in bench.toml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vector reference, first at the DUT&apos;s place, then at its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an absolute scalar sensor in the cage&apos;s centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing magnetic in the cage that must not be touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT as it will fly, and a camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage; a table of the field, an orbit, or a simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT free to be turned over by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on a platform with a motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on a platform with a motor, a vector reference that can be moved beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on the platform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, a vector reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, its calibration file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, remounted three times; a vector reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT with its thermometer, a means to warm it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bare fixture with the motor, a vector reference at the DUT&apos;s place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cage as it will be used, coils off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference on the platform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Altitude km</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apart mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drift nT per min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Due days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Epoch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Homogeneity ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inclination</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit Am2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Linearity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Magnitudes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mains hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Max age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Misfit mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mountings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relay ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U cage ppm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U mounting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U standard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s power mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body axis mounted along the platform axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field from the platform axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude of the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at each step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest departure that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of every turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded in each field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fields that no fit sees, at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how well the axis is mounted; 0: not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: the fastest allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error that timing may make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: continuous, else stepped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils-off zero before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long to listen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the mains, looked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long to listen for it, at the fastest rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest amplitude of it that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the rotation that is planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fastest drift that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest noise of one sample that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step of the field on each coil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the small turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how far an axis may point beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest step of each coil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps of one sign, from zero to the largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest uncertainty of the matrix that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest change from bench.toml that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest difference of the polarities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest departure from the line that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest difference of up and down that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>side of the square coils</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of a pair, in sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the working volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points probed with the reference on each axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of each coil while probed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at each point and sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probe against computed that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask for a photograph of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channels to switch; none: every current channel of the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>times each load is switched on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on, and off, each time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first amplitude, within coil and DUT limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reversals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last amplitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at each amplitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body axes up, in turn: at least two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the reference above it: at least two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty of each coordinate of its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reversed between turns: the induced part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in each field at rest, with the DUT and without</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest moment that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total field x, y, z in C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long it is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the feedback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part of the error taken back each time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>errors below this are left: the supplies&apos; own step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms error that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field, all over the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field, each in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body axis along the platform axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms error at those fields that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the zero through the run that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded in each attitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how well an attitude is met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body axis along the platform axis and the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body axis stepped together with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps of one sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of each coil with both halves alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at each sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from where the reference is stated that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the coils&apos; geometry that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded with the motor holding, and off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest signature that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV t_s,b_x,b_y,b_z [s, nT in C]; none: the orbit below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>udp://HOST:PORT: as a simulator sends it (docs/field-source.md)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the circular orbit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the orbit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start, ISO 8601 UTC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the satellite is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of orbit time, at most of a source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between two set-points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orbit seconds played in one second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that the source may be silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of a field from the source, beside its quickest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms tracking error that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body axes, each mounted along the platform axis in turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field magnitudes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last magnitude also reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s power modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timing uncertainty, at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at a position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils-off zero, first and last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest closure that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how well an axis is mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each there and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>age of its calibration that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded in each attitude and field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field in six directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest zero that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest spread of the magnitude that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambient magnitude by a standard; 0: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the standard; 0: not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how truly it is turned by 180°; 0: not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the cage&apos;s field, by direction; 0: not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how often</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils off between two turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of both turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timing uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at each stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>full turns, there and back by turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of each coil alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field that rotates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field that rotates, at two moduli</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms error of the magnitude there that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>departure from square that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height of the wave; one ramp step at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps of the pseudo-random wave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turned to and fro</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>longest delay that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>temperature channel of the DUT; empty: the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the platform axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>times every field is visited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at each visit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fields and angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded at each position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms heading error that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms magnitude error that passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number from {0} to {1}, or several with commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number from {0} to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from {0} to {1}, or several with commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from {0} to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text, or several with commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of {0}, or several with commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes or no</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1484,6 +3012,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Starting</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1723,11 +3255,23 @@
 <context>
     <name>ParameterForm</name>
     <message>
+        <source>Settings that most runs leave as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▾ Fewer settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▸ More settings: {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1867,6 +3411,10 @@
 <context>
     <name>RunViewModel</name>
     <message>
+        <source>Coming back to the run that goes on …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Asking every instrument who it is …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1977,6 +3525,10 @@
     </message>
     <message>
         <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run went on meanwhile in its own process: here it is.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2808,6 +4360,14 @@
     </message>
     <message>
         <source>interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>running</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -254,6 +254,10 @@
         <translation>Referenz</translation>
     </message>
     <message>
+        <source>&lt;br&gt;{0} here, outdoors: {1} ± {2} nT</source>
+        <translation>&lt;br&gt;{0} hier, im Freien: {1} ± {2} nT</translation>
+    </message>
+    <message>
         <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
         <translation>&lt;br&gt;&lt;br&gt;höchstens {0} A je Spule&lt;br&gt;höchstens {1} nT</translation>
     </message>
@@ -718,6 +722,14 @@
         <translation>Spulen zuletzt vor {0} s unter ihrer Null zurückgelesen, seither nicht</translation>
     </message>
     <message>
+        <source>taking the coils to zero: ordered, and no read-back told yet …</source>
+        <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
+    </message>
+    <message>
+        <source>zero is to be ordered: no guardian has answered yet …</source>
+        <translation>Null ist zu befehlen: Noch hat kein Wächter geantwortet …</translation>
+    </message>
+    <message>
         <source>no reference was asked</source>
         <translation>keine Referenz wurde gefragt</translation>
     </message>
@@ -756,6 +768,18 @@
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
         <translation>sie sieht {0} nT, erwartet {1} nT: {2} µT Abstand, {3} µT erlaubt</translation>
+    </message>
+    <message>
+        <source>{0} UTC, {1}</source>
+        <translation>{0} UTC, {1}</translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: open the output of {2} at its panel, or switch it off at its mains</source>
+        <translation>Es ist, als flössen {0} A in Spule {1}: Den Ausgang von {2} an seinem Gerät öffnen oder am Netzschalter ausschalten</translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
+        <translation>Es ist, als flössen {0} A in Spule {1}: {2} am Netzschalter ausschalten (kein Befehl öffnet seinen Ausgang)</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -965,6 +989,1510 @@
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
         <translation>Jede Last wird nacheinander geschaltet, die anderen bleiben aus. Hände weg?</translation>
     </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
+        <translation>»{0}« ist keine Seriennummer: Buchstaben und Ziffern, dazwischen . : / + # ( ) - oder Leerzeichen</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
+        <translation>»{0}« ist keine Seriennummer dieses Messplatzes: sie entsprechen {1} (dut.serial_pattern)</translation>
+    </message>
+    <message>
+        <source>a run needs the serial number of its DUT: --dut SERIAL</source>
+        <translation>eine Messung braucht die Seriennummer ihres Prüflings</translation>
+    </message>
+    <message>
+        <source>run {0} was not interrupted: it is {1}</source>
+        <translation>Messung {0} wurde nicht unterbrochen: sie ist {1}</translation>
+    </message>
+    <message>
+        <source>run {0} is of DUT {1}, the bench has {2}</source>
+        <translation>Messung {0} ist von Prüfling {1}, auf dem Messplatz steht {2}</translation>
+    </message>
+    <message>
+        <source>run {0} is of {1}, not of {2}</source>
+        <translation>Messung {0} ist von {1}, nicht von {2}</translation>
+    </message>
+    <message>
+        <source>{0} was changed since run {1} began: start it anew</source>
+        <translation>{0} wurde geändert, seit Messung {1} begann: neu beginnen</translation>
+    </message>
+    <message>
+        <source>{0} cannot go on after an interruption: start it anew</source>
+        <translation>{0} kann nach einer Unterbrechung nicht fortgesetzt werden: neu beginnen</translation>
+    </message>
+    <message>
+        <source>{0}: there is no such file</source>
+        <translation>{0}: diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>{0}: is signed already ({1}); only a draft can be approved</source>
+        <translation>{0}: ist schon signiert ({1}); nur ein Entwurf kann genehmigt werden</translation>
+    </message>
+    <message>
+        <source>{0} is signed: its serial stands; another DUT needs a run of its own</source>
+        <translation>{0} ist signiert: Die Seriennummer steht fest; ein anderer Prüfling braucht seine eigene Messung</translation>
+    </message>
+    <message>
+        <source>another person than the operator approves: --as NAME</source>
+        <translation>genehmigen muss ein anderer Mensch als der Bediener</translation>
+    </message>
+    <message>
+        <source>the passphrase is empty; nothing was made</source>
+        <translation>das Kennwort ist leer; nichts wurde gemacht</translation>
+    </message>
+    <message>
+        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
+        <translation>das Kennwort hat {0} Zeichen und braucht {1}: vier Wörter merkt man sich leicht; nichts wurde gemacht</translation>
+    </message>
+    <message>
+        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
+        <translation>das Kennwort ist {0}: vier Wörter merkt man sich leicht; nichts wurde gemacht</translation>
+    </message>
+    <message>
+        <source>aborted by the operator</source>
+        <translation>vom Bediener abgebrochen</translation>
+    </message>
+    <message>
+        <source>stopped by the operator</source>
+        <translation>vom Bediener gestoppt</translation>
+    </message>
+    <message>
+        <source>whoever ran this is gone</source>
+        <translation>wer dies fuhr, ist weg</translation>
+    </message>
+    <message>
+        <source>only the session that drives this bench sets currents.</source>
+        <translation>Nur wer diesen Messplatz fährt, stellt Ströme ein.</translation>
+    </message>
+    <message>
+        <source>{0}: no reply in {1} s, {2} came.</source>
+        <translation>{0}: keine Antwort in {1} s, {2} kam.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>only {0}</source>
+        <translation>nur {0}</translation>
+    </message>
+    <message>
+        <source>Is it switched on, and is the link in bench.toml the right one?</source>
+        <translation>Ist es eingeschaltet, und stimmt die Verbindung in bench.toml?</translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost ({1}).</source>
+        <translation>{0}: Die Verbindung ist verloren ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost{1}.</source>
+        <translation>{0}: Die Verbindung ist verloren{1}.</translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost.</source>
+        <translation>{0}: Die Verbindung ist verloren.</translation>
+    </message>
+    <message>
+        <source>{0}: the link does not open{1}.</source>
+        <translation>{0}: Die Verbindung lässt sich nicht öffnen{1}.</translation>
+    </message>
+    <message>
+        <source>{0}: the link does not open.</source>
+        <translation>{0}: Die Verbindung lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it{1}.</source>
+        <translation>{0}: Dieser Benutzer darf es nicht öffnen{1}.</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it{1}.</source>
+        <translation>{0}: Ein anderes Programm hat es geöffnet{1}.</translation>
+    </message>
+    <message>
+        <source>the guardian did not start.</source>
+        <translation>Der Wächter ist nicht gestartet.</translation>
+    </message>
+    <message>
+        <source>a guardian holds the ports and does not answer.</source>
+        <translation>Ein Wächter hält die Anschlüsse und antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
+        <translation>Der Wächter hat seit {0} s nicht geantwortet: Er hängt oder wurde angehalten; wie die Spulen stehen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>zero was ordered for coil {0}: {1}.</source>
+        <translation>Für Spule {0} wurde null befohlen: {1}.</translation>
+    </message>
+    <message>
+        <source>zero was ordered{0}; what was being asked of this line was given up.</source>
+        <translation>Null wurde befohlen{0}; was auf dieser Leitung gefragt war, wurde aufgegeben.</translation>
+    </message>
+    <message>
+        <source>See guardian.log; what was measured since then was measured without this coil.</source>
+        <translation>Siehe guardian.log; was seither gemessen wurde, wurde ohne diese Spule gemessen.</translation>
+    </message>
+    <message>
+        <source>See guardian.log in labcal&apos;s data folder.</source>
+        <translation>Siehe guardian.log im Datenordner von labcal.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A was set and nothing flows.</source>
+        <translation>Spule {0}: {1} A wurden eingestellt, und nichts fließt.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A was set and {2} A flows.</source>
+        <translation>Spule {0}: {1} A wurden eingestellt, und {2} A fließen.</translation>
+    </message>
+    <message>
+        <source>Is the winding whole, does the voltage suffice? Set the coils off.</source>
+        <translation>Ist die Wicklung heil, reicht die Spannung? Spulen ausschalten.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A root mean square over {2} s, its limit is {3} A.</source>
+        <translation>Spule {0}: {1} A effektiv über {2} s, die Grenze ist {3} A.</translation>
+    </message>
+    <message>
+        <source>Let the winding cool, then use less current or shorter times.</source>
+        <translation>Die Wicklung abkühlen lassen, dann weniger Strom oder kürzere Zeiten nehmen.</translation>
+    </message>
+    <message>
+        <source>coil {0}: the contacts did not switch to {1}.</source>
+        <translation>Spule {0}: Die Kontakte haben nicht auf {1} geschaltet.</translation>
+    </message>
+    <message>
+        <source>Look at the relay and its supply.</source>
+        <translation>Das Relais und seine Versorgung ansehen.</translation>
+    </message>
+    <message>
+        <source>{0}: the interlock is open.</source>
+        <translation>{0}: Die Verriegelung ist offen.</translation>
+    </message>
+    <message>
+        <source>It closes when every coil is read back at zero; `guardian.log` says which is not.</source>
+        <translation>Sie schließt, wenn jede Spule auf null zurückgelesen ist; `guardian.log` sagt, welche es nicht ist.</translation>
+    </message>
+    <message>
+        <source>{0}: its {1} protection tripped.</source>
+        <translation>{0}: Der Schutz ({1}) hat ausgelöst.</translation>
+    </message>
+    <message>
+        <source>{0}: a reading at full scale.</source>
+        <translation>{0}: eine Ablesung am Anschlag.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} samples came in {2} s, too few to say anything.</source>
+        <translation>{0}: {1} Werte kamen in {2} s, zu wenige, um etwas zu sagen.</translation>
+    </message>
+    <message>
+        <source>Look at its power and its cable, or listen for longer.</source>
+        <translation>Versorgung und Kabel ansehen, oder länger hören.</translation>
+    </message>
+    <message>
+        <source>the computer&apos;s clock was set back by {0} s.</source>
+        <translation>Die Uhr des Computers wurde um {0} s zurückgestellt.</translation>
+    </message>
+    <message>
+        <source>Set the clock right and start the run again.</source>
+        <translation>Die Uhr richtig stellen und die Messung neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Switch {0} off by hand before anything else.</source>
+        <translation>Vor allem anderen {0} von Hand ausschalten.</translation>
+    </message>
+    <message>
+        <source>zero, open</source>
+        <translation>null, offen</translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation>Spulen NICHT als null bestätigt: {0}</translation>
+    </message>
+    <message>
+        <source>VALID: signed by {0}.</source>
+        <translation>GÜLTIG: signiert von {0}.</translation>
+    </message>
+    <message>
+        <source>NOT VALID: {0} carries no signature.</source>
+        <translation>NICHT GÜLTIG: {0} trägt keine Signatur.</translation>
+    </message>
+    <message>
+        <source>NOT VALID.</source>
+        <translation>NICHT GÜLTIG.</translation>
+    </message>
+    <message>
+        <source>It was made from the run that was named.</source>
+        <translation>Es wurde aus der genannten Messung gemacht.</translation>
+    </message>
+    <message>
+        <source>It was not made from the run that was named ({0} differs).</source>
+        <translation>Es wurde nicht aus der genannten Messung gemacht ({0} weicht ab).</translation>
+    </message>
+    <message>
+        <source>Worked out again from its run, it is the same.</source>
+        <translation>Aus seiner Messung neu gerechnet, ist es dasselbe.</translation>
+    </message>
+    <message>
+        <source>It was not worked out again: {0}.</source>
+        <translation>Es wurde nicht neu gerechnet: {0}.</translation>
+    </message>
+    <message>
+        <source>Worked out again from its run it differs: {0}. The signature stands.</source>
+        <translation>Aus seiner Messung neu gerechnet, weicht es ab: {0}. Die Signatur gilt.</translation>
+    </message>
+    <message>
+        <source>Worked out again from its run it differs: {0}.</source>
+        <translation>Aus seiner Messung neu gerechnet, weicht es ab: {0}.</translation>
+    </message>
+    <message>
+        <source>PROVISIONAL: {0}.</source>
+        <translation>VORLÄUFIG: {0}.</translation>
+    </message>
+    <message>
+        <source>EXPIRED: it was good until {0}.</source>
+        <translation>ABGELAUFEN: gültig war es bis {0}.</translation>
+    </message>
+    <message>
+        <source>SUPERSEDED: by the calibration of run {0}.</source>
+        <translation>ERSETZT: durch die Kalibrierung aus Messung {0}.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: it describes no real sensor.</source>
+        <translation>SIMULIERT: Es beschreibt keinen wirklichen Sensor.</translation>
+    </message>
+    <message>
+        <source>no approver is named</source>
+        <translation>kein Genehmigender ist genannt</translation>
+    </message>
+    <message>
+        <source>named as approver, but is the operator: {0}</source>
+        <translation>als Genehmigender genannt, aber Bediener: {0}</translation>
+    </message>
+    <message>
+        <source>named as approver, but has not signed: {0}</source>
+        <translation>als Genehmigender genannt, hat aber nicht signiert: {0}</translation>
+    </message>
+    <message>
+        <source>its numbers were not confirmed by its run</source>
+        <translation>seine Zahlen wurden von seiner Messung nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>zero, not open</source>
+        <translation>null, nicht offen</translation>
+    </message>
+    <message>
+        <source>{0}: no sample for {1} s.</source>
+        <translation>{0}: seit {1} s kein Wert.</translation>
+    </message>
+    <message>
+        <source>{0}: the same reading for {1} s.</source>
+        <translation>{0}: seit {1} s dieselbe Ablesung.</translation>
+    </message>
+    <message>
+        <source>{0}: no temperature for {1} s, and it has a limit.</source>
+        <translation>{0}: seit {1} s keine Temperatur, und sie hat eine Grenze.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is {2} degC, its limit is {3} degC.</source>
+        <translation>{0}: {1} ist {2} °C, die Grenze ist {3} °C.</translation>
+    </message>
+    <message>
+        <source>{0}: a field of {1} nT is seen, the limit is {2} nT.</source>
+        <translation>{0}: Ein Feld von {1} nT wird gesehen, die Grenze ist {2} nT.</translation>
+    </message>
+    <message>
+        <source>no samples came from {0}.</source>
+        <translation>von {0} kamen keine Werte.</translation>
+    </message>
+    <message>
+        <source>Look at its power and its cable.</source>
+        <translation>Versorgung und Kabel ansehen.</translation>
+    </message>
+    <message>
+        <source>Switch the sensor off and on, and look at its range.</source>
+        <translation>Den Sensor aus- und einschalten und seinen Messbereich ansehen.</translation>
+    </message>
+    <message>
+        <source>Is the ambient field what it was when it was measured last?</source>
+        <translation>Ist das Umgebungsfeld, wie es zuletzt gemessen wurde?</translation>
+    </message>
+    <message>
+        <source>Is this the instrument that bench.toml names, and is its link the right one?</source>
+        <translation>Ist es das Gerät, das bench.toml nennt, und stimmt seine Verbindung?</translation>
+    </message>
+    <message>
+        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
+        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen Schritt neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
+        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann diesen Schritt neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Look at its panel, then begin this step again.</source>
+        <translation>Seine Anzeige ansehen, dann diesen Schritt neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Look for what holds it, home it and begin this step again.</source>
+        <translation>Suchen, was es aufhält, es auf null fahren und diesen Schritt neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Look at the stage, home it and begin this step again.</source>
+        <translation>Den Tisch ansehen, auf null fahren und diesen Schritt neu beginnen.</translation>
+    </message>
+    <message>
+        <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
+        <translation>{0}: Für {1} gibt es hier keinen Schlüssel; Neu macht einen</translation>
+    </message>
+    <message>
+        <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
+        <translation>{0}: öffnet sich nicht: Das Kennwort ist falsch oder die Datei beschädigt</translation>
+    </message>
+    <message>
+        <source>{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)</source>
+        <translation>{0}: {1} hat schon einen Schlüssel; ein zweiter würde ihn ersetzen (`labcal keys revoke {2}`, wo er verloren ist)</translation>
+    </message>
+    <message>
+        <source>failed: {0}</source>
+        <translation>gescheitert: {0}</translation>
+    </message>
+    <message>
+        <source>interrupted: {0}</source>
+        <translation>unterbrochen: {0}</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>eingelesen</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
+        <translation>Den Strom jeder Spule mit fallender Amplitude wechseln lassen und das Umgebungsfeld vorher und nachher vergleichen.</translation>
+    </message>
+    <message>
+        <source>Calibrate the DUT at rest: the coils play directions all over; K and k in the cage&apos;s frame.</source>
+        <translation>Den ruhenden Prüfling kalibrieren: Die Spulen stellen Richtungen ringsum ein; K und k im System des Käfigs.</translation>
+    </message>
+    <message>
+        <source>Check sign, order and handedness of cage, reference and DUT, and the sense of the angle.</source>
+        <translation>Vorzeichen, Reihenfolge und Händigkeit von Käfig, Referenz und Prüfling und den Drehsinn prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the reference&apos;s due date, its zero by 180° turns, and its magnitude against direction and a standard.</source>
+        <translation>Fälligkeit der Referenz prüfen, ihren Nullpunkt durch 180°-Drehungen und ihren Betrag gegen Richtung und Normal.</translation>
+    </message>
+    <message>
+        <source>Find where DUT and reference stand, from the gradients of coil pairs with one half reversed.</source>
+        <translation>Finden, wo Prüfling und Referenz stehen, aus den Gradienten von Spulenpaaren mit einer umgepolten Hälfte.</translation>
+    </message>
+    <message>
+        <source>Go through the checklist; every &quot;no&quot; is named at the end.</source>
+        <translation>Die Checkliste durchgehen; jedes Nein wird am Ende genannt.</translation>
+    </message>
+    <message>
+        <source>Hold a field by feedback on the reference, taken over from the open-loop set-point without a bump.</source>
+        <translation>Ein Feld durch Rückführung der Referenz halten, stoßfrei aus dem gesteuerten Sollwert übernommen.</translation>
+    </message>
+    <message>
+        <source>Map the field of each coil over the working volume, computed and probed.</source>
+        <translation>Das Feld jeder Spule über das Nutzvolumen kartieren, gerechnet und gemessen.</translation>
+    </message>
+    <message>
+        <source>Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.</source>
+        <translation>Richtungs- und Betragsfehler an unabhängigen Stellungen messen; `--set calibration=CAL.json` beurteilt diese Datei.</translation>
+    </message>
+    <message>
+        <source>Measure mean, drift, noise and mains of the room, and say whether it is fit for the job.</source>
+        <translation>Mittel, Drift, Rauschen und Netzbrumm des Raums messen und sagen, ob er sich eignet.</translation>
+    </message>
+    <message>
+        <source>Measure offset and gain against the DUT&apos;s temperature while it changes.</source>
+        <translation>Nullpunkt und Verstärkung über der Temperatur des Prüflings messen, während sie sich ändert.</translation>
+    </message>
+    <message>
+        <source>Measure the DUT&apos;s offset from four attitudes in the ambient field, coils off.</source>
+        <translation>Den Nullpunkt des Prüflings aus vier Lagen im Umgebungsfeld messen, Spulen aus.</translation>
+    </message>
+    <message>
+        <source>Measure the DUT&apos;s permanent and induced dipole from what the reference sees of it at two distances.</source>
+        <translation>Dauer- und induziertes Dipolmoment des Prüflings messen, aus dem, was die Referenz in zwei Abständen davon sieht.</translation>
+    </message>
+    <message>
+        <source>Measure the current-to-field matrix and offset at the DUT&apos;s place and at the reference&apos;s; a draft.</source>
+        <translation>Matrix von Strom zu Feld und Nullfeld am Ort des Prüflings und der Referenz messen; ein Entwurf.</translation>
+    </message>
+    <message>
+        <source>Measure the current-to-field matrix, its squareness and the ambient field by a scalar sensor in the centre.</source>
+        <translation>Matrix von Strom zu Feld, ihre Rechtwinkligkeit und das Umgebungsfeld mit einem Skalarsensor in der Mitte messen.</translation>
+    </message>
+    <message>
+        <source>Measure the delay of DUT, reference and angle against the set-point and each other.</source>
+        <translation>Den Verzug von Prüfling, Referenz und Winkel gegen den Sollwert und gegeneinander messen.</translation>
+    </message>
+    <message>
+        <source>Measure the platform&apos;s own field with the reference at the DUT&apos;s place, coils off.</source>
+        <translation>Das Eigenfeld des Tisches mit der Referenz am Ort des Prüflings messen, Spulen aus.</translation>
+    </message>
+    <message>
+        <source>Play a field history, with the tracking error recorded.</source>
+        <translation>Einen Feldverlauf abspielen und den Folgefehler aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>Repeat one rotation, with the coils off in between.</source>
+        <translation>Eine Drehung wiederholen, dazwischen Spulen aus.</translation>
+    </message>
+    <message>
+        <source>Step the field along a body axis (or two together) and measure the departure from a straight line.</source>
+        <translation>Das Feld entlang einer Körperachse (oder zweier zugleich) stufen und die Abweichung von einer Geraden messen.</translation>
+    </message>
+    <message>
+        <source>Switch each load and measure the bias per ampere (3 × N) and its delay, coils off.</source>
+        <translation>Jede Last schalten und die Störung je Ampere (3 × N) und ihren Verzug messen, Spulen aus.</translation>
+    </message>
+    <message>
+        <source>The whole calibration before flight, from the zero to the closing.</source>
+        <translation>Die ganze Kalibrierung vor dem Flug, vom Nullpunkt bis zur Schlussprüfung.</translation>
+    </message>
+    <message>
+        <source>Turn once forwards and once backwards at one rate.</source>
+        <translation>Einmal vorwärts und einmal rückwärts drehen, mit einer Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Turn the DUT about one body axis in one steady field.</source>
+        <translation>Den Prüfling um eine Körperachse in einem ruhigen Feld drehen.</translation>
+    </message>
+    <message>
+        <source>Turn there and back at several rates in one mounting.</source>
+        <translation>Mit mehreren Geschwindigkeiten hin und zurück drehen, ohne umzubauen.</translation>
+    </message>
+    <message>
+        <source>[cage.geometry] with halves that a person can reverse; a vector reference</source>
+        <translation>[cage.geometry] mit Hälften, die ein Mensch umpolen kann; eine Vektorreferenz</translation>
+    </message>
+    <message>
+        <source>a vector reference</source>
+        <translation>eine Vektorreferenz</translation>
+    </message>
+    <message>
+        <source>a vector reference that can be moved, the coils&apos; geometry in bench.toml</source>
+        <translation>eine bewegliche Vektorreferenz, die Geometrie der Spulen in bench.toml</translation>
+    </message>
+    <message>
+        <source>a vector reference, first at the DUT&apos;s place, then at its own</source>
+        <translation>eine Vektorreferenz, erst am Ort des Prüflings, dann an ihrem eigenen</translation>
+    </message>
+    <message>
+        <source>an absolute scalar sensor in the cage&apos;s centre</source>
+        <translation>ein absoluter Skalarsensor in der Mitte des Käfigs</translation>
+    </message>
+    <message>
+        <source>nothing magnetic in the cage that must not be touched</source>
+        <translation>nichts Magnetisches im Käfig, das nicht berührt werden darf</translation>
+    </message>
+    <message>
+        <source>the DUT as it will fly, and a camera</source>
+        <translation>der Prüfling, wie er fliegen wird, und eine Kamera</translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage</source>
+        <translation>der Prüfling ruht im Käfig</translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage; a table of the field, an orbit, or a simulator</source>
+        <translation>der Prüfling ruht im Käfig; eine Tabelle des Felds, eine Bahn oder ein Simulator</translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration</source>
+        <translation>der Prüfling ruht im Käfig; eine Vektorreferenz an seinem Ort oder eine genehmigte Käfigkalibrierung</translation>
+    </message>
+    <message>
+        <source>the DUT free to be turned over by hand</source>
+        <translation>der Prüfling lässt sich von Hand wenden</translation>
+    </message>
+    <message>
+        <source>the DUT on a platform with a motor</source>
+        <translation>der Prüfling auf einem Tisch mit Motor</translation>
+    </message>
+    <message>
+        <source>the DUT on a platform with a motor, a vector reference that can be moved beside it</source>
+        <translation>der Prüfling auf einem Tisch mit Motor, daneben eine bewegliche Vektorreferenz</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform</source>
+        <translation>der Prüfling auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, a vector reference</source>
+        <translation>der Prüfling auf dem Tisch, eine Vektorreferenz</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, its calibration file</source>
+        <translation>der Prüfling auf dem Tisch, seine Kalibrierdatei</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
+        <translation>der Prüfling auf dem Tisch, schaltbare Lasten des Raumfahrzeugs</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, remounted three times; a vector reference</source>
+        <translation>der Prüfling auf dem Tisch, dreimal umgebaut; eine Vektorreferenz</translation>
+    </message>
+    <message>
+        <source>the DUT with its thermometer, a means to warm it</source>
+        <translation>der Prüfling mit seinem Thermometer, etwas zum Erwärmen</translation>
+    </message>
+    <message>
+        <source>the bare fixture with the motor, a vector reference at the DUT&apos;s place</source>
+        <translation>die leere Halterung mit dem Motor, eine Vektorreferenz am Ort des Prüflings</translation>
+    </message>
+    <message>
+        <source>the cage as it will be used, coils off</source>
+        <translation>der Käfig, wie er benutzt wird, Spulen aus</translation>
+    </message>
+    <message>
+        <source>the reference on the platform</source>
+        <translation>die Referenz auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>Altitude km</source>
+        <translation>Höhe km</translation>
+    </message>
+    <message>
+        <source>Apart mm</source>
+        <translation>Abstand mm</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Change ppm</source>
+        <translation>Änderung ppm</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Chip</source>
+        <translation>Takt</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation>Schluss</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Zyklen</translation>
+    </message>
+    <message>
+        <source>Dead</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Drift nT per min</source>
+        <translation>Drift nT/min</translation>
+    </message>
+    <message>
+        <source>Due days</source>
+        <translation>Fällig nach Tagen</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Verweilen</translation>
+    </message>
+    <message>
+        <source>Epoch</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Oberwellen</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Homogeneity ppm</source>
+        <translation>Homogenität ppm</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>Inclination</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzte</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Limit Am2</source>
+        <translation>Grenze Am²</translation>
+    </message>
+    <message>
+        <source>Limit ppm</source>
+        <translation>Grenze ppm</translation>
+    </message>
+    <message>
+        <source>Linearity</source>
+        <translation>Linearität</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>Magnitudes</source>
+        <translation>Beträge</translation>
+    </message>
+    <message>
+        <source>Mains</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Mains hz</source>
+        <translation>Netz Hz</translation>
+    </message>
+    <message>
+        <source>Max age</source>
+        <translation>Höchstes Alter</translation>
+    </message>
+    <message>
+        <source>Misfit mm</source>
+        <translation>Abweichung mm</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Model ppm</source>
+        <translation>Modell ppm</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>Modulus</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>Mountings</source>
+        <translation>Einbauten</translation>
+    </message>
+    <message>
+        <source>N directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Drehraten</translation>
+    </message>
+    <message>
+        <source>Relay ppm</source>
+        <translation>Relais ppm</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>Scale ppm</source>
+        <translation>Skala ppm</translation>
+    </message>
+    <message>
+        <source>Second axis</source>
+        <translation>Zweite Achse</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stille</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Rechter Winkel</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Wie oft</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Zeitfehler</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Drehungen</translation>
+    </message>
+    <message>
+        <source>U cage ppm</source>
+        <translation>U Käfig ppm</translation>
+    </message>
+    <message>
+        <source>U mounting</source>
+        <translation>U Einbau</translation>
+    </message>
+    <message>
+        <source>U place</source>
+        <translation>U Ort</translation>
+    </message>
+    <message>
+        <source>U standard</source>
+        <translation>U Normal</translation>
+    </message>
+    <message>
+        <source>U time</source>
+        <translation>U Zeit</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>U Drehung</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüffelder</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s power mode</source>
+        <translation>Betriebszustand des Prüflings</translation>
+    </message>
+    <message>
+        <source>body axis mounted along the platform axis</source>
+        <translation>Körperachse, die längs der Tischachse steht</translation>
+    </message>
+    <message>
+        <source>field from the platform axis</source>
+        <translation>Feld gegen die Tischachse</translation>
+    </message>
+    <message>
+        <source>magnitude of the field</source>
+        <translation>Betrag des Felds</translation>
+    </message>
+    <message>
+        <source>recorded at each step</source>
+        <translation>je Stufe aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>largest departure that passes</source>
+        <translation>größte Abweichung, die besteht</translation>
+    </message>
+    <message>
+        <source>of every turn</source>
+        <translation>jeder Drehung</translation>
+    </message>
+    <message>
+        <source>recorded in each field</source>
+        <translation>je Feld aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>fields that no fit sees, at the end</source>
+        <translation>Felder am Ende, die kein Fit sieht</translation>
+    </message>
+    <message>
+        <source>how well the axis is mounted; 0: not stated</source>
+        <translation>wie genau die Achse steht; 0: nicht genannt</translation>
+    </message>
+    <message>
+        <source>0: the fastest allowed</source>
+        <translation>0: so schnell wie erlaubt</translation>
+    </message>
+    <message>
+        <source>error that timing may make</source>
+        <translation>erlaubter Fehler durch Zeitversatz</translation>
+    </message>
+    <message>
+        <source>0: continuous, else stepped</source>
+        <translation>0: stetig, sonst in Schritten</translation>
+    </message>
+    <message>
+        <source>coils-off zero before</source>
+        <translation>Nullpunkt davor, Spulen aus</translation>
+    </message>
+    <message>
+        <source>how long to listen</source>
+        <translation>wie lange gehört wird</translation>
+    </message>
+    <message>
+        <source>the mains</source>
+        <translation>das Netz</translation>
+    </message>
+    <message>
+        <source>of the mains, looked for</source>
+        <translation>des Netzes, die gesucht werden</translation>
+    </message>
+    <message>
+        <source>how long to listen for it, at the fastest rate</source>
+        <translation>wie lange danach gehört wird, so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>largest amplitude of it that passes</source>
+        <translation>größte Amplitude davon, die besteht</translation>
+    </message>
+    <message>
+        <source>of the rotation that is planned</source>
+        <translation>der geplanten Drehung</translation>
+    </message>
+    <message>
+        <source>fastest drift that passes</source>
+        <translation>schnellste Drift, die besteht</translation>
+    </message>
+    <message>
+        <source>largest noise of one sample that passes</source>
+        <translation>größtes Rauschen eines Werts, das besteht</translation>
+    </message>
+    <message>
+        <source>step of the field on each coil</source>
+        <translation>Feldstufe je Spule</translation>
+    </message>
+    <message>
+        <source>the small turn</source>
+        <translation>die kleine Drehung</translation>
+    </message>
+    <message>
+        <source>how far an axis may point beside</source>
+        <translation>wie weit eine Achse danebenzeigen darf</translation>
+    </message>
+    <message>
+        <source>largest step of each coil</source>
+        <translation>größte Stufe je Spule</translation>
+    </message>
+    <message>
+        <source>steps of one sign, from zero to the largest</source>
+        <translation>Stufen eines Vorzeichens, von null bis zur größten</translation>
+    </message>
+    <message>
+        <source>largest uncertainty of the matrix that passes</source>
+        <translation>größte Unsicherheit der Matrix, die besteht</translation>
+    </message>
+    <message>
+        <source>largest change from bench.toml that passes</source>
+        <translation>größte Änderung gegen bench.toml, die besteht</translation>
+    </message>
+    <message>
+        <source>largest difference of the polarities</source>
+        <translation>größter Unterschied der Polungen</translation>
+    </message>
+    <message>
+        <source>largest departure from the line that passes</source>
+        <translation>größte Abweichung von der Geraden, die besteht</translation>
+    </message>
+    <message>
+        <source>largest difference of up and down that passes</source>
+        <translation>größter Unterschied von auf und ab, der besteht</translation>
+    </message>
+    <message>
+        <source>side of the square coils</source>
+        <translation>Seite der quadratischen Spulen</translation>
+    </message>
+    <message>
+        <source>distance of a pair, in sides</source>
+        <translation>Abstand eines Paars, in Seiten</translation>
+    </message>
+    <message>
+        <source>of the working volume</source>
+        <translation>des Nutzvolumens</translation>
+    </message>
+    <message>
+        <source>points probed with the reference on each axis</source>
+        <translation>mit der Referenz gemessene Punkte je Achse</translation>
+    </message>
+    <message>
+        <source>of each coil while probed</source>
+        <translation>jeder Spule während der Messung</translation>
+    </message>
+    <message>
+        <source>recorded at each point and sign</source>
+        <translation>je Punkt und Vorzeichen aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>probe against computed that passes</source>
+        <translation>gemessen gegen gerechnet, was besteht</translation>
+    </message>
+    <message>
+        <source>ask for a photograph of each</source>
+        <translation>von jedem ein Foto verlangen</translation>
+    </message>
+    <message>
+        <source>channels to switch; none: every current channel of the DUT</source>
+        <translation>zu schaltende Kanäle; keine: jeder Stromkanal des Prüflings</translation>
+    </message>
+    <message>
+        <source>times each load is switched on</source>
+        <translation>wie oft jede Last eingeschaltet wird</translation>
+    </message>
+    <message>
+        <source>on, and off, each time</source>
+        <translation>jeweils ein und aus</translation>
+    </message>
+    <message>
+        <source>first amplitude, within coil and DUT limits</source>
+        <translation>erste Amplitude, in den Grenzen von Spule und Prüfling</translation>
+    </message>
+    <message>
+        <source>reversals</source>
+        <translation>Umpolungen</translation>
+    </message>
+    <message>
+        <source>last amplitude</source>
+        <translation>letzte Amplitude</translation>
+    </message>
+    <message>
+        <source>at each amplitude</source>
+        <translation>je Amplitude</translation>
+    </message>
+    <message>
+        <source>body axes up, in turn: at least two</source>
+        <translation>Körperachsen nach oben, nacheinander: mindestens zwei</translation>
+    </message>
+    <message>
+        <source>of the reference above it: at least two</source>
+        <translation>der Referenz darüber: mindestens zwei</translation>
+    </message>
+    <message>
+        <source>uncertainty of each coordinate of its place</source>
+        <translation>Unsicherheit jeder Koordinate ihres Orts</translation>
+    </message>
+    <message>
+        <source>reversed between turns: the induced part</source>
+        <translation>zwischen Drehungen umgepolt: der induzierte Anteil</translation>
+    </message>
+    <message>
+        <source>in each field at rest, with the DUT and without</source>
+        <translation>je Feld in Ruhe, mit und ohne Prüfling</translation>
+    </message>
+    <message>
+        <source>largest moment that passes</source>
+        <translation>größtes Moment, das besteht</translation>
+    </message>
+    <message>
+        <source>total field x, y, z in C</source>
+        <translation>ganzes Feld x, y, z in C</translation>
+    </message>
+    <message>
+        <source>how long it is held</source>
+        <translation>wie lange es gehalten wird</translation>
+    </message>
+    <message>
+        <source>of the feedback</source>
+        <translation>der Rückführung</translation>
+    </message>
+    <message>
+        <source>part of the error taken back each time</source>
+        <translation>Anteil des Fehlers, der jedes Mal ausgeglichen wird</translation>
+    </message>
+    <message>
+        <source>errors below this are left: the supplies&apos; own step</source>
+        <translation>kleinere Fehler bleiben: die Stufe der Netzgeräte</translation>
+    </message>
+    <message>
+        <source>rms error that passes</source>
+        <translation>Effektivfehler, der besteht</translation>
+    </message>
+    <message>
+        <source>of the field, all over the sphere</source>
+        <translation>des Felds, rings um die Kugel</translation>
+    </message>
+    <message>
+        <source>of the field, each in all</source>
+        <translation>des Felds, jeder ringsum</translation>
+    </message>
+    <message>
+        <source>body axis along the platform axis</source>
+        <translation>Körperachse längs der Tischachse</translation>
+    </message>
+    <message>
+        <source>rms error at those fields that passes</source>
+        <translation>Effektivfehler bei diesen Feldern, der besteht</translation>
+    </message>
+    <message>
+        <source>change of the zero through the run that passes</source>
+        <translation>Änderung des Nullpunkts über die Messung, die besteht</translation>
+    </message>
+    <message>
+        <source>recorded in each attitude</source>
+        <translation>je Lage aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>how well an attitude is met</source>
+        <translation>wie genau eine Lage getroffen wird</translation>
+    </message>
+    <message>
+        <source>body axis along the platform axis and the field</source>
+        <translation>Körperachse längs Tischachse und Feld</translation>
+    </message>
+    <message>
+        <source>body axis stepped together with it</source>
+        <translation>Körperachse, die mitgestuft wird</translation>
+    </message>
+    <message>
+        <source>largest field</source>
+        <translation>größtes Feld</translation>
+    </message>
+    <message>
+        <source>steps of one sign</source>
+        <translation>Stufen eines Vorzeichens</translation>
+    </message>
+    <message>
+        <source>of each coil with both halves alike</source>
+        <translation>jeder Spule mit gleichgepolten Hälften</translation>
+    </message>
+    <message>
+        <source>recorded at each sign</source>
+        <translation>je Vorzeichen aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>from where the reference is stated that passes</source>
+        <translation>vom genannten Ort der Referenz, was besteht</translation>
+    </message>
+    <message>
+        <source>of the coils&apos; geometry that passes</source>
+        <translation>der Spulengeometrie, was besteht</translation>
+    </message>
+    <message>
+        <source>of the turn</source>
+        <translation>der Drehung</translation>
+    </message>
+    <message>
+        <source>recorded with the motor holding, and off</source>
+        <translation>aufgezeichnet mit haltendem und mit abgeschaltetem Motor</translation>
+    </message>
+    <message>
+        <source>largest signature that passes</source>
+        <translation>größtes Eigenfeld, das besteht</translation>
+    </message>
+    <message>
+        <source>CSV t_s,b_x,b_y,b_z [s, nT in C]; none: the orbit below</source>
+        <translation>CSV t_s,b_x,b_y,b_z [s, nT in C]; keine: die Bahn unten</translation>
+    </message>
+    <message>
+        <source>udp://HOST:PORT: as a simulator sends it (docs/field-source.md)</source>
+        <translation>udp://HOST:PORT: wie ein Simulator es sendet (docs/field-source.md)</translation>
+    </message>
+    <message>
+        <source>of the circular orbit</source>
+        <translation>der Kreisbahn</translation>
+    </message>
+    <message>
+        <source>of the orbit</source>
+        <translation>der Bahn</translation>
+    </message>
+    <message>
+        <source>start, ISO 8601 UTC</source>
+        <translation>Beginn, ISO 8601 UTC</translation>
+    </message>
+    <message>
+        <source>how the satellite is held</source>
+        <translation>wie der Satellit gehalten wird</translation>
+    </message>
+    <message>
+        <source>of orbit time, at most of a source</source>
+        <translation>der Bahnzeit, bei einer Quelle höchstens</translation>
+    </message>
+    <message>
+        <source>between two set-points</source>
+        <translation>zwischen zwei Sollwerten</translation>
+    </message>
+    <message>
+        <source>orbit seconds played in one second</source>
+        <translation>in einer Sekunde gespielte Bahnsekunden</translation>
+    </message>
+    <message>
+        <source>that the source may be silent</source>
+        <translation>die die Quelle schweigen darf</translation>
+    </message>
+    <message>
+        <source>of a field from the source, beside its quickest</source>
+        <translation>eines Felds der Quelle, gegen ihr schnellstes</translation>
+    </message>
+    <message>
+        <source>rms tracking error that passes</source>
+        <translation>effektiver Folgefehler, der besteht</translation>
+    </message>
+    <message>
+        <source>body axes, each mounted along the platform axis in turn</source>
+        <translation>Körperachsen, jede nacheinander längs der Tischachse eingebaut</translation>
+    </message>
+    <message>
+        <source>field magnitudes</source>
+        <translation>Beträge des Felds</translation>
+    </message>
+    <message>
+        <source>the last magnitude also reversed</source>
+        <translation>der letzte Betrag auch umgekehrt</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s power modes</source>
+        <translation>Betriebszustände des Prüflings</translation>
+    </message>
+    <message>
+        <source>timing uncertainty, at least</source>
+        <translation>Zeitunsicherheit, mindestens</translation>
+    </message>
+    <message>
+        <source>recorded at a position</source>
+        <translation>je Stellung aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>coils-off zero, first and last</source>
+        <translation>Nullpunkt mit Spulen aus, zuerst und zuletzt</translation>
+    </message>
+    <message>
+        <source>largest closure that passes</source>
+        <translation>größter Schlussfehler, der besteht</translation>
+    </message>
+    <message>
+        <source>how well an axis is mounted</source>
+        <translation>wie genau eine Achse steht</translation>
+    </message>
+    <message>
+        <source>each there and back</source>
+        <translation>jede hin und zurück</translation>
+    </message>
+    <message>
+        <source>age of its calibration that passes</source>
+        <translation>Alter ihrer Kalibrierung, das besteht</translation>
+    </message>
+    <message>
+        <source>recorded in each attitude and field</source>
+        <translation>je Lage und Feld aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>of the field in six directions</source>
+        <translation>des Felds in sechs Richtungen</translation>
+    </message>
+    <message>
+        <source>largest zero that passes</source>
+        <translation>größter Nullpunkt, der besteht</translation>
+    </message>
+    <message>
+        <source>largest spread of the magnitude that passes</source>
+        <translation>größte Streuung des Betrags, die besteht</translation>
+    </message>
+    <message>
+        <source>ambient magnitude by a standard; 0: none</source>
+        <translation>Umgebungsfeld nach einem Normal; 0: keines</translation>
+    </message>
+    <message>
+        <source>of the standard; 0: not stated</source>
+        <translation>des Normals; 0: nicht genannt</translation>
+    </message>
+    <message>
+        <source>how truly it is turned by 180°; 0: not stated</source>
+        <translation>wie genau um 180° gewendet wird; 0: nicht genannt</translation>
+    </message>
+    <message>
+        <source>of the cage&apos;s field, by direction; 0: not stated</source>
+        <translation>des Käfigfelds, je Richtung; 0: nicht genannt</translation>
+    </message>
+    <message>
+        <source>how often</source>
+        <translation>wie oft</translation>
+    </message>
+    <message>
+        <source>coils off between two turns</source>
+        <translation>Spulen aus zwischen zwei Drehungen</translation>
+    </message>
+    <message>
+        <source>of both turns</source>
+        <translation>beider Drehungen</translation>
+    </message>
+    <message>
+        <source>timing uncertainty</source>
+        <translation>Zeitunsicherheit</translation>
+    </message>
+    <message>
+        <source>recorded at each stop</source>
+        <translation>je Halt aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>full turns, there and back by turns</source>
+        <translation>ganze Drehungen, abwechselnd hin und zurück</translation>
+    </message>
+    <message>
+        <source>of each coil alone</source>
+        <translation>jeder Spule allein</translation>
+    </message>
+    <message>
+        <source>of the field that rotates</source>
+        <translation>des drehenden Felds</translation>
+    </message>
+    <message>
+        <source>of the field that rotates, at two moduli</source>
+        <translation>des drehenden Felds, bei zwei Beträgen</translation>
+    </message>
+    <message>
+        <source>rms error of the magnitude there that passes</source>
+        <translation>Effektivfehler des Betrags dort, der besteht</translation>
+    </message>
+    <message>
+        <source>departure from square that passes</source>
+        <translation>Abweichung vom rechten Winkel, die besteht</translation>
+    </message>
+    <message>
+        <source>height of the wave; one ramp step at most</source>
+        <translation>Höhe der Welle; höchstens eine Rampenstufe</translation>
+    </message>
+    <message>
+        <source>steps of the pseudo-random wave</source>
+        <translation>Stufen der Pseudozufallswelle</translation>
+    </message>
+    <message>
+        <source>length of a step</source>
+        <translation>Länge einer Stufe</translation>
+    </message>
+    <message>
+        <source>turned to and fro</source>
+        <translation>hin und her gedreht</translation>
+    </message>
+    <message>
+        <source>longest delay that passes</source>
+        <translation>längster Verzug, der besteht</translation>
+    </message>
+    <message>
+        <source>temperature channel of the DUT; empty: the first</source>
+        <translation>Temperaturkanal des Prüflings; leer: der erste</translation>
+    </message>
+    <message>
+        <source>along the platform axis</source>
+        <translation>längs der Tischachse</translation>
+    </message>
+    <message>
+        <source>times every field is visited</source>
+        <translation>wie oft jedes Feld angefahren wird</translation>
+    </message>
+    <message>
+        <source>recorded at each visit</source>
+        <translation>je Besuch aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>fields and angles</source>
+        <translation>Felder und Winkel</translation>
+    </message>
+    <message>
+        <source>of the field</source>
+        <translation>des Felds</translation>
+    </message>
+    <message>
+        <source>recorded at each position</source>
+        <translation>je Stellung aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>between positions</source>
+        <translation>zwischen den Stellungen</translation>
+    </message>
+    <message>
+        <source>rms heading error that passes</source>
+        <translation>effektiver Richtungsfehler, der besteht</translation>
+    </message>
+    <message>
+        <source>rms magnitude error that passes</source>
+        <translation>effektiver Betragsfehler, der besteht</translation>
+    </message>
+    <message>
+        <source>a number from {0} to {1}, or several with commas</source>
+        <translation>eine Zahl von {0} bis {1}, oder mehrere mit Kommas</translation>
+    </message>
+    <message>
+        <source>a number from {0} to {1}</source>
+        <translation>eine Zahl von {0} bis {1}</translation>
+    </message>
+    <message>
+        <source>a whole number from {0} to {1}, or several with commas</source>
+        <translation>eine ganze Zahl von {0} bis {1}, oder mehrere mit Kommas</translation>
+    </message>
+    <message>
+        <source>a whole number from {0} to {1}</source>
+        <translation>eine ganze Zahl von {0} bis {1}</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a text, or several with commas</source>
+        <translation>ein Text, oder mehrere mit Kommas</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>eine Datei</translation>
+    </message>
+    <message>
+        <source>one of {0}, or several with commas</source>
+        <translation>eines von {0}, oder mehrere mit Kommas</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>eines von {0}</translation>
+    </message>
+    <message>
+        <source>yes or no</source>
+        <translation>ja oder nein</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -1005,7 +2533,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Zu</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Put this card away</source>
@@ -1360,7 +2888,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Zu</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Put this sheet away (Esc)</source>
@@ -1433,7 +2961,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Zu</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
@@ -1469,7 +2997,11 @@
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt im Verlauf. Neu messen: Zu, dann Start.</translation>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Schließen, dann Start.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
+        <translation>Nichts Gemessenes ist verloren: Auf der Startseite geht es weiter. Oder Schließen und neu beginnen.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
@@ -1723,12 +3255,24 @@
 <context>
     <name>ParameterForm</name>
     <message>
+        <source>Settings that most runs leave as they are</source>
+        <translation>Einstellungen, die die meisten Messungen lassen, wie sie sind</translation>
+    </message>
+    <message>
         <source>needed</source>
         <translation>nötig</translation>
     </message>
     <message>
         <source>expected {0}</source>
         <translation>erwartet {0}</translation>
+    </message>
+    <message>
+        <source>▾ Fewer settings</source>
+        <translation>▾ Weniger Einstellungen</translation>
+    </message>
+    <message>
+        <source>▸ More settings: {0}</source>
+        <translation>▸ Weitere Einstellungen: {0}</translation>
     </message>
 </context>
 <context>
@@ -1867,6 +3411,10 @@
 <context>
     <name>RunViewModel</name>
     <message>
+        <source>Coming back to the run that goes on …</source>
+        <translation>Zurück zur laufenden Messung …</translation>
+    </message>
+    <message>
         <source>Asking every instrument who it is …</source>
         <translation>Jedes Gerät wird gefragt, wer es ist …</translation>
     </message>
@@ -1939,7 +3487,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Zu</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Leave {0}</source>
@@ -1978,6 +3526,10 @@
     <message>
         <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
         <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The run went on meanwhile in its own process: here it is.</source>
+        <translation>Die Messung lief inzwischen in ihrem eigenen Prozess weiter: Hier ist sie.</translation>
     </message>
 </context>
 <context>
@@ -2851,6 +4403,14 @@
         <translation>unterbrochen</translation>
     </message>
     <message>
+        <source>imported</source>
+        <translation>eingelesen</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
         <source>Save the picture</source>
         <translation>Bild sichern</translation>
     </message>
@@ -3004,7 +4564,7 @@
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt. Neu messen: Zu, dann Start.</translation>
+        <translation>Gemessenes bleibt. Neu messen: Schließen, dann Start.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
@@ -3012,7 +4572,7 @@
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Start.</source>
-        <translation>Oben Genanntes beheben, dann neu messen: Zu, dann Start.</translation>
+        <translation>Oben Genanntes beheben, dann neu messen: Schließen, dann Start.</translation>
     </message>
     <message>
         <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>

@@ -254,6 +254,10 @@
         <translation>référence</translation>
     </message>
     <message>
+        <source>&lt;br&gt;{0} here, outdoors: {1} ± {2} nT</source>
+        <translation>&lt;br&gt;{0} ici, dehors : {1} ± {2} nT</translation>
+    </message>
+    <message>
         <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
         <translation>&lt;br&gt;&lt;br&gt;au plus {0} A par bobine&lt;br&gt;au plus {1} nT</translation>
     </message>
@@ -718,6 +722,14 @@
         <translation>bobines relues sous leur zéro il y a {0} s, pas depuis</translation>
     </message>
     <message>
+        <source>taking the coils to zero: ordered, and no read-back told yet …</source>
+        <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
+    </message>
+    <message>
+        <source>zero is to be ordered: no guardian has answered yet …</source>
+        <translation>Zéro est à ordonner : aucun gardien n&apos;a encore répondu …</translation>
+    </message>
+    <message>
         <source>no reference was asked</source>
         <translation>aucune référence n&apos;a été interrogée</translation>
     </message>
@@ -756,6 +768,18 @@
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
         <translation>elle voit {0} nT, attendu {1} nT : écart {2} µT, permis {3} µT</translation>
+    </message>
+    <message>
+        <source>{0} UTC, {1}</source>
+        <translation>{0} UTC, {1}</translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: open the output of {2} at its panel, or switch it off at its mains</source>
+        <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : ouvrir la sortie de {2} sur l&apos;appareil, ou le couper au secteur</translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
+        <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : couper {2} au secteur (aucune commande n&apos;ouvre sa sortie)</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -964,6 +988,1510 @@
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
         <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
+        <translation>« {0} » n&apos;est pas un numéro de série : lettres et chiffres, entre eux . : / + # ( ) - ou des espaces</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
+        <translation>« {0} » n&apos;est pas un numéro de série de ce banc : ils suivent {1} (dut.serial_pattern)</translation>
+    </message>
+    <message>
+        <source>a run needs the serial number of its DUT: --dut SERIAL</source>
+        <translation>une mesure exige le numéro de série de son dispositif</translation>
+    </message>
+    <message>
+        <source>run {0} was not interrupted: it is {1}</source>
+        <translation>la mesure {0} n&apos;a pas été interrompue : elle est {1}</translation>
+    </message>
+    <message>
+        <source>run {0} is of DUT {1}, the bench has {2}</source>
+        <translation>la mesure {0} est du dispositif {1}, sur le banc se trouve {2}</translation>
+    </message>
+    <message>
+        <source>run {0} is of {1}, not of {2}</source>
+        <translation>la mesure {0} est de {1}, non de {2}</translation>
+    </message>
+    <message>
+        <source>{0} was changed since run {1} began: start it anew</source>
+        <translation>{0} a changé depuis le début de la mesure {1} : recommencer</translation>
+    </message>
+    <message>
+        <source>{0} cannot go on after an interruption: start it anew</source>
+        <translation>{0} ne peut continuer après une interruption : recommencer</translation>
+    </message>
+    <message>
+        <source>{0}: there is no such file</source>
+        <translation>{0} : ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>{0}: is signed already ({1}); only a draft can be approved</source>
+        <translation>{0} : est déjà signé ({1}) ; seul un brouillon peut être approuvé</translation>
+    </message>
+    <message>
+        <source>{0} is signed: its serial stands; another DUT needs a run of its own</source>
+        <translation>{0} est signé : son numéro reste ; un autre dispositif demande sa propre mesure</translation>
+    </message>
+    <message>
+        <source>another person than the operator approves: --as NAME</source>
+        <translation>une autre personne que l&apos;opérateur approuve</translation>
+    </message>
+    <message>
+        <source>the passphrase is empty; nothing was made</source>
+        <translation>la phrase secrète est vide ; rien n&apos;a été fait</translation>
+    </message>
+    <message>
+        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
+        <translation>la phrase secrète a {0} caractères et il en faut {1} : quatre mots se retiennent bien ; rien n&apos;a été fait</translation>
+    </message>
+    <message>
+        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
+        <translation>la phrase secrète est {0} : quatre mots se retiennent bien ; rien n&apos;a été fait</translation>
+    </message>
+    <message>
+        <source>aborted by the operator</source>
+        <translation>abandonné par l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>stopped by the operator</source>
+        <translation>arrêté par l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>whoever ran this is gone</source>
+        <translation>celui qui menait ceci est parti</translation>
+    </message>
+    <message>
+        <source>only the session that drives this bench sets currents.</source>
+        <translation>Seul celui qui pilote ce banc règle les courants.</translation>
+    </message>
+    <message>
+        <source>{0}: no reply in {1} s, {2} came.</source>
+        <translation>{0} : pas de réponse en {1} s, reçu : {2}.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>only {0}</source>
+        <translation>seulement {0}</translation>
+    </message>
+    <message>
+        <source>Is it switched on, and is the link in bench.toml the right one?</source>
+        <translation>Est-il allumé, et la liaison de bench.toml est-elle la bonne ?</translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost ({1}).</source>
+        <translation>{0} : la liaison est perdue ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost{1}.</source>
+        <translation>{0} : la liaison est perdue{1}.</translation>
+    </message>
+    <message>
+        <source>{0}: the link is lost.</source>
+        <translation>{0} : la liaison est perdue.</translation>
+    </message>
+    <message>
+        <source>{0}: the link does not open{1}.</source>
+        <translation>{0} : la liaison ne s&apos;ouvre pas{1}.</translation>
+    </message>
+    <message>
+        <source>{0}: the link does not open.</source>
+        <translation>{0} : la liaison ne s&apos;ouvre pas.</translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it{1}.</source>
+        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir{1}.</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it{1}.</source>
+        <translation>{0} : un autre programme l&apos;a ouvert{1}.</translation>
+    </message>
+    <message>
+        <source>the guardian did not start.</source>
+        <translation>Le gardien n&apos;a pas démarré.</translation>
+    </message>
+    <message>
+        <source>a guardian holds the ports and does not answer.</source>
+        <translation>Un gardien tient les ports et ne répond pas.</translation>
+    </message>
+    <message>
+        <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
+        <translation>Le gardien n&apos;a pas répondu depuis {0} s : il est bloqué ou arrêté ; l&apos;état des bobines n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>zero was ordered for coil {0}: {1}.</source>
+        <translation>Zéro a été ordonné pour la bobine {0} : {1}.</translation>
+    </message>
+    <message>
+        <source>zero was ordered{0}; what was being asked of this line was given up.</source>
+        <translation>Zéro a été ordonné{0} ; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
+    </message>
+    <message>
+        <source>See guardian.log; what was measured since then was measured without this coil.</source>
+        <translation>Voir guardian.log ; ce qui a été mesuré depuis l&apos;a été sans cette bobine.</translation>
+    </message>
+    <message>
+        <source>See guardian.log in labcal&apos;s data folder.</source>
+        <translation>Voir guardian.log dans le dossier de données de labcal.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A was set and nothing flows.</source>
+        <translation>bobine {0} : {1} A réglés et rien ne passe.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A was set and {2} A flows.</source>
+        <translation>bobine {0} : {1} A réglés et {2} A passent.</translation>
+    </message>
+    <message>
+        <source>Is the winding whole, does the voltage suffice? Set the coils off.</source>
+        <translation>L&apos;enroulement est-il intact, la tension suffit-elle ? Couper les bobines.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A root mean square over {2} s, its limit is {3} A.</source>
+        <translation>bobine {0} : {1} A efficaces sur {2} s, sa limite est {3} A.</translation>
+    </message>
+    <message>
+        <source>Let the winding cool, then use less current or shorter times.</source>
+        <translation>Laisser refroidir l&apos;enroulement, puis moins de courant ou des temps plus courts.</translation>
+    </message>
+    <message>
+        <source>coil {0}: the contacts did not switch to {1}.</source>
+        <translation>bobine {0} : les contacts n&apos;ont pas commuté sur {1}.</translation>
+    </message>
+    <message>
+        <source>Look at the relay and its supply.</source>
+        <translation>Examiner le relais et son alimentation.</translation>
+    </message>
+    <message>
+        <source>{0}: the interlock is open.</source>
+        <translation>{0} : le verrouillage est ouvert.</translation>
+    </message>
+    <message>
+        <source>It closes when every coil is read back at zero; `guardian.log` says which is not.</source>
+        <translation>Il se ferme quand chaque bobine est relue à zéro ; `guardian.log` dit laquelle ne l&apos;est pas.</translation>
+    </message>
+    <message>
+        <source>{0}: its {1} protection tripped.</source>
+        <translation>{0} : la protection ({1}) s&apos;est déclenchée.</translation>
+    </message>
+    <message>
+        <source>{0}: a reading at full scale.</source>
+        <translation>{0} : une lecture en butée.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} samples came in {2} s, too few to say anything.</source>
+        <translation>{0} : {1} échantillons en {2} s, trop peu pour conclure.</translation>
+    </message>
+    <message>
+        <source>Look at its power and its cable, or listen for longer.</source>
+        <translation>Examiner alimentation et câble, ou écouter plus longtemps.</translation>
+    </message>
+    <message>
+        <source>the computer&apos;s clock was set back by {0} s.</source>
+        <translation>L&apos;horloge de l&apos;ordinateur a été reculée de {0} s.</translation>
+    </message>
+    <message>
+        <source>Set the clock right and start the run again.</source>
+        <translation>Remettre l&apos;horloge à l&apos;heure et recommencer la mesure.</translation>
+    </message>
+    <message>
+        <source>Switch {0} off by hand before anything else.</source>
+        <translation>Avant tout, couper {0} à la main.</translation>
+    </message>
+    <message>
+        <source>zero, open</source>
+        <translation>zéro, ouverte</translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation>bobines NON confirmées à zéro : {0}</translation>
+    </message>
+    <message>
+        <source>VALID: signed by {0}.</source>
+        <translation>VALIDE : signé par {0}.</translation>
+    </message>
+    <message>
+        <source>NOT VALID: {0} carries no signature.</source>
+        <translation>NON VALIDE : {0} ne porte pas de signature.</translation>
+    </message>
+    <message>
+        <source>NOT VALID.</source>
+        <translation>NON VALIDE.</translation>
+    </message>
+    <message>
+        <source>It was made from the run that was named.</source>
+        <translation>Il a été fait de la mesure nommée.</translation>
+    </message>
+    <message>
+        <source>It was not made from the run that was named ({0} differs).</source>
+        <translation>Il n&apos;a pas été fait de la mesure nommée ({0} diffère).</translation>
+    </message>
+    <message>
+        <source>Worked out again from its run, it is the same.</source>
+        <translation>Recalculé de sa mesure, il est le même.</translation>
+    </message>
+    <message>
+        <source>It was not worked out again: {0}.</source>
+        <translation>Il n&apos;a pas été recalculé : {0}.</translation>
+    </message>
+    <message>
+        <source>Worked out again from its run it differs: {0}. The signature stands.</source>
+        <translation>Recalculé de sa mesure, il diffère : {0}. La signature tient.</translation>
+    </message>
+    <message>
+        <source>Worked out again from its run it differs: {0}.</source>
+        <translation>Recalculé de sa mesure, il diffère : {0}.</translation>
+    </message>
+    <message>
+        <source>PROVISIONAL: {0}.</source>
+        <translation>PROVISOIRE : {0}.</translation>
+    </message>
+    <message>
+        <source>EXPIRED: it was good until {0}.</source>
+        <translation>EXPIRÉ : il valait jusqu&apos;au {0}.</translation>
+    </message>
+    <message>
+        <source>SUPERSEDED: by the calibration of run {0}.</source>
+        <translation>REMPLACÉ : par l&apos;étalonnage de la mesure {0}.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: it describes no real sensor.</source>
+        <translation>SIMULÉ : il ne décrit aucun capteur réel.</translation>
+    </message>
+    <message>
+        <source>no approver is named</source>
+        <translation>aucun approbateur n&apos;est nommé</translation>
+    </message>
+    <message>
+        <source>named as approver, but is the operator: {0}</source>
+        <translation>nommé approbateur, mais opérateur : {0}</translation>
+    </message>
+    <message>
+        <source>named as approver, but has not signed: {0}</source>
+        <translation>nommé approbateur, mais n&apos;a pas signé : {0}</translation>
+    </message>
+    <message>
+        <source>its numbers were not confirmed by its run</source>
+        <translation>ses nombres n&apos;ont pas été confirmés par sa mesure</translation>
+    </message>
+    <message>
+        <source>zero, not open</source>
+        <translation>zéro, non ouverte</translation>
+    </message>
+    <message>
+        <source>{0}: no sample for {1} s.</source>
+        <translation>{0} : aucun échantillon depuis {1} s.</translation>
+    </message>
+    <message>
+        <source>{0}: the same reading for {1} s.</source>
+        <translation>{0} : la même lecture depuis {1} s.</translation>
+    </message>
+    <message>
+        <source>{0}: no temperature for {1} s, and it has a limit.</source>
+        <translation>{0} : pas de température depuis {1} s, et elle a une limite.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is {2} degC, its limit is {3} degC.</source>
+        <translation>{0} : {1} est à {2} °C, sa limite est {3} °C.</translation>
+    </message>
+    <message>
+        <source>{0}: a field of {1} nT is seen, the limit is {2} nT.</source>
+        <translation>{0} : un champ de {1} nT est vu, la limite est {2} nT.</translation>
+    </message>
+    <message>
+        <source>no samples came from {0}.</source>
+        <translation>aucun échantillon n&apos;est venu de {0}.</translation>
+    </message>
+    <message>
+        <source>Look at its power and its cable.</source>
+        <translation>Examiner son alimentation et son câble.</translation>
+    </message>
+    <message>
+        <source>Switch the sensor off and on, and look at its range.</source>
+        <translation>Éteindre et rallumer le capteur, et examiner sa plage.</translation>
+    </message>
+    <message>
+        <source>Is the ambient field what it was when it was measured last?</source>
+        <translation>Le champ ambiant est-il celui mesuré en dernier ?</translation>
+    </message>
+    <message>
+        <source>Is this the instrument that bench.toml names, and is its link the right one?</source>
+        <translation>Est-ce l&apos;appareil que nomme bench.toml, et sa liaison est-elle la bonne ?</translation>
+    </message>
+    <message>
+        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
+        <translation>Le brancher, vérifier que nul autre ne l&apos;a ouvert, puis recommencer cette étape.</translation>
+    </message>
+    <message>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
+        <translation>Est-ce l&apos;appareil que nomme bench.toml ? Examiner son câble, puis recommencer cette étape.</translation>
+    </message>
+    <message>
+        <source>Look at its panel, then begin this step again.</source>
+        <translation>Regarder son afficheur, puis recommencer cette étape.</translation>
+    </message>
+    <message>
+        <source>Look for what holds it, home it and begin this step again.</source>
+        <translation>Chercher ce qui le retient, le remettre à l&apos;origine et recommencer cette étape.</translation>
+    </message>
+    <message>
+        <source>Look at the stage, home it and begin this step again.</source>
+        <translation>Examiner la platine, la remettre à l&apos;origine et recommencer cette étape.</translation>
+    </message>
+    <message>
+        <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
+        <translation>{0} : pas de clé pour {1} ici ; Nouvelle clé en fait une</translation>
+    </message>
+    <message>
+        <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
+        <translation>{0} : ne s&apos;ouvre pas : la phrase secrète est fausse ou le fichier endommagé</translation>
+    </message>
+    <message>
+        <source>{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)</source>
+        <translation>{0} : {1} a déjà une clé ; une seconde la remplacerait (`labcal keys revoke {2}` si elle est perdue)</translation>
+    </message>
+    <message>
+        <source>failed: {0}</source>
+        <translation>échouée : {0}</translation>
+    </message>
+    <message>
+        <source>interrupted: {0}</source>
+        <translation>interrompue : {0}</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>terminée</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>arrêtée</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompue</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>importée</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
+        <translation>Faire alterner le courant de chaque bobine à amplitude décroissante et comparer le champ ambiant avant et après.</translation>
+    </message>
+    <message>
+        <source>Calibrate the DUT at rest: the coils play directions all over; K and k in the cage&apos;s frame.</source>
+        <translation>Étalonner le dispositif au repos : les bobines parcourent toutes les directions ; K et k dans le repère de la cage.</translation>
+    </message>
+    <message>
+        <source>Check sign, order and handedness of cage, reference and DUT, and the sense of the angle.</source>
+        <translation>Vérifier signe, ordre et orientation de la cage, de la référence et du dispositif, et le sens de l&apos;angle.</translation>
+    </message>
+    <message>
+        <source>Check the reference&apos;s due date, its zero by 180° turns, and its magnitude against direction and a standard.</source>
+        <translation>Vérifier l&apos;échéance de la référence, son zéro par des tours de 180° et son module selon la direction et un étalon.</translation>
+    </message>
+    <message>
+        <source>Find where DUT and reference stand, from the gradients of coil pairs with one half reversed.</source>
+        <translation>Trouver où sont le dispositif et la référence, d&apos;après les gradients de paires de bobines dont une moitié est inversée.</translation>
+    </message>
+    <message>
+        <source>Go through the checklist; every &quot;no&quot; is named at the end.</source>
+        <translation>Parcourir la liste de contrôle ; chaque « non » est nommé à la fin.</translation>
+    </message>
+    <message>
+        <source>Hold a field by feedback on the reference, taken over from the open-loop set-point without a bump.</source>
+        <translation>Maintenir un champ par asservissement à la référence, repris sans à-coup de la consigne en boucle ouverte.</translation>
+    </message>
+    <message>
+        <source>Map the field of each coil over the working volume, computed and probed.</source>
+        <translation>Cartographier le champ de chaque bobine dans le volume utile, calculé et mesuré.</translation>
+    </message>
+    <message>
+        <source>Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.</source>
+        <translation>Mesurer l&apos;erreur de cap et de module à des positions indépendantes ; `--set calibration=CAL.json` juge ce fichier.</translation>
+    </message>
+    <message>
+        <source>Measure mean, drift, noise and mains of the room, and say whether it is fit for the job.</source>
+        <translation>Mesurer moyenne, dérive, bruit et secteur de la salle et dire si elle convient.</translation>
+    </message>
+    <message>
+        <source>Measure offset and gain against the DUT&apos;s temperature while it changes.</source>
+        <translation>Mesurer décalage et gain selon la température du dispositif pendant qu&apos;elle change.</translation>
+    </message>
+    <message>
+        <source>Measure the DUT&apos;s offset from four attitudes in the ambient field, coils off.</source>
+        <translation>Mesurer le décalage du dispositif dans quatre attitudes du champ ambiant, bobines coupées.</translation>
+    </message>
+    <message>
+        <source>Measure the DUT&apos;s permanent and induced dipole from what the reference sees of it at two distances.</source>
+        <translation>Mesurer le dipôle permanent et induit du dispositif d&apos;après ce qu&apos;en voit la référence à deux distances.</translation>
+    </message>
+    <message>
+        <source>Measure the current-to-field matrix and offset at the DUT&apos;s place and at the reference&apos;s; a draft.</source>
+        <translation>Mesurer la matrice courant-champ et le décalage à la place du dispositif et de la référence ; un brouillon.</translation>
+    </message>
+    <message>
+        <source>Measure the current-to-field matrix, its squareness and the ambient field by a scalar sensor in the centre.</source>
+        <translation>Mesurer la matrice courant-champ, son orthogonalité et le champ ambiant par un capteur scalaire au centre.</translation>
+    </message>
+    <message>
+        <source>Measure the delay of DUT, reference and angle against the set-point and each other.</source>
+        <translation>Mesurer le retard du dispositif, de la référence et de l&apos;angle sur la consigne et entre eux.</translation>
+    </message>
+    <message>
+        <source>Measure the platform&apos;s own field with the reference at the DUT&apos;s place, coils off.</source>
+        <translation>Mesurer le champ propre de la plateforme, la référence à la place du dispositif, bobines coupées.</translation>
+    </message>
+    <message>
+        <source>Play a field history, with the tracking error recorded.</source>
+        <translation>Jouer une histoire de champ et enregistrer l&apos;erreur de poursuite.</translation>
+    </message>
+    <message>
+        <source>Repeat one rotation, with the coils off in between.</source>
+        <translation>Répéter une rotation, bobines coupées entre-temps.</translation>
+    </message>
+    <message>
+        <source>Step the field along a body axis (or two together) and measure the departure from a straight line.</source>
+        <translation>Échelonner le champ le long d&apos;un axe du corps (ou de deux) et mesurer l&apos;écart à une droite.</translation>
+    </message>
+    <message>
+        <source>Switch each load and measure the bias per ampere (3 × N) and its delay, coils off.</source>
+        <translation>Commuter chaque charge et mesurer le biais par ampère (3 × N) et son retard, bobines coupées.</translation>
+    </message>
+    <message>
+        <source>The whole calibration before flight, from the zero to the closing.</source>
+        <translation>Tout l&apos;étalonnage avant le vol, du zéro à la fermeture.</translation>
+    </message>
+    <message>
+        <source>Turn once forwards and once backwards at one rate.</source>
+        <translation>Tourner une fois en avant et une fois en arrière à une même vitesse.</translation>
+    </message>
+    <message>
+        <source>Turn the DUT about one body axis in one steady field.</source>
+        <translation>Tourner le dispositif autour d&apos;un axe du corps dans un champ constant.</translation>
+    </message>
+    <message>
+        <source>Turn there and back at several rates in one mounting.</source>
+        <translation>Tourner aller et retour à plusieurs vitesses, sans remontage.</translation>
+    </message>
+    <message>
+        <source>[cage.geometry] with halves that a person can reverse; a vector reference</source>
+        <translation>[cage.geometry] avec des moitiés qu&apos;une personne peut inverser ; une référence vectorielle</translation>
+    </message>
+    <message>
+        <source>a vector reference</source>
+        <translation>une référence vectorielle</translation>
+    </message>
+    <message>
+        <source>a vector reference that can be moved, the coils&apos; geometry in bench.toml</source>
+        <translation>une référence vectorielle mobile, la géométrie des bobines dans bench.toml</translation>
+    </message>
+    <message>
+        <source>a vector reference, first at the DUT&apos;s place, then at its own</source>
+        <translation>une référence vectorielle, d&apos;abord à la place du dispositif, puis à la sienne</translation>
+    </message>
+    <message>
+        <source>an absolute scalar sensor in the cage&apos;s centre</source>
+        <translation>un capteur scalaire absolu au centre de la cage</translation>
+    </message>
+    <message>
+        <source>nothing magnetic in the cage that must not be touched</source>
+        <translation>rien de magnétique dans la cage à quoi on ne doive toucher</translation>
+    </message>
+    <message>
+        <source>the DUT as it will fly, and a camera</source>
+        <translation>le dispositif tel qu&apos;il volera, et un appareil photo</translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage</source>
+        <translation>le dispositif au repos dans la cage</translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage; a table of the field, an orbit, or a simulator</source>
+        <translation>le dispositif au repos dans la cage ; une table du champ, une orbite ou un simulateur</translation>
+    </message>
+    <message>
+        <source>the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration</source>
+        <translation>le dispositif au repos dans la cage ; une référence vectorielle à sa place, ou un étalonnage de cage approuvé</translation>
+    </message>
+    <message>
+        <source>the DUT free to be turned over by hand</source>
+        <translation>le dispositif peut être retourné à la main</translation>
+    </message>
+    <message>
+        <source>the DUT on a platform with a motor</source>
+        <translation>le dispositif sur une plateforme à moteur</translation>
+    </message>
+    <message>
+        <source>the DUT on a platform with a motor, a vector reference that can be moved beside it</source>
+        <translation>le dispositif sur une plateforme à moteur, à côté une référence vectorielle mobile</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform</source>
+        <translation>le dispositif sur la plateforme</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, a vector reference</source>
+        <translation>le dispositif sur la plateforme, une référence vectorielle</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, its calibration file</source>
+        <translation>le dispositif sur la plateforme, son fichier d&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
+        <translation>le dispositif sur la plateforme, des charges du véhicule spatial qu&apos;on peut commuter</translation>
+    </message>
+    <message>
+        <source>the DUT on the platform, remounted three times; a vector reference</source>
+        <translation>le dispositif sur la plateforme, remonté trois fois ; une référence vectorielle</translation>
+    </message>
+    <message>
+        <source>the DUT with its thermometer, a means to warm it</source>
+        <translation>le dispositif avec son thermomètre, de quoi le chauffer</translation>
+    </message>
+    <message>
+        <source>the bare fixture with the motor, a vector reference at the DUT&apos;s place</source>
+        <translation>le support nu avec le moteur, une référence vectorielle à la place du dispositif</translation>
+    </message>
+    <message>
+        <source>the cage as it will be used, coils off</source>
+        <translation>la cage telle qu&apos;elle servira, bobines coupées</translation>
+    </message>
+    <message>
+        <source>the reference on the platform</source>
+        <translation>la référence sur la plateforme</translation>
+    </message>
+    <message>
+        <source>Altitude km</source>
+        <translation>Altitude km</translation>
+    </message>
+    <message>
+        <source>Apart mm</source>
+        <translation>Écart mm</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>Attitude</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Change ppm</source>
+        <translation>Changement ppm</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>Chip</source>
+        <translation>Créneau</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>Créneaux</translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation>Fermeture</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Cycles</translation>
+    </message>
+    <message>
+        <source>Dead</source>
+        <translation>Zone morte</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distances</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Dérive</translation>
+    </message>
+    <message>
+        <source>Drift nT per min</source>
+        <translation>Dérive nT/min</translation>
+    </message>
+    <message>
+        <source>Due days</source>
+        <translation>Échéance jours</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Maintien</translation>
+    </message>
+    <message>
+        <source>Epoch</source>
+        <translation>Époque</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Champ</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Champs</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmoniques</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Tenue</translation>
+    </message>
+    <message>
+        <source>Homogeneity ppm</source>
+        <translation>Homogénéité ppm</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hystérésis</translation>
+    </message>
+    <message>
+        <source>Inclination</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Dernière</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Limit Am2</source>
+        <translation>Limite Am²</translation>
+    </message>
+    <message>
+        <source>Limit ppm</source>
+        <translation>Limite ppm</translation>
+    </message>
+    <message>
+        <source>Linearity</source>
+        <translation>Linéarité</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Charges</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>Magnitudes</source>
+        <translation>Modules</translation>
+    </message>
+    <message>
+        <source>Mains</source>
+        <translation>Secteur</translation>
+    </message>
+    <message>
+        <source>Mains hz</source>
+        <translation>Secteur Hz</translation>
+    </message>
+    <message>
+        <source>Max age</source>
+        <translation>Âge maximal</translation>
+    </message>
+    <message>
+        <source>Misfit mm</source>
+        <translation>Écart mm</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Model ppm</source>
+        <translation>Modèle ppm</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modes</translation>
+    </message>
+    <message>
+        <source>Modulus</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>Mountings</source>
+        <translation>Montages</translation>
+    </message>
+    <message>
+        <source>N directions</source>
+        <translation>Directions</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Bruit</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Période</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Photos</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>Relay ppm</source>
+        <translation>Relais ppm</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Répétitions</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Repos</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>Scale ppm</source>
+        <translation>Échelle ppm</translation>
+    </message>
+    <message>
+        <source>Second axis</source>
+        <translation>Second axe</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Silence</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Allure</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Équerrage</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Étalon</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Paliers</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Fois</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tour</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>U cage ppm</source>
+        <translation>U cage ppm</translation>
+    </message>
+    <message>
+        <source>U mounting</source>
+        <translation>U montage</translation>
+    </message>
+    <message>
+        <source>U place</source>
+        <translation>U place</translation>
+    </message>
+    <message>
+        <source>U standard</source>
+        <translation>U étalon</translation>
+    </message>
+    <message>
+        <source>U time</source>
+        <translation>U temps</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>U tour</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Zéro</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s power mode</source>
+        <translation>mode d&apos;alimentation du dispositif</translation>
+    </message>
+    <message>
+        <source>body axis mounted along the platform axis</source>
+        <translation>axe du corps monté le long de l&apos;axe de la plateforme</translation>
+    </message>
+    <message>
+        <source>field from the platform axis</source>
+        <translation>champ par rapport à l&apos;axe de la plateforme</translation>
+    </message>
+    <message>
+        <source>magnitude of the field</source>
+        <translation>module du champ</translation>
+    </message>
+    <message>
+        <source>recorded at each step</source>
+        <translation>enregistré à chaque palier</translation>
+    </message>
+    <message>
+        <source>largest departure that passes</source>
+        <translation>plus grand écart admis</translation>
+    </message>
+    <message>
+        <source>of every turn</source>
+        <translation>de chaque tour</translation>
+    </message>
+    <message>
+        <source>recorded in each field</source>
+        <translation>enregistré dans chaque champ</translation>
+    </message>
+    <message>
+        <source>fields that no fit sees, at the end</source>
+        <translation>champs de fin qu&apos;aucun ajustement ne voit</translation>
+    </message>
+    <message>
+        <source>how well the axis is mounted; 0: not stated</source>
+        <translation>précision du montage de l&apos;axe ; 0 : non indiquée</translation>
+    </message>
+    <message>
+        <source>0: the fastest allowed</source>
+        <translation>0 : la plus rapide permise</translation>
+    </message>
+    <message>
+        <source>error that timing may make</source>
+        <translation>erreur admise due au temps</translation>
+    </message>
+    <message>
+        <source>0: continuous, else stepped</source>
+        <translation>0 : continu, sinon par pas</translation>
+    </message>
+    <message>
+        <source>coils-off zero before</source>
+        <translation>zéro bobines coupées avant</translation>
+    </message>
+    <message>
+        <source>how long to listen</source>
+        <translation>durée d&apos;écoute</translation>
+    </message>
+    <message>
+        <source>the mains</source>
+        <translation>le secteur</translation>
+    </message>
+    <message>
+        <source>of the mains, looked for</source>
+        <translation>du secteur, recherchées</translation>
+    </message>
+    <message>
+        <source>how long to listen for it, at the fastest rate</source>
+        <translation>durée d&apos;écoute du secteur, à la cadence la plus rapide</translation>
+    </message>
+    <message>
+        <source>largest amplitude of it that passes</source>
+        <translation>plus grande amplitude admise</translation>
+    </message>
+    <message>
+        <source>of the rotation that is planned</source>
+        <translation>de la rotation prévue</translation>
+    </message>
+    <message>
+        <source>fastest drift that passes</source>
+        <translation>dérive la plus rapide admise</translation>
+    </message>
+    <message>
+        <source>largest noise of one sample that passes</source>
+        <translation>plus grand bruit d&apos;un échantillon admis</translation>
+    </message>
+    <message>
+        <source>step of the field on each coil</source>
+        <translation>échelon du champ sur chaque bobine</translation>
+    </message>
+    <message>
+        <source>the small turn</source>
+        <translation>la petite rotation</translation>
+    </message>
+    <message>
+        <source>how far an axis may point beside</source>
+        <translation>écart d&apos;axe admis</translation>
+    </message>
+    <message>
+        <source>largest step of each coil</source>
+        <translation>plus grand échelon de chaque bobine</translation>
+    </message>
+    <message>
+        <source>steps of one sign, from zero to the largest</source>
+        <translation>échelons d&apos;un signe, de zéro au plus grand</translation>
+    </message>
+    <message>
+        <source>largest uncertainty of the matrix that passes</source>
+        <translation>plus grande incertitude de la matrice admise</translation>
+    </message>
+    <message>
+        <source>largest change from bench.toml that passes</source>
+        <translation>plus grand changement admis par rapport à bench.toml</translation>
+    </message>
+    <message>
+        <source>largest difference of the polarities</source>
+        <translation>plus grande différence des polarités</translation>
+    </message>
+    <message>
+        <source>largest departure from the line that passes</source>
+        <translation>plus grand écart à la droite admis</translation>
+    </message>
+    <message>
+        <source>largest difference of up and down that passes</source>
+        <translation>plus grande différence montée-descente admise</translation>
+    </message>
+    <message>
+        <source>side of the square coils</source>
+        <translation>côté des bobines carrées</translation>
+    </message>
+    <message>
+        <source>distance of a pair, in sides</source>
+        <translation>distance d&apos;une paire, en côtés</translation>
+    </message>
+    <message>
+        <source>of the working volume</source>
+        <translation>du volume utile</translation>
+    </message>
+    <message>
+        <source>points probed with the reference on each axis</source>
+        <translation>points sondés par la référence sur chaque axe</translation>
+    </message>
+    <message>
+        <source>of each coil while probed</source>
+        <translation>de chaque bobine pendant la mesure</translation>
+    </message>
+    <message>
+        <source>recorded at each point and sign</source>
+        <translation>enregistré à chaque point et signe</translation>
+    </message>
+    <message>
+        <source>probe against computed that passes</source>
+        <translation>mesuré contre calculé, admis</translation>
+    </message>
+    <message>
+        <source>ask for a photograph of each</source>
+        <translation>demander une photo de chacun</translation>
+    </message>
+    <message>
+        <source>channels to switch; none: every current channel of the DUT</source>
+        <translation>voies à commuter ; aucune : toutes les voies de courant du dispositif</translation>
+    </message>
+    <message>
+        <source>times each load is switched on</source>
+        <translation>nombre d&apos;enclenchements de chaque charge</translation>
+    </message>
+    <message>
+        <source>on, and off, each time</source>
+        <translation>en marche puis arrêt, chaque fois</translation>
+    </message>
+    <message>
+        <source>first amplitude, within coil and DUT limits</source>
+        <translation>première amplitude, dans les limites de la bobine et du dispositif</translation>
+    </message>
+    <message>
+        <source>reversals</source>
+        <translation>inversions</translation>
+    </message>
+    <message>
+        <source>last amplitude</source>
+        <translation>dernière amplitude</translation>
+    </message>
+    <message>
+        <source>at each amplitude</source>
+        <translation>à chaque amplitude</translation>
+    </message>
+    <message>
+        <source>body axes up, in turn: at least two</source>
+        <translation>axes du corps vers le haut, tour à tour : au moins deux</translation>
+    </message>
+    <message>
+        <source>of the reference above it: at least two</source>
+        <translation>de la référence au-dessus : au moins deux</translation>
+    </message>
+    <message>
+        <source>uncertainty of each coordinate of its place</source>
+        <translation>incertitude de chaque coordonnée de sa place</translation>
+    </message>
+    <message>
+        <source>reversed between turns: the induced part</source>
+        <translation>inversé entre les tours : la part induite</translation>
+    </message>
+    <message>
+        <source>in each field at rest, with the DUT and without</source>
+        <translation>dans chaque champ au repos, avec et sans dispositif</translation>
+    </message>
+    <message>
+        <source>largest moment that passes</source>
+        <translation>plus grand moment admis</translation>
+    </message>
+    <message>
+        <source>total field x, y, z in C</source>
+        <translation>champ total x, y, z dans C</translation>
+    </message>
+    <message>
+        <source>how long it is held</source>
+        <translation>durée de maintien</translation>
+    </message>
+    <message>
+        <source>of the feedback</source>
+        <translation>de l&apos;asservissement</translation>
+    </message>
+    <message>
+        <source>part of the error taken back each time</source>
+        <translation>part de l&apos;erreur reprise chaque fois</translation>
+    </message>
+    <message>
+        <source>errors below this are left: the supplies&apos; own step</source>
+        <translation>les erreurs plus petites restent : le pas des alimentations</translation>
+    </message>
+    <message>
+        <source>rms error that passes</source>
+        <translation>erreur efficace admise</translation>
+    </message>
+    <message>
+        <source>of the field, all over the sphere</source>
+        <translation>du champ, sur toute la sphère</translation>
+    </message>
+    <message>
+        <source>of the field, each in all</source>
+        <translation>du champ, chacun dans toutes</translation>
+    </message>
+    <message>
+        <source>body axis along the platform axis</source>
+        <translation>axe du corps le long de l&apos;axe de la plateforme</translation>
+    </message>
+    <message>
+        <source>rms error at those fields that passes</source>
+        <translation>erreur efficace admise à ces champs</translation>
+    </message>
+    <message>
+        <source>change of the zero through the run that passes</source>
+        <translation>changement du zéro admis pendant la mesure</translation>
+    </message>
+    <message>
+        <source>recorded in each attitude</source>
+        <translation>enregistré dans chaque attitude</translation>
+    </message>
+    <message>
+        <source>how well an attitude is met</source>
+        <translation>précision d&apos;une attitude</translation>
+    </message>
+    <message>
+        <source>body axis along the platform axis and the field</source>
+        <translation>axe du corps le long de l&apos;axe de la plateforme et du champ</translation>
+    </message>
+    <message>
+        <source>body axis stepped together with it</source>
+        <translation>axe du corps échelonné avec lui</translation>
+    </message>
+    <message>
+        <source>largest field</source>
+        <translation>plus grand champ</translation>
+    </message>
+    <message>
+        <source>steps of one sign</source>
+        <translation>échelons d&apos;un signe</translation>
+    </message>
+    <message>
+        <source>of each coil with both halves alike</source>
+        <translation>de chaque bobine, moitiés de même sens</translation>
+    </message>
+    <message>
+        <source>recorded at each sign</source>
+        <translation>enregistré à chaque signe</translation>
+    </message>
+    <message>
+        <source>from where the reference is stated that passes</source>
+        <translation>de la place indiquée de la référence, admis</translation>
+    </message>
+    <message>
+        <source>of the coils&apos; geometry that passes</source>
+        <translation>de la géométrie des bobines, admis</translation>
+    </message>
+    <message>
+        <source>of the turn</source>
+        <translation>du tour</translation>
+    </message>
+    <message>
+        <source>recorded with the motor holding, and off</source>
+        <translation>enregistré moteur en maintien, et coupé</translation>
+    </message>
+    <message>
+        <source>largest signature that passes</source>
+        <translation>plus grande signature admise</translation>
+    </message>
+    <message>
+        <source>CSV t_s,b_x,b_y,b_z [s, nT in C]; none: the orbit below</source>
+        <translation>CSV t_s,b_x,b_y,b_z [s, nT dans C] ; aucun : l&apos;orbite ci-dessous</translation>
+    </message>
+    <message>
+        <source>udp://HOST:PORT: as a simulator sends it (docs/field-source.md)</source>
+        <translation>udp://HOST:PORT : comme un simulateur l&apos;envoie (docs/field-source.md)</translation>
+    </message>
+    <message>
+        <source>of the circular orbit</source>
+        <translation>de l&apos;orbite circulaire</translation>
+    </message>
+    <message>
+        <source>of the orbit</source>
+        <translation>de l&apos;orbite</translation>
+    </message>
+    <message>
+        <source>start, ISO 8601 UTC</source>
+        <translation>début, ISO 8601 UTC</translation>
+    </message>
+    <message>
+        <source>how the satellite is held</source>
+        <translation>attitude du satellite</translation>
+    </message>
+    <message>
+        <source>of orbit time, at most of a source</source>
+        <translation>de temps d&apos;orbite, au plus pour une source</translation>
+    </message>
+    <message>
+        <source>between two set-points</source>
+        <translation>entre deux consignes</translation>
+    </message>
+    <message>
+        <source>orbit seconds played in one second</source>
+        <translation>secondes d&apos;orbite jouées en une seconde</translation>
+    </message>
+    <message>
+        <source>that the source may be silent</source>
+        <translation>pendant laquelle la source peut se taire</translation>
+    </message>
+    <message>
+        <source>of a field from the source, beside its quickest</source>
+        <translation>d&apos;un champ de la source, par rapport au plus rapide</translation>
+    </message>
+    <message>
+        <source>rms tracking error that passes</source>
+        <translation>erreur de poursuite efficace admise</translation>
+    </message>
+    <message>
+        <source>body axes, each mounted along the platform axis in turn</source>
+        <translation>axes du corps, montés tour à tour le long de l&apos;axe de la plateforme</translation>
+    </message>
+    <message>
+        <source>field magnitudes</source>
+        <translation>modules du champ</translation>
+    </message>
+    <message>
+        <source>the last magnitude also reversed</source>
+        <translation>le dernier module aussi inversé</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s power modes</source>
+        <translation>modes d&apos;alimentation du dispositif</translation>
+    </message>
+    <message>
+        <source>timing uncertainty, at least</source>
+        <translation>incertitude de temps, au moins</translation>
+    </message>
+    <message>
+        <source>recorded at a position</source>
+        <translation>enregistré à une position</translation>
+    </message>
+    <message>
+        <source>coils-off zero, first and last</source>
+        <translation>zéro bobines coupées, au début et à la fin</translation>
+    </message>
+    <message>
+        <source>largest closure that passes</source>
+        <translation>plus grand écart de fermeture admis</translation>
+    </message>
+    <message>
+        <source>how well an axis is mounted</source>
+        <translation>précision du montage d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>each there and back</source>
+        <translation>chacune aller et retour</translation>
+    </message>
+    <message>
+        <source>age of its calibration that passes</source>
+        <translation>âge de son étalonnage admis</translation>
+    </message>
+    <message>
+        <source>recorded in each attitude and field</source>
+        <translation>enregistré dans chaque attitude et champ</translation>
+    </message>
+    <message>
+        <source>of the field in six directions</source>
+        <translation>du champ dans six directions</translation>
+    </message>
+    <message>
+        <source>largest zero that passes</source>
+        <translation>plus grand zéro admis</translation>
+    </message>
+    <message>
+        <source>largest spread of the magnitude that passes</source>
+        <translation>plus grande dispersion du module admise</translation>
+    </message>
+    <message>
+        <source>ambient magnitude by a standard; 0: none</source>
+        <translation>module ambiant selon un étalon ; 0 : aucun</translation>
+    </message>
+    <message>
+        <source>of the standard; 0: not stated</source>
+        <translation>de l&apos;étalon ; 0 : non indiquée</translation>
+    </message>
+    <message>
+        <source>how truly it is turned by 180°; 0: not stated</source>
+        <translation>précision du retournement de 180° ; 0 : non indiquée</translation>
+    </message>
+    <message>
+        <source>of the cage&apos;s field, by direction; 0: not stated</source>
+        <translation>du champ de la cage, par direction ; 0 : non indiquée</translation>
+    </message>
+    <message>
+        <source>how often</source>
+        <translation>nombre de fois</translation>
+    </message>
+    <message>
+        <source>coils off between two turns</source>
+        <translation>bobines coupées entre deux tours</translation>
+    </message>
+    <message>
+        <source>of both turns</source>
+        <translation>des deux tours</translation>
+    </message>
+    <message>
+        <source>timing uncertainty</source>
+        <translation>incertitude de temps</translation>
+    </message>
+    <message>
+        <source>recorded at each stop</source>
+        <translation>enregistré à chaque arrêt</translation>
+    </message>
+    <message>
+        <source>full turns, there and back by turns</source>
+        <translation>tours complets, aller et retour alternés</translation>
+    </message>
+    <message>
+        <source>of each coil alone</source>
+        <translation>de chaque bobine seule</translation>
+    </message>
+    <message>
+        <source>of the field that rotates</source>
+        <translation>du champ tournant</translation>
+    </message>
+    <message>
+        <source>of the field that rotates, at two moduli</source>
+        <translation>du champ tournant, à deux modules</translation>
+    </message>
+    <message>
+        <source>rms error of the magnitude there that passes</source>
+        <translation>erreur efficace du module admise</translation>
+    </message>
+    <message>
+        <source>departure from square that passes</source>
+        <translation>écart à l&apos;angle droit admis</translation>
+    </message>
+    <message>
+        <source>height of the wave; one ramp step at most</source>
+        <translation>hauteur de l&apos;onde ; au plus un pas de rampe</translation>
+    </message>
+    <message>
+        <source>steps of the pseudo-random wave</source>
+        <translation>pas de l&apos;onde pseudo-aléatoire</translation>
+    </message>
+    <message>
+        <source>length of a step</source>
+        <translation>durée d&apos;un pas</translation>
+    </message>
+    <message>
+        <source>turned to and fro</source>
+        <translation>tourné en va-et-vient</translation>
+    </message>
+    <message>
+        <source>longest delay that passes</source>
+        <translation>plus long retard admis</translation>
+    </message>
+    <message>
+        <source>temperature channel of the DUT; empty: the first</source>
+        <translation>voie de température du dispositif ; vide : la première</translation>
+    </message>
+    <message>
+        <source>along the platform axis</source>
+        <translation>le long de l&apos;axe de la plateforme</translation>
+    </message>
+    <message>
+        <source>times every field is visited</source>
+        <translation>nombre de visites de chaque champ</translation>
+    </message>
+    <message>
+        <source>recorded at each visit</source>
+        <translation>enregistré à chaque visite</translation>
+    </message>
+    <message>
+        <source>fields and angles</source>
+        <translation>champs et angles</translation>
+    </message>
+    <message>
+        <source>of the field</source>
+        <translation>du champ</translation>
+    </message>
+    <message>
+        <source>recorded at each position</source>
+        <translation>enregistré à chaque position</translation>
+    </message>
+    <message>
+        <source>between positions</source>
+        <translation>entre les positions</translation>
+    </message>
+    <message>
+        <source>rms heading error that passes</source>
+        <translation>erreur de cap efficace admise</translation>
+    </message>
+    <message>
+        <source>rms magnitude error that passes</source>
+        <translation>erreur de module efficace admise</translation>
+    </message>
+    <message>
+        <source>a number from {0} to {1}, or several with commas</source>
+        <translation>un nombre de {0} à {1}, ou plusieurs avec des virgules</translation>
+    </message>
+    <message>
+        <source>a number from {0} to {1}</source>
+        <translation>un nombre de {0} à {1}</translation>
+    </message>
+    <message>
+        <source>a whole number from {0} to {1}, or several with commas</source>
+        <translation>un nombre entier de {0} à {1}, ou plusieurs avec des virgules</translation>
+    </message>
+    <message>
+        <source>a whole number from {0} to {1}</source>
+        <translation>un nombre entier de {0} à {1}</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>a text, or several with commas</source>
+        <translation>un texte, ou plusieurs avec des virgules</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>un fichier</translation>
+    </message>
+    <message>
+        <source>one of {0}, or several with commas</source>
+        <translation>l&apos;un de {0}, ou plusieurs avec des virgules</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>l&apos;un de {0}</translation>
+    </message>
+    <message>
+        <source>yes or no</source>
+        <translation>oui ou non</translation>
     </message>
 </context>
 <context>
@@ -1433,7 +2961,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Fini</translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
@@ -1469,7 +2997,11 @@
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
-        <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fini, puis Démarrer.</translation>
+        <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
+        <translation>Rien de mesuré n&apos;est perdu : la page Accueil reprend. Ou Fermer, et recommencer.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
@@ -1723,12 +3255,24 @@
 <context>
     <name>ParameterForm</name>
     <message>
+        <source>Settings that most runs leave as they are</source>
+        <translation>Réglages que la plupart des mesures laissent tels quels</translation>
+    </message>
+    <message>
         <source>needed</source>
         <translation>requis</translation>
     </message>
     <message>
         <source>expected {0}</source>
         <translation>attendu {0}</translation>
+    </message>
+    <message>
+        <source>▾ Fewer settings</source>
+        <translation>▾ Moins de réglages</translation>
+    </message>
+    <message>
+        <source>▸ More settings: {0}</source>
+        <translation>▸ Autres réglages : {0}</translation>
     </message>
 </context>
 <context>
@@ -1867,6 +3411,10 @@
 <context>
     <name>RunViewModel</name>
     <message>
+        <source>Coming back to the run that goes on …</source>
+        <translation>Retour à la mesure en cours …</translation>
+    </message>
+    <message>
         <source>Asking every instrument who it is …</source>
         <translation>On demande à chaque instrument qui il est …</translation>
     </message>
@@ -1978,6 +3526,10 @@
     <message>
         <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
         <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : reprenez-la à l&apos;Accueil.</translation>
+    </message>
+    <message>
+        <source>The run went on meanwhile in its own process: here it is.</source>
+        <translation>La mesure a continué entre-temps dans son propre processus : la voici.</translation>
     </message>
 </context>
 <context>
@@ -2851,6 +4403,14 @@
         <translation>interrompue</translation>
     </message>
     <message>
+        <source>imported</source>
+        <translation>importée</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
         <source>Save the picture</source>
         <translation>Enregistrer l&apos;image</translation>
     </message>
@@ -3004,7 +4564,7 @@
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Start.</source>
-        <translation>Le mesuré est gardé. Pour remesurer : Fini, puis Démarrer.</translation>
+        <translation>Le mesuré est gardé. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
@@ -3012,7 +4572,7 @@
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Start.</source>
-        <translation>Réparez ce qui est dit plus haut, puis remesurez : Fini, puis Démarrer.</translation>
+        <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>

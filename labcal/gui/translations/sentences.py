@@ -1,4 +1,4 @@
-"""Sentences that come as data in another language: questions to the person, and what is said of the coils.
+"""Sentences that come as data in another language: questions to the person, what is said of the coils, what failed.
 
 Procedures and the bench write them in English, and the record keeps them so; what is shown is found by its form. A
 sentence that has none of these forms is shown as it came.
@@ -7,9 +7,12 @@ sentence that has none of these forms is shown as it came.
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from labcal.gui.translations.faults import FAULTS
+from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, TITLES
 
 COILS = (  # of several that fit the first counts; what stands for {0}, {1} … is itself such a sentence, or stays
     QT_TRANSLATE_NOOP("Data", "coils at zero"),
@@ -22,6 +25,8 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "coils on: {0}, read back {1} s ago"),
     QT_TRANSLATE_NOOP("Data", "coils on: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils last read back below their zero {0} s ago, not since"),
+    QT_TRANSLATE_NOOP("Data", "taking the coils to zero: ordered, and no read-back told yet …"),
+    QT_TRANSLATE_NOOP("Data", "zero is to be ordered: no guardian has answered yet …"),
     QT_TRANSLATE_NOOP("Data", "no reference was asked"),
     QT_TRANSLATE_NOOP("Data", "no ambient field was measured since the mounting"),
     QT_TRANSLATE_NOOP("Data", "the reference has sent nothing since the currents settled"),
@@ -32,6 +37,14 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "the reference is looked at again: {0}"),
     QT_TRANSLATE_NOOP("Data", "the reference agreed when it was last looked at, {0} s ago"),
     QT_TRANSLATE_NOOP("Data", "it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed"),
+    QT_TRANSLATE_NOOP("Data", "{0} UTC, {1}"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "It is as if {0} A flowed in coil {1}: open the output of {2} at its panel, or switch it off at its mains",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)"
+    ),
     QT_TRANSLATE_NOOP("Data", "Open the outputs that can open, or switch the supplies off at their mains"),
 )
 QUESTIONS = (
@@ -102,23 +115,32 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "Fields are played as {0} wants them, within the limits. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "Every load is switched in turn, the others stay off. Hands off?"),
 )
-FORMS = tuple(str(form) for form in (*COILS, *QUESTIONS))
+FORMS = tuple(str(form) for form in (*COILS, *QUESTIONS, *FAULTS, *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS))
+WHOLE = frozenset(form for form in FORMS if "{" not in form)
 
 
 def in_words(sentence: str) -> str:
-    """`sentence` in the language of the window, where it has one of these forms; else as it is."""
+    """`sentence` in the window's language, where it, or one of several in it, has one of these forms; else as it is."""
     if (found := form_of(sentence)) is None:
-        return sentence
+        first, rest = (re.split(r"(?<=[.?!]) ", sentence, maxsplit=1) + [""])[:2]
+        return f"{in_words(first)} {in_words(rest)}" if rest else sentence
     form, filled = found
     return QCoreApplication.translate("Data", form).format(*map(in_words, filled))
 
 
+@lru_cache(500)
 def form_of(sentence: str) -> tuple[str, tuple[str, ...]] | None:
     """The form that a sentence has, and what stands in its blanks; None where it has none of these."""
+    if sentence in WHOLE:
+        return sentence, ()
     matches = ((form, pattern.fullmatch(sentence)) for form, pattern in _patterns())
     return next(((form, match.groups()) for form, match in matches if match), None)
 
 
 @cache
 def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
-    return tuple((form, re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form)), re.DOTALL)) for form in FORMS)
+    return tuple(
+        (form, re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form)), re.DOTALL))
+        for form in FORMS
+        if form not in WHOLE
+    )

@@ -148,6 +148,8 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "stopped"),
     QT_TRANSLATE_NOOP("Words", "failed"),
     QT_TRANSLATE_NOOP("Words", "interrupted"),
+    QT_TRANSLATE_NOOP("Words", "imported"),
+    QT_TRANSLATE_NOOP("Words", "running"),
     QT_TRANSLATE_NOOP("Words", "Save the picture"),
     QT_TRANSLATE_NOOP("Words", "Save …"),
     QT_TRANSLATE_NOOP("Words", "Write this picture to a .png file, as it is shown"),

@@ -19,9 +19,10 @@ from labcal.bench.coils import state
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
-from labcal.gui.ipc.client import Client
-from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
+from labcal.gui.ipc.client import WATCHED, Client
+from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
 from labcal.gui.viewmodels.login import LoginViewModel
@@ -60,10 +61,10 @@ class AppState(QObject):
     calibrations_changed = Signal(str)  # the path of the one that is new
     report_requested = Signal(object)  # a Fault, for a problem report
 
-    def __init__(self, settings: QSettings | None = None) -> None:
+    def __init__(self, settings: QSettings | None = None, *, watched: bool = False) -> None:
         super().__init__()
         self.settings = settings or window_settings()
-        self.quick_worker, self.bench_worker = Client(self), Client(self)
+        self.quick_worker, self.bench_worker = Client(self), Client(self, WATCHED) if watched else Client(self)
         self.fit_worker, self.off_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
@@ -119,6 +120,18 @@ class AppState(QObject):
         self._grow_old()
         self.bench_changed.emit()
 
+    def come_back(self, worker: int) -> None:
+        """Take up the run that the process `worker` went on with while there was no window."""
+        self.bench = str(self.settings.value("bench", "") or "")  # what Coils off asks for should it not answer
+        self.bench_worker.came_back.connect(self._came_back)
+        self.bench_worker.come_back(worker)
+        self.run.come_back()
+
+    def _came_back(self, to: GoesOn) -> None:
+        self.run.order, self.run.began = to.order, to.began
+        self._bench_known(to.order.bench, to.bench)
+        self.set_identity(dut=to.order.dut or None, operator=to.order.operator or None)
+
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
         self.known = self._taken = self._unconfirmed = None
@@ -151,9 +164,10 @@ class AppState(QObject):
         self.study_vm.open(run)
 
     def go(self, to: Next) -> None:
-        """Open the page of what is next, with its run; Calibrate shows the preflight."""
+        """Open the page of what is next, with its run, and begin it; Calibrate shows the preflight."""
         if to.run:
             self.study_vm.open(to.run)
+            self.study_vm.fit("ml") if to.page == "Fit" else self.study_vm.close_loop()
         if to.page == "Run" and not self.run.alive:
             self.open_procedure("preflight")
         self.page_requested.emit(to.page)
@@ -187,7 +201,7 @@ class AppState(QObject):
 
     def serial_objection(self, serial: str) -> str:
         """Why this is no serial on this bench; "" where it is one."""
-        return serials.objection(serial, serials.USUAL if self.facts is None else self.facts.serial_pattern)
+        return in_words(serials.objection(serial, serials.USUAL if self.facts is None else self.facts.serial_pattern))
 
     def objection(self) -> str:
         """What is missing before a run may start; "" where nothing is."""
@@ -241,6 +255,8 @@ class AppState(QObject):
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
         self.force_timer.stop()  # the next run is not to pay for this one
+        if self.facts is None and self.bench:  # of a run that could not be come back to
+            self.open_bench(self.bench)
         order = self.run.order
         if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
             self.study_vm.add(order.procedure, run_id)
@@ -258,7 +274,7 @@ class AppState(QObject):
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
     def _off_known(self, said: SwitchedOff) -> None:
-        words = "; ".join(f"{axis.axis}: {axis.words}" for axis in said.coils)
+        words = "; ".join(f"{axis.axis}: {in_words(axis.words)}" for axis in said.coils)
         self.lab.update(message=self.tr("Read back: {0}").format(words))
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
         before = self.known or state.LabState(())

@@ -9,6 +9,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
 Light = Literal["ok", "old", "waiting", "fault", "absent"]
@@ -113,7 +114,7 @@ def _light(
         heard_s = coils_s
     words = age_words(_old_s(heard_s, now_s))
     if heard is not None and heard.fault:
-        return name, "fault", ", ".join(filter(None, (heard.fault, words)))
+        return name, "fault", ", ".join(filter(None, (in_words(heard.fault), words)))
     if heard_s is None:
         return name, "absent" if heard is None else "waiting", ""
     return name, "old" if words else "ok", words

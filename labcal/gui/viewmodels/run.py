@@ -14,9 +14,22 @@ from PySide6.QtCore import QObject, Signal
 from labcal.bench.coils.state import LabState
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
-from labcal.gui.ipc.messages import Abort, Answer, Command, GoOn, Note, Pause, ResumeRun, RunProcedure, Stop, Word
+from labcal.gui.ipc.messages import (
+    Abort,
+    Answer,
+    Command,
+    GoOn,
+    Note,
+    Pause,
+    Rejoin,
+    ResumeRun,
+    RunProcedure,
+    Stop,
+    Word,
+)
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import Fault, with_instrument_names
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -91,7 +104,15 @@ class RunViewModel(QObject):
 
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
-        self._begin(order, ResumeRun(run_id, order.bench, order.dut, order.pace, order.seed))
+        words = order.pace, order.seed, order.procedure, order.operator
+        self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
+
+    def come_back(self) -> None:
+        """Show the run that went on while there was no window; its order comes with it."""
+        self.forget()
+        self.order, self.state, self.message = None, "starting", self.tr("Coming back to the run that goes on …")
+        self._worker.request(Rejoin(), self._done, self._failed)
+        self.changed.emit()
 
     def _begin(self, order: RunProcedure, command: Command[Ended]) -> None:
         if self.alive:
@@ -300,7 +321,7 @@ class RunViewModel(QObject):
         self._over()
 
     def _last_words(self) -> str:
-        said = self._told or self.status
+        said = in_words(self._told or self.status)
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:

@@ -28,7 +28,7 @@ def cells(one: RunLine) -> tuple[str, ...]:
         one.dut_serial,
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
-        one.status.partition(":")[0],
+        translated(one.status.partition(":")[0]),
         one.verdict,
         one.run_id,
     )

@@ -176,7 +176,7 @@ def tabular_font() -> QFont:
 
 
 class ReadoutGrid(QWidget):
-    """Rows of name, value and word, right-aligned in tabular figures."""
+    """Rows of name and value, right-aligned in tabular figures."""
 
     def __init__(self, names: tuple[str, ...]) -> None:
         super().__init__()
@@ -184,21 +184,18 @@ class ReadoutGrid(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(GRID)
         grid.setVerticalSpacing(GRID // 2)
-        self._values, self._words = [label("–") for _ in names], [label("", "caption") for _ in names]
+        self._values = [label("–") for _ in names]
         for row, name in enumerate(names):
             grid.addWidget(label(translated(name), "caption"), row, 0)
             grid.addWidget(self._values[row], row, 1)
             self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
-            grid.addWidget(self._words[row], row, 2)
             self._values[row].setFont(tabular_font())
         grid.setColumnStretch(1, 1)
 
-    def show_row(self, row: int, value: str, word: str = "", state: str = "") -> None:
-        """Write one row; "–" stands for what is not known. `state` colours both: "old" is grey."""
+    def show_row(self, row: int, value: str, state: str = "") -> None:
+        """Write one row; "–" stands for what is not known. `state` colours it: "old" is grey."""
         self._values[row].setText(value)
-        self._words[row].setText(word)
-        for part in (self._values[row], self._words[row]):
-            set_state(part, state)
+        set_state(self._values[row], state)
 
 
 class AutoSizeLabel(QLabel):

@@ -7,15 +7,17 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from labcal.bench.parameters import ParameterSpec
 from labcal.errors import InputError
 from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.widgets.common import named, set_state
+from labcal.gui.widgets.common import button, named, set_state
 from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
+SEEN = 5  # settings, the first of each procedure
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
 
 
@@ -45,7 +47,7 @@ def range_of(spec: ParameterSpec) -> str:
 def title_of(spec: ParameterSpec) -> str:
     """Its name in words, without the unit: rate_deg_per_s is "Rate"."""
     words = spec.name.removesuffix(SUFFIX.get(spec.unit, "")).replace("_", " ")
-    return words[:1].upper() + words[1:]
+    return in_words(words[:1].upper() + words[1:])
 
 
 def ticked(on: bool) -> str:
@@ -54,10 +56,13 @@ def ticked(on: bool) -> str:
 
 
 class ParameterForm(QWidget):
-    """Entries for `specs`; `given()` says only what differs from the defaults."""
+    """Entries for `specs`; `given()` says only what differs from the defaults.
+
+    Those that most runs leave alone, the last ones, are folded away; one that differs or is refused is in sight.
+    """
 
     changed = Signal()
-    styled_as_whole = (QLabel, QLineEdit, QComboBox, QCheckBox)  # many small parts, made anew for each procedure
+    styled_as_whole = (QLabel, QLineEdit, QComboBox, QCheckBox, QPushButton)  # small parts, made for each procedure
 
     def __init__(self, specs: Sequence[ParameterSpec]) -> None:
         super().__init__()
@@ -68,26 +73,33 @@ class ParameterForm(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(2 * GRID)
         grid.setVerticalSpacing(GRID)
+        self._parts: dict[str, tuple[QWidget, ...]] = {}
         for row, spec in enumerate(specs):
             self._add(grid, row, spec)
+        self._folded = list(specs[SEEN:]) if len(specs) > SEEN + 1 else []
+        self.more = button("", self.tr("Settings that most runs leave as they are"))
+        self.more.setCheckable(True)
+        self.more.toggled.connect(self._fold)
+        grid.addWidget(self.more, len(specs), 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
+        self.more.setVisible(bool(self._folded))
         grid.setColumnStretch(3, 1)
-        grid.setRowStretch(len(specs), 1)
+        grid.setRowStretch(len(specs) + 1, 1)
         self._check()
 
     def _add(self, grid: QGridLayout, row: int, spec: ParameterSpec) -> None:
         name = QLabel(title_of(spec))
-        name.setToolTip(f"--set {spec.name}=…: {spec.expected}")
+        help_text, expected = in_words(spec.help), in_words(spec.expected)
+        name.setToolTip(f"--set {spec.name}=…: {expected}")
         field = self._field(spec)
-        field.setToolTip(f"{spec.help or spec.name}: {spec.expected}")
-        field.setAccessibleName(spec.help or spec.name)
+        field.setToolTip(f"{help_text or spec.name}: {expected}")
+        field.setAccessibleName(help_text or spec.name)
         name.setBuddy(field)
         complaint = named(QLabel(), "caption")
         complaint.setWordWrap(True)
         self.fields[spec.name], self.complaints[spec.name] = field, complaint
-        grid.addWidget(name, row, 0)
-        grid.addWidget(field, row, 1)
-        grid.addWidget(QLabel(spec.unit), row, 2)
-        grid.addWidget(complaint, row, 3)
+        self._parts[spec.name] = (name, field, QLabel(spec.unit), complaint)
+        for column, part in enumerate(self._parts[spec.name]):
+            grid.addWidget(part, row, column)
 
     def _field(self, spec: ParameterSpec) -> QLineEdit | QComboBox | QCheckBox:
         if spec.kind == "switch":
@@ -147,7 +159,7 @@ class ParameterForm(QWidget):
         except NotClear as error:
             return str(error)
         except InputError:
-            return self.tr("expected {0}").format(spec.expected)
+            return self.tr("expected {0}").format(in_words(spec.expected))
         return ""
 
     def valid(self) -> bool:
@@ -168,11 +180,24 @@ class ParameterForm(QWidget):
     def _default(self, spec: ParameterSpec) -> str:
         return "no" if spec.kind == "switch" and not spec.default else as_text(spec, spec.default)
 
+    def _fold(self) -> None:
+        """Show the folded settings, or of them only what is not as usual."""
+        self.more.setText(
+            (self.tr("▾ Fewer settings") if self.more.isChecked() else self.tr("▸ More settings: {0}")).format(
+                len(self._folded)
+            )
+        )
+        for spec in self._folded:
+            unusual = self.text(spec.name) != self._default(spec) or bool(self.objection(spec))
+            for part in self._parts[spec.name]:
+                part.setVisible(self.more.isChecked() or unusual or part.hasFocus())
+
     def _check(self) -> None:
         for spec in self._specs:
             objection = self.objection(spec)
-            about = "  ·  ".join(part for part in (spec.help, range_of(spec)) if part)
+            about = "  ·  ".join(part for part in (in_words(spec.help), range_of(spec)) if part)
             self.complaints[spec.name].setText(f"✕ {objection}" if objection else about)
             for part in (self.complaints[spec.name], self.fields[spec.name]):
                 set_state(part, "bad" if objection else "")
+        self._fold()
         self.changed.emit()

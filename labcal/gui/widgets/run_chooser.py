@@ -21,7 +21,7 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 def run_title(one: RunLine) -> str:
     """A run in one line: when, which DUT, what, how it ended."""
     when = f"{local_time(one.started_utc):%Y-%m-%d %H:%M}"
-    return " · ".join((when, one.dut_serial, one.procedure or "bundle", one.status.partition(":")[0]))
+    return " · ".join((when, one.dut_serial, one.procedure or "bundle", translated(one.status.partition(":")[0])))
 
 
 class RunChooser(QComboBox):

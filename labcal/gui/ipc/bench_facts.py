@@ -1,0 +1,64 @@
+"""What a bench file states, as the window knows it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from labcal.bench.serials import USUAL
+from labcal.record.run import Dut
+
+Triple = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Instrument:
+    """One instrument of a bench file."""
+
+    role: str
+    link: str
+    driver: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cage:
+    """The coils as a bench file states them. `matrix` [nT/A]: its columns are the coil axes in C."""
+
+    matrix: tuple[Triple, Triple, Triple]
+    stated: bool  # as a matrix, not as constants alone
+    calibration: str | None  # an approved cage calibration
+    limit_A: tuple[float, ...]
+    limit_nT: float
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """What is known of the reference sensor."""
+
+    u_offset_nT: float | None
+    u_scale_ppm: float | None
+    calibration: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Earth:
+    """The magnitude that a model of the Earth's field expects outdoors at the bench's place today, and U (k=2) [nT]."""
+
+    model: str
+    magnitude_nT: float
+    U_nT: float
+
+
+@dataclass(frozen=True, slots=True)
+class Bench:
+    """What a bench file states."""
+
+    name: str
+    simulated: bool
+    dut: Dut
+    reference: Reference
+    cage: Cage
+    instruments: Mapping[str, Instrument]
+    serial_pattern: str = USUAL  # of the DUTs that this bench takes
+    virtual_time: bool = False  # it passes as fast as is wanted
+    earth: Earth | None = None  # where the bench file states its place
