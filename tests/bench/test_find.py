@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -57,6 +58,13 @@ def found_at(link: str) -> Found:
     return one
 
 
+@pytest.fixture(scope="module")
+def found(links: dict[str, str]) -> Iterator[dict[str, Future[Found]]]:
+    """Who answers on each line. All at once: most of it is waiting for an answer at a wrong rate."""
+    with ThreadPoolExecutor(len(links)) as at_once:
+        yield {name: at_once.submit(found_at, link) for name, link in links.items()}
+
+
 @pytest.mark.parametrize(
     ("name", "driver", "settings"),
     [
@@ -70,9 +78,9 @@ def found_at(link: str) -> Found:
     ],
 )
 def test_each_is_known_by_its_answer_at_its_own_baud_rate(
-    links: dict[str, str], name: str, driver: str, settings: str
+    links: dict[str, str], found: dict[str, Future[Found]], name: str, driver: str, settings: str
 ) -> None:
-    one = found_at(links[name])
+    one = found[name].result(PATIENCE_S)
     assert (one.driver, one.settings) == (driver, settings)
     assert one.link.rpartition("://")[2] == links[name].rpartition("://")[2]
 

@@ -235,12 +235,29 @@ def drawn(still):
     return still
 
 
+def of_one_guardian(which):
+    """Whether a state is in the short form: all of run, coils and instruments, each pair of them with each guardian."""
+    _, coils, instruments, guardian = which
+    at = list(COILS).index(coils) + list(INSTRUMENTS).index(instruments)
+    return coils == "not told" or guardian == list(GUARDIANS)[at % len(GUARDIANS)]
+
+
 @pytest.mark.parametrize("run_state", RUNS)
 def test_no_two_places_of_the_window_disagree(drawn, run_state, monkeypatch):
+    none_disagrees(drawn, [one for one in REACHED if one[0] == run_state and of_one_guardian(one)], monkeypatch)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("run_state", RUNS)
+def test_with_every_guardian_no_two_places_disagree(drawn, run_state, monkeypatch):
+    none_disagrees(drawn, [one for one in REACHED if one[0] == run_state and not of_one_guardian(one)], monkeypatch)
+
+
+def none_disagrees(drawn, states, monkeypatch):
     stands = time.monotonic()
     monkeypatch.setattr(module, "time", type("Still", (), {"monotonic": staticmethod(lambda: stands)}))
     app_state, found = drawn.app_state, []
-    for which in (one for one in REACHED if one[0] == run_state):
+    for which in states:
         app_state.forget()
         app_state.run.forget()
         app_state.off_worker.asked.clear()
@@ -254,3 +271,10 @@ def test_no_two_places_of_the_window_disagree(drawn, run_state, monkeypatch):
 
 def test_every_state_is_drawn():
     assert len(REACHED) == len(RUNS) * (7 * 4 * 3 + 1) == 1360
+    short = [one for one in REACHED if of_one_guardian(one)]
+    for pair in itertools.combinations(
+        range(4), 2
+    ):  # every pair of two parts' states, and all of run, coils, instruments
+        assert {tuple(one[at] for at in pair) for one in short} == {tuple(one[at] for at in pair) for one in REACHED}
+    assert {one[:3] for one in short} == {one[:3] for one in REACHED}
+    assert len(short) == len(RUNS) * (7 * 4 + 1) == 464

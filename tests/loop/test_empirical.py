@@ -159,7 +159,11 @@ def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
 
 @pytest.mark.parametrize(
     ("shape", "seed"),
-    [("resonant in the rate", 2028), ("two channels' product", 2031), ("temperature times field", 2035)],
+    [
+        ("resonant in the rate", 2028),
+        ("two channels' product", 2031),
+        pytest.param("temperature times field", 2035, marks=pytest.mark.slow),
+    ],
 )
 def test_shapes_of_two_inputs_and_of_motion_are_carried_to_fresh_rows(shape: str, seed: int) -> None:
     assert run_path(str(BLIND))["shape_trial"](shape, seed)["gone"] > 0.7
