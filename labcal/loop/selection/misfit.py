@@ -9,6 +9,7 @@ of the other's inputs does not; of two forms in the same inputs the likelier one
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.marginal import Reduced
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
-from labcal.model.effects import Scene
+from labcal.model.effects import Scene, Term
 from labcal.model.effects.regressors import delayed, low_passed
 from labcal.record import period_s
 
@@ -30,6 +31,7 @@ RESPONSES: tuple[tuple[Callable[[Array, NDArray[np.intp], Array, float], Array],
     *((delayed, k) for k in (-LATE_ROWS, LATE_ROWS)),
     *((low_passed, k) for k in SMEARED_ROWS),
 )
+ELSEWHERE = 0.1  # of the range that a parameter is searched in, from the place that was found
 KEPT = 1e-6  # of the squares of the largest direction: smaller ones are no part of a misfit
 
 
@@ -112,9 +114,24 @@ def _otherwise_timed(scene: Scene, chosen: Candidate) -> Iterator[Array]:
 
 
 def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
-    """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p)."""
+    """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p).
+
+    A form that is a series in the field and in a place would be the same a little elsewhere.
+    """
+    if chosen.term.found_by("few rows") is not None:
+        yield from _elsewhere(scene, chosen.term)
+        return
     own = np.nan_to_num(chosen.term.columns(scene))
     yield from (own * drive[:, None, None] for drive in _surroundings(scene, chosen))
+
+
+def _elsewhere(scene: Scene, term: Term) -> Iterator[Array]:
+    """How the columns change with each of the parameters that say where the form stands, each (n, 3, p)."""
+    own = term.columns(scene)
+    for shape in term.shape:
+        low, high = shape.bracket(scene.t_s)
+        moved = replace(shape, value=shape.value + ELSEWHERE * (high - low))
+        yield term.with_shape(moved).columns(scene) - own
 
 
 def _channels(scene: Scene, chosen: Candidate) -> Iterator[Array]:
