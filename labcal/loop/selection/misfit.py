@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.marginal import Reduced
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
-from labcal.model.effects import Scene, Term
+from labcal.model.effects import Scene
 from labcal.model.effects.regressors import delayed, low_passed
 from labcal.record import period_s
 
@@ -62,6 +63,9 @@ def evidence_beside_misfit(
 
 def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
     def made() -> Span:
+        if chosen.term.found_by("few rows") is not None:  # a series in the field and the place: it may stand elsewhere
+            beta = pool.coefficients([chosen])[-len(chosen.term.parameters) :]
+            return Span(principal_span(_transformed(pool, chosen, partial(_elsewhere, beta)), tolerance=KEPT))
         driven, carried = (_transformed(pool, chosen, forms) for forms in (_otherwise_driven, _otherwise_carried))
         own = orthogonal_complement(pool.base, pool.transformed_columns(chosen))
         driven = orthogonal_complement(np.concatenate([pool.base, own], axis=2), driven)
@@ -114,24 +118,19 @@ def _otherwise_timed(scene: Scene, chosen: Candidate) -> Iterator[Array]:
 
 
 def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
-    """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p).
-
-    A form that is a series in the field and in a place would be the same a little elsewhere.
-    """
-    if chosen.term.found_by("few rows") is not None:
-        yield from _elsewhere(scene, chosen.term)
-        return
+    """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p)."""
     own = np.nan_to_num(chosen.term.columns(scene))
     yield from (own * drive[:, None, None] for drive in _surroundings(scene, chosen))
 
 
-def _elsewhere(scene: Scene, term: Term) -> Iterator[Array]:
-    """How the columns change with each of the parameters that say where the form stands, each (n, 3, p)."""
-    own = term.columns(scene)
+def _elsewhere(beta: Array, scene: Scene, chosen: Candidate) -> Iterator[Array]:
+    """How an effect of these parameters changes with each of those that say where it stands, each (n, 3, 1)."""
+    term = chosen.term
+    own = term.columns(scene) @ beta
     for shape in term.shape:
         low, high = shape.bracket(scene.t_s)
         moved = replace(shape, value=shape.value + ELSEWHERE * (high - low))
-        yield term.with_shape(moved).columns(scene) - own
+        yield (term.with_shape(moved).columns(scene) @ beta - own)[:, :, None]
 
 
 def _channels(scene: Scene, chosen: Candidate) -> Iterator[Array]:
