@@ -44,7 +44,7 @@ KINDS = {
         "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST",
         "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
+        "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS ELSEWHERE KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "noise.marginal:RATIOS",
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",

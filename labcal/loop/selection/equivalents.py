@@ -65,7 +65,7 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, always)
     if pool.problem.whole is not None and len(near) > 1:
         near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, always)
-    apart = [w for w in near[1:] if not _merely_contains(pool, others, chosen, w.candidate)]
+    apart = [w for w in near[1:] if not merely_contains(pool, others, chosen, w.candidate)]
     earning = [w for w in apart if earns_its_extension(pool, others, w)]
     known = {w.candidate.cause for w in earning}
     extensions = [w for w in plausible_extensions(pool, accepted, chosen) if w.candidate.cause not in known]
@@ -107,7 +107,7 @@ def _best_relatives(pool: CandidateSet, others: Sequence[Candidate], chosen: Can
     return [w.candidate for w in pool.rank(related, others)] if related else []
 
 
-def _merely_contains(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, larger: Candidate) -> bool:
+def merely_contains(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, larger: Candidate) -> bool:
     """Whether `larger` can do all that `chosen` does, and has no evidence for what else it can.
 
     Iron that answers by any tensor turns the field as a tilted axis does: what is a turn alone is no iron.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,7 +21,7 @@ from labcal.loop.selection.crossval import (
     rms,
 )
 from labcal.loop.selection.discrepancy import stands_beside_discrepancy
-from labcal.loop.selection.equivalents import Equivalent, equally_likely
+from labcal.loop.selection.equivalents import Equivalent, equally_likely, merely_contains
 from labcal.model.effects.regressors import WEATHER, stretches
 
 ALTERNATIVES = 2  # causes of other families that a doubtful one is compared with
@@ -81,7 +82,7 @@ def first_doubtful(
 def _other_explanations(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
     """The causes of other families that would take most off the residual in the place of `chosen`.
 
-    Its equivalents are not among them: they are named beside it.
+    Its equivalents are not among them: they are named beside it; nor a larger form that contains it and needs no more.
     """
     others = [c for c in accepted if c is not chosen]
     named = {o.cause for o in others} | {w.candidate.cause for w in equally_likely(pool, accepted, chosen)}
@@ -91,7 +92,8 @@ def _other_explanations(pool: CandidateSet, accepted: Sequence[Candidate], chose
         for c in all_candidates(pool, others)
         if c.family.id not in related and chosen.family.id not in c.family.extends and c.cause not in named
     ]
-    return [w.candidate for w in sorted(pool.rank(unrelated, others), key=lambda w: -w.drop)[:ALTERNATIVES]]
+    nearest = (w.candidate for w in sorted(pool.rank(unrelated, others), key=lambda w: -w.drop))
+    return list(itertools.islice((c for c in nearest if not merely_contains(pool, others, chosen, c)), ALTERNATIVES))
 
 
 def is_time_bound(pool: CandidateSet, chosen: Candidate) -> bool:
