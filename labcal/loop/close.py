@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from labcal.fit.vector.observations import Observations
 from labcal.loop import policy
 from labcal.loop.assemble import assemble
 from labcal.loop.candidates.library import Candidate, Cause
@@ -18,7 +19,7 @@ from labcal.loop.data.checks import check_data
 from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
-from labcal.loop.data.outliers import at_saturation_limit
+from labcal.loop.data.saturation import at_saturation_limit, beyond_limit
 from labcal.loop.nameless import with_empirical
 from labcal.loop.narrative import of_faulty_data
 from labcal.loop.result import ClosedLoop, Finding
@@ -125,16 +126,31 @@ def without_search(run: Run, problem: LinearProblem, level: NoiseFloor, stuck: i
 
 def prepare(run: Run) -> tuple[LinearProblem, NoiseFloor, int]:
     """The problem about the fitted base model, the noise floor, and how many saturated rows were left out."""
-    cut, _ = select_rows(run)
-    stuck = at_saturation_limit(cut)
-    cut, seen = select_rows(cut.select(~stuck))
+    whole, seen = select_rows(run)
+    stuck = at_saturation_limit(whole)
+    problem, level = _about_base(whole.select(~stuck))
+    if stuck.any() and len(seen.phase_names) == len(problem.phase):
+        clipped = beyond_limit(_seen_from(problem, whole, seen), stuck)
+        if not clipped[stuck].all():
+            stuck = clipped
+            problem, level = _about_base(whole.select(~stuck))
+    return problem, level, int(stuck.sum())
+
+
+def _seen_from(problem: LinearProblem, run: Run, seen: Observations) -> LinearProblem:
+    """More rows of the same run about the same map."""
+    theta = np.r_[problem.affine.K.ravel() * seen.scale, problem.affine.k_nT]
+    return linearise(run, seen, noise_model(run, seen), problem.base, problem.parameterisation, theta, problem.phase)
+
+
+def _about_base(run: Run) -> tuple[LinearProblem, NoiseFloor]:
+    cut, seen = select_rows(run)
     base, near = fit_base(cut, seen)
     start = near.solution
     problem = linearise(cut, seen, noise_model(cut, seen), base, near.parameterisation, start.theta, start.phase)
     problem, level = noise_floor(problem)
     found = least_squares(seen, problem.noise, near)
-    problem = linearise(cut, seen, problem.noise, base, near.parameterisation, found.theta, found.phase)
-    return problem, level, int(stuck.sum())
+    return linearise(cut, seen, problem.noise, base, near.parameterisation, found.theta, found.phase), level
 
 
 def _min_noise_level(run: Run) -> float:

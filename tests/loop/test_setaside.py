@@ -11,7 +11,9 @@ import pytest
 
 from labcal import session
 from labcal.loop import close_loop
-from labcal.loop.data.outliers import at_saturation_limit, hampel_outliers
+from labcal.loop.close import prepare
+from labcal.loop.data.outliers import hampel_outliers
+from labcal.loop.data.saturation import at_saturation_limit
 from labcal.record import Run
 
 Rows = dict[str, np.ndarray]
@@ -103,3 +105,18 @@ def test_a_level_that_holds_beside_a_burst_is_a_process() -> None:
     aside = hampel_outliers(residual, np.zeros(600, dtype=np.intp))
     assert not aside[195:265].any()
     assert aside[400:405].all()
+
+
+def _coarse(run: Run, step_nT: float, limit_nT: float = np.inf) -> Run:
+    """Its readings in such steps, as far as the device goes."""
+    return replace(run, reading=step_nT * np.round(np.clip(run.reading, -limit_nT, limit_nT) / step_nT))
+
+
+def test_coarse_readings_that_pile_up_where_a_field_turns_back_stay(plain: Run) -> None:
+    assert at_saturation_limit(_coarse(plain, 2000.0)).any()
+    assert prepare(_coarse(plain, 2000.0))[2] == 0
+
+
+def test_coarse_readings_of_a_field_that_goes_beyond_are_set_aside(plain: Run) -> None:
+    far_beyond = int((np.abs(plain.reading) > 36.2e3).any(axis=1).sum())
+    assert prepare(_coarse(plain, 400.0, 36e3))[2] >= far_beyond > 100

@@ -1,4 +1,4 @@
-"""Rows without information about the sensor: saturated readings, and single readings far from their neighbours."""
+"""Rows without information about the sensor: readings far from their neighbours, single or in bursts."""
 
 from __future__ import annotations
 
@@ -7,11 +7,9 @@ from numpy.typing import NDArray
 
 from labcal.loop import policy
 from labcal.model.effects.regressors import stretches
-from labcal.record import Run
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compared with
 WINDOW = 4  # neighbours on either side
 LONGEST_OUTLIER = WINDOW // 2  # rows in a row: of more the median of the neighbours is no measure
 WIDE_WINDOW = 12  # neighbours on either side of a burst
@@ -108,27 +106,3 @@ def _runs(mask: Mask) -> list[tuple[int, int]]:
     """Where stretches of members begin, and where they end."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]]))).tolist()
     return list(zip(edges[::2], edges[1::2], strict=True))
-
-
-def at_saturation_limit(run: Run) -> Mask:
-    """Rows (n,) with an axis at its saturation limit: a reading that it reaches often and never exceeds.
-
-    Where chance piles up no extreme of the run as high, the others of the same device may be low.
-    """
-    ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
-    found = [(values == extreme, _chance_of_pile_up(values, float(extreme))) for values, extreme in ends]
-    if min(chance for _, chance in found) > policy.POLICY.saturation_significance:
-        return np.zeros(len(run), dtype=bool)
-    return np.asarray(np.any([stuck for stuck, chance in found if chance < policy.POLICY.significance], axis=0))
-
-
-def _chance_of_pile_up(values: Array, extreme: float) -> float:
-    """How often as many rows or more would lie at the extreme if it were as frequent as the readings next to it."""
-    from scipy.special import pdtrc
-
-    distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))
-    if len(distinct) < 2 * NEIGHBOUR_READINGS:
-        return 1.0
-    stuck = int((values == extreme).sum())
-    near = int((np.abs(values - extreme) <= distinct[NEIGHBOUR_READINGS]).sum()) - stuck
-    return float(pdtrc(stuck - 1, (near + 1) / NEIGHBOUR_READINGS))

@@ -8,6 +8,7 @@ import numpy as np
 
 from labcal.model.effects.axis_tilt import LAG_OR_TILT
 from labcal.model.effects.c_form import CForm
+from labcal.model.effects.displaced import displaced
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.model.effects.regressors import shifted
 from labcal.model.effects.shape import GIVEN, SECANT, Shape
@@ -18,6 +19,7 @@ DRIFTS = Shape("secant_ppm", 0.0, "ppm", kind=SECANT)
 FROM = Shape("t_ref_s", 0.0, "s", kind=GIVEN)
 EITHER_WAY = Shape("half_span_s", 0.0, "s", kind=GIVEN)
 LEAST_s = 1e-3  # over less the secant of a lag that passes through nought is taken over this
+LEAST_OF_A_ROW = 0.4  # the search begins with the slope at each row: between two rows a part of a secant averages both
 PPM = 1e-6
 BACKWARD_IN_C = """\
 const double step_s = now->t_s - state->t_s;
@@ -43,7 +45,7 @@ def kernel(term: Term, scene: Scene) -> Array:
     step = np.where(np.abs(step) < LEAST_s, LEAST_s, step) if drifts(term) else step
     if scene.rig is not None:
         p = scene.rig.prediction_nT
-        secant = (shifted(scene.t_s, scene.segment, p, -step) - p) / step[:, None]
+        secant = (displaced(scene.t_s, scene.segment, p, -step) - p) / step[:, None]
     else:
         a = scene.driving_field_nT
         secant = (a - shifted(scene.t_s, scene.segment, a, step)) / step[:, None]
@@ -79,9 +81,10 @@ def in_c(term: Term) -> CForm:
 def candidates(run: Run) -> list[Term]:
     """One lag for the whole run; one that drifts."""
     of_the_run = replace(FROM, value=float(run.t_s[0] + run.t_s[-1]) / 2)
-    shape = (OVER, DRIFTS, of_the_run, replace(EITHER_WAY, value=float(run.t_s[-1] - run.t_s[0]) / 2))
+    over = replace(OVER, value=min(OVER.value, LEAST_OF_A_ROW * float(np.median(np.diff(run.t_s)))))
+    shape = (over, DRIFTS, of_the_run, replace(EITHER_WAY, value=float(run.t_s[-1] - run.t_s[0]) / 2))
     return [
-        Term(kernel, (("lag_s", "s"),), shape=(OVER,)),
+        Term(kernel, (("lag_s", "s"),), shape=(over,)),
         Term(kernel, (("lag_s", "s"), ("drift_ppm", "ppm")), shape=shape),
     ]
 

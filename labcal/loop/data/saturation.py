@@ -1,0 +1,58 @@
+"""Rows at a device's saturation limit: readings pile up there, and the field goes beyond it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop import policy
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compared with
+
+
+def at_saturation_limit(run: Run) -> Mask:
+    """Rows (n,) with an axis at its saturation limit: a reading that it reaches often and never exceeds.
+
+    Where chance piles up no extreme of the run as high, the others of the same device may be low.
+    """
+    ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
+    found = [(values == extreme, _chance_of_pile_up(values, float(extreme))) for values, extreme in ends]
+    if min(chance for _, chance in found) > policy.POLICY.saturation_significance:
+        return np.zeros(len(run), dtype=bool)
+    return np.asarray(np.any([stuck for stuck, chance in found if chance < policy.POLICY.significance], axis=0))
+
+
+def _chance_of_pile_up(values: Array, extreme: float) -> float:
+    """How often as many rows or more would lie at the extreme if it were as frequent as the readings next to it."""
+    from scipy.special import pdtrc
+
+    distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))
+    if len(distinct) < 2 * NEIGHBOUR_READINGS:
+        return 1.0
+    stuck = int((values == extreme).sum())
+    near = int((np.abs(values - extreme) <= distinct[NEIGHBOUR_READINGS]).sum()) - stuck
+    return float(pdtrc(stuck - 1, (near + 1) / NEIGHBOUR_READINGS))
+
+
+def beyond_limit(everything: LinearProblem, stuck: Mask) -> Mask:
+    """Of the rows `stuck` (n,) at an extreme of an axis those where the field, as the base carries it, goes beyond.
+
+    A field that turns back there, or stands there, piles up coarse readings as well, and then they are as they should
+    be. Magnitudes do not tell what an axis would read: of these all are taken.
+    """
+    if everything.kind != "vector":
+        return stuck
+    read = everything.run.reading
+    missing = -np.linalg.solve(everything.affine.K, everything.residual_nT.T).T
+    out = np.zeros_like(stuck)
+    for values, more in zip(read.T, missing.T, strict=True):
+        half_step = float(np.diff(np.unique(values)).min(initial=np.inf)) / 2
+        for extreme, outward in ((np.nanmax(values), more), (np.nanmin(values), -more)):
+            there = stuck & (values == extreme)
+            if there.any() and float(np.median(outward[there])) > half_step:
+                out |= there
+    return out
