@@ -18,7 +18,15 @@ from labcal.loop.findings.confounded import confounded
 from labcal.loop.findings.residual_shape import describe
 from labcal.loop.findings.residual_tests import residual_tests as residual_tests
 from labcal.loop.findings.run_findings import findings
-from labcal.loop.narrative import summary, tests_text, why_accepted, why_astray, why_equivalent, why_rejected
+from labcal.loop.narrative import (
+    summary,
+    tests_text,
+    why_accepted,
+    why_astray,
+    why_equivalent,
+    why_nought,
+    why_rejected,
+)
 from labcal.loop.noise.autocorrelation import serially_correlated
 from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate, fixed_choice, rms
@@ -223,6 +231,8 @@ def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
     gain = step.improvement() if step else None
     if step and (left := found.astray.get(w.candidate.cause)) is not None:
         said = why_astray(step, left)
+    if step and (chance := found.nought.get(w.candidate.cause)) is not None:
+        said = why_nought(step, chance)
     for chosen, proof, rivals in zip(found.accepted, found.contributions, found.equivalents, strict=True):
         for rival in rivals[1:]:
             if rival.scored.candidate.cause == w.candidate.cause:

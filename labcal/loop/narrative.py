@@ -100,6 +100,14 @@ def why_astray(step: HeldOutErrors, left_nT: float) -> str:
     )
 
 
+def why_nought(step: HeldOutErrors, chance: float) -> str:
+    """Why a cause is not named that is no larger than its uncertainty."""
+    return (
+        f"taken ({step.before:.1f} to {step.after:.1f} nT held out), and given up: it is no larger than its "
+        f"uncertainty, declared errors included; what is not there would seem as large in {100 * chance:.0f} % of runs"
+    )
+
+
 def why_equivalent(accepted: Candidate, after_nT: float) -> str:
     """Why an equivalent cause is not named in the place of the accepted one."""
     return f"does as well as {accepted.label} in its place ({after_nT:.1f} nT held out): a rival, neither is sure"

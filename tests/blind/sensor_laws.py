@@ -23,6 +23,7 @@ IDS = {
 NO_ID = {"popcorn": [], "warm-square": ["gain-temperature"]}  # and what names its right channel
 MORE = {"jiles-atherton": ["nonlinearity"], "preisach": ["nonlinearity"]}  # the loop's middle line is bent as well
 LATE = ("two-poles", "clock")
+STILL_C = 0.5  # a temperature that moves less drives nothing
 
 
 def atherton(rng, fields):
@@ -200,7 +201,10 @@ def usable_rows(bench, reading, top):
 def make(out, index, seed, kinds, strengths, decoys):
     """One run and its truth."""
     rng = np.random.default_rng([seed, index, 3])
+    needs_warmth = any("warm" in k or "heating" in k for k in kinds)
     bench = Bench(rng, bool(set(kinds) & set(LATE)))
+    while needs_warmth and np.ptp(bench.T[~bench.fresh]) < STILL_C:  # no effect of a temperature would stick out
+        bench = Bench(rng, bool(set(kinds) & set(LATE)))
     noise = round(octave(rng, 8, 60), 2)
     lsb = float(f"{noise * octave(rng, 0.05, 1.5):.3g}")
     total, shapes, rms, top = np.zeros_like(bench.body), [], {}, math.inf
@@ -224,7 +228,6 @@ def make(out, index, seed, kinds, strengths, decoys):
     noisy = np.clip(reading + rng.normal(0, noise, reading.shape), -top, top)
     counts = np.round(noisy / lsb)
     warm = {"sensor_C": (np.round(bench.T / 0.05) * 0.05, "degC", "temperature")}
-    needs_warmth = any("warm" in k or "heating" in k for k in kinds)
     channels = {**(warm if needs_warmth or rng.random() < 0.6 else {}), **stray_channels(bench, decoys)}
     name = f"b{index:04d}"
     put_down(out / name, bench, counts, channels, stated(bench, name, lsb, noise, channels))

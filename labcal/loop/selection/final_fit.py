@@ -5,7 +5,6 @@ An effect that is no more than its uncertainty there, declared errors included, 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -24,25 +23,28 @@ from labcal.loop.uncertainty import chances_of_nought
 
 def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> tuple[Evidence, JointFit]:
     """The fit with the accepted effects; those that it does not arrive with are given up, and the rest proven anew."""
-    astray = dict[Cause, float]()
+    astray, nought = dict[Cause, float](), dict[Cause, float]()
     while found.accepted:
         fitted = _nearest(problem, found)
         left = in_sample_rms(fitted)
-        given_up = _least_certain(found, fitted) if arrives(left, found) else len(found.accepted) - 1
-        if given_up is None:
-            return _as_told(found, left), fitted
-        astray[found.accepted[given_up].cause] = left
-        found = _proven_again(found, selection, given_up, astray)
+        if not arrives(left, found):
+            place = len(found.accepted) - 1
+            astray[found.accepted[place].cause] = left
+        else:
+            place, chance = _least_certain(found, fitted)
+            if chance <= policy.POLICY.significance:
+                return _as_told(found, left), fitted
+            nought[found.accepted[place].cause] = chance
+        found = replace(_proven_again(found, selection, place), astray=dict(astray), nought=dict(nought))
     return found, base_fit(problem, found)
 
 
-def _least_certain(found: Evidence, fitted: JointFit) -> int | None:
-    """The place of the accepted effect that is likeliest nought; None where none may be."""
-    chances = chances_of_nought(fitted)
+def _least_certain(found: Evidence, fitted: JointFit) -> tuple[int, float]:
+    """The place of the accepted effect that is likeliest nought, all members of a set together, and its chance."""
     ends = np.cumsum([len(chosen.parts) for chosen in found.accepted])
-    each = [min(part) for part in np.split(np.array(chances), ends[:-1])]
+    each = [float(part.min()) for part in np.split(np.array(chances_of_nought(fitted)), ends[:-1])]
     place = int(np.argmax(each))
-    return place if each[place] > policy.POLICY.significance else None
+    return place, each[place]
 
 
 def arrives(left_nT: float, found: Evidence) -> bool:
@@ -77,15 +79,14 @@ def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:
     return min(fitted, joint_fit(found.pool.whole, terms, found.pool.valid), key=in_sample_rms)
 
 
-def _proven_again(found: Evidence, selection: Selection, place: int, astray: Mapping[Cause, float]) -> Evidence:
+def _proven_again(found: Evidence, selection: Selection, place: int) -> Evidence:
     """The evidence for the other effects than the one at `place`."""
     pool, kept = found.pool, [c for i, c in enumerate(found.accepted) if i != place]
     steps = [contribution(pool, found.blocks, kept, i) for i in range(len(kept))]
-    again = prove(
-        found.base_set, pool, replace(selection, accepted=tuple(kept), contributions=tuple(steps)), found.level
-    )
+    fewer = replace(selection, accepted=tuple(kept), contributions=tuple(steps))
+    again = prove(found.base_set, pool, fewer, found.level)
     given_up = {found.accepted[place].cause: found.contributions[place]}
-    return replace(again, refused={**found.refused, **again.refused, **given_up}, astray=dict(astray))
+    return replace(again, refused={**found.refused, **again.refused, **given_up})
 
 
 def base_fit(problem: LinearProblem, found: Evidence) -> JointFit:

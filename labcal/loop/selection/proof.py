@@ -41,6 +41,7 @@ class Evidence:
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
     outlier_distance: float  # of the rows set aside, in standard deviations of the others
     astray: Mapping[Cause, float] = field(default_factory=dict)  # what final fits with these leave [nT]
+    nought: Mapping[Cause, float] = field(default_factory=dict)  # how often nothing would seem as large as these do
 
 
 def select_and_prove(pool: CandidateSet, level: NoiseFloor) -> Evidence:

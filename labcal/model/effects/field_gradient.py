@@ -27,7 +27,8 @@ def kernel(term: Term, scene: Scene) -> Array:
     """
     assert scene.rig is not None
     if term.shape:
-        cage = off_centre.columns(term.parameters, *(term.at(shape.name) for shape in off_centre.PLACES), scene.rig)
+        lon, lat, up = (term.at(shape.name) for shape in off_centre.PLACES)
+        cage = off_centre.columns(term.parameters, lon, lat, up, scene.rig)
         return np.asarray(scene.rig.to_body @ cage)
     v, angle = scene.rig.reference_nT, scene.rig.angle_rad
     turning = np.isfinite(angle)

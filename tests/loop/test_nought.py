@@ -1,0 +1,49 @@
+"""An effect that is no larger than its uncertainty, declared errors included, is not named."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.loop import close_loop
+from labcal.loop.candidates.library import expand_library
+from labcal.loop.close import prepare
+from labcal.loop.selection import final_fit
+from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.uncertainty import chances_of_nought
+
+
+def run_with(making: ModuleType, folder: Path, per_ampere_nT: float) -> Path:
+    rows, segments = making.recorded(seconds=30.0)
+    rows["dut"] = rows["dut"] + per_ampere_nT * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
+    return Path(making.written(folder, rows, segments))
+
+
+def test_the_chance_of_nought_is_even_where_nothing_is_and_tiny_where_something_is(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    chances = []
+    for size in (0.0, 40.0):
+        problem, *_ = prepare(session.load_run(str(run_with(making, tmp_path / str(size), size))))
+        load = next(c for c in expand_library(problem) if c.label == "offset-current (i_load)")
+        chances += chances_of_nought(joint_fit(problem, [load.term]))
+    assert chances[0] > 0.01
+    assert chances[1] < 1e-6
+
+
+def test_what_declared_errors_explain_as_well_is_given_up(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = session.load_run(str(run_with(making, tmp_path, 200.0)))
+    assert [e.effect for e in close_loop(run).accepted] == ["offset-current"]
+    monkeypatch.setattr(final_fit, "chances_of_nought", lambda fitted: [0.5 for _ in fitted.terms])
+    closed = close_loop(replace(run, run_id="again"))
+    assert closed.accepted == ()
+    refused = next(e for e in closed.rejected if (e.effect, e.channels) == ("offset-current", ("i_load",)))
+    assert "no larger than its uncertainty" in refused.why
+    assert "50 %" in refused.why

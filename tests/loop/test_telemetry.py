@@ -1,0 +1,47 @@
+"""Loads that slow telemetry draws straight between two samples, and wild rows that are nobody's clock."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+from labcal import session
+from labcal.loop.close import prepare
+from labcal.loop.data.checks import check_data
+from labcal.loop.data.gaps import drawn_between_levels
+
+ONE = np.zeros(60, dtype=np.intp)
+
+
+def drawn(rows: int) -> np.ndarray:
+    """A load that goes on in so many equal steps at row 20, and off at row 40."""
+    at = np.array([0, 20, 20 + rows, 40, 40 + rows, 60])
+    return np.interp(np.arange(60.0), at, [0.0, 0.0, 1.0, 1.0, 0.0, 0.0])
+
+
+def test_rows_on_a_straight_way_between_two_levels_are_unknown() -> None:
+    seen = np.flatnonzero(drawn_between_levels(drawn(4), ONE))
+    assert seen.tolist() == [20, 21, 22, 23, 24, 40, 41, 42, 43, 44]
+
+
+def test_a_switch_a_ramp_in_a_new_segment_and_what_moves_smoothly_are_known() -> None:
+    assert not drawn_between_levels(drawn(1), ONE).any()
+    assert not drawn_between_levels(drawn(4), (np.arange(60) >= 22).astype(np.intp) + (np.arange(60) >= 42)).any()
+    assert not drawn_between_levels(np.sin(np.arange(60.0) / 7), ONE).any()
+    assert not drawn_between_levels(np.full(60, 2.0), ONE).any()
+    bent = drawn(4)
+    bent[22] += 0.15  # no straight line: somebody saw it there
+    bent[42] += 0.15
+    assert not drawn_between_levels(bent, ONE).any()
+
+
+def test_a_burst_is_no_fault_of_a_clock(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    wild = np.random.default_rng(4).normal(0, 12000.0, (10, 3))
+    for start in (90, 270):  # segments begin there: a reference whose stamps are moved has no such rows
+        rows["dut"][start : start + 5] += wild[:5]
+    problem, level, _ = prepare(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert float(np.sqrt(np.mean(problem.residual_nT**2))) > 5 * level.nT
+    assert check_data(problem, level) is None
