@@ -85,6 +85,28 @@ def test_a_cage_s_matrix_is_as_uncertain_as_the_reference_s_scale(ran: Run) -> N
     assert 50 <= good.value(u) < 0.1 * bad.value(u)
     assert bad.measured["DUT: change from bench.toml"].u > 20 * good.measured["DUT: change from bench.toml"].u
     assert "The supplies' read-back." in notes(good)
+    remote = ran("cage-calibration", edits=[*WORSE, ('place = "dut"', 'place = "remote"')], **short)
+    assert remote.value(u) == pytest.approx(5_000, rel=0.05)  # it is put at the DUT's place for this
+    assert "there is no reference" not in notes(remote)
+
+
+def test_a_room_s_mean_is_as_uncertain_as_the_reference_and_its_drift_is_not(ran: Run) -> None:
+    short = {"duration_s": 10, "mains_s": 5}
+    good, bad = ran("ambient", **short), ran("ambient", edits=WORSE, **short)
+    for name, true_nT in (("x", 20_400.0), ("y", 1_150.0), ("z", -43_700.0)):
+        assert bad.measured[f"mean ref_{name}"].u == pytest.approx(np.hypot(300.0, 5e-3 * true_nT), rel=0.05)
+        assert good.measured[f"mean ref_{name}"].u < 10
+        drift = f"drift ref_{name}"
+        assert bad.measured[drift].u == pytest.approx(good.measured[drift].u)
+    assert "alignment" in notes(good)
+
+
+def test_a_flip_that_is_met_well_is_as_uncertain_as_its_readings(ran: Run) -> None:
+    """0.01 degrees of 48 µT are 4.2 nT for all four attitudes; of a noisy DUT short dwells tell less."""
+    met_well = {"dwell_s": 4, "u_mounting_deg": 0.01}
+    noisy = ran("flip", "dut = { noise_nT = 300.0 }", **met_well).measured["offset x"].u
+    assert noisy > 0.5 * 300 / np.sqrt(4 * 4 * 10)  # ten readings a second
+    assert noisy > 5 * 4.2
 
 
 def test_a_half_turn_that_is_missed_is_in_the_zero_and_one_that_nobody_states_is_named(ran: Run) -> None:
