@@ -8,7 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scalar_lab import SCALAR, sensor
 
+from labcal import session
 from labcal.record.stream import Event
 
 Run = Callable[..., Any]
@@ -142,3 +144,20 @@ def test_a_sphere_s_map_and_verdict_are_as_uncertain_as_the_reference(ran: Run) 
     assert "alignment" in notes(good)
     assert "drift since its own calibration" in notes(good)
     assert "drift since its own calibration" not in notes(old)
+
+
+def test_verify_beside_a_scalar_reference_judges_magnitudes_alone(ran: Run) -> None:
+    """A magnitude is no vector of three equal components; the DUT is some thousand nT off as it stands."""
+    vector, scalar = ran("verify", **SMALL), ran("verify", sensor(1), 11, SCALAR, **SMALL)
+    name = "before: rms magnitude error"
+    assert scalar.value(name) == pytest.approx(vector.value(name), rel=0.2)
+    assert not any("heading" in name for name in scalar.measured)
+    assert "No heading is judged" in notes(scalar)
+    worse = ran("verify", sensor(1), 11, [*SCALAR, ("u_scale_ppm = 1.0", "u_scale_ppm = 5000.0")], **SMALL)
+    largest = "before: largest magnitude error"
+    assert 0.5 < worse.measured[largest].u / (5e-3 * 35_000) < 2, worse.measured[largest]  # another may be the largest
+    assert scalar.measured[largest].u < 20
+
+
+def test_linearity_refuses_a_scalar_reference(bench_file: Callable[..., Any]) -> None:
+    assert "needs a vector reference" in session.run("linearity", bench_file(sensor(1), *SCALAR)).status
