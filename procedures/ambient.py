@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
+from functools import partial
 from typing import Annotated
 
 import numpy as np
@@ -11,13 +12,16 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.driver_kit.roles import Paced
 from labcal.bench.parameters import Limits
+from labcal.bench.stated import as_positions
 from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded, take_ambient
 from labcal.bench.streams.running import Running
 from labcal.bench.streams.samples import Samples, samples
 from labcal.earth.wmm import FIRST_YEAR, LAST_YEAR, wmm
 from labcal.errors import InstrumentError
+from labcal.record import Run
 from labcal.record.run import Segment
 from labcal.record.stream import Block, Event, Measurement, Stream
+from labcal.uncertainty.verdicts import u_declared, uncovered
 
 NEEDS, LASTS_MIN = "the cage as it will be used, coils off", 1
 
@@ -114,17 +118,36 @@ def tone(seen: Samples, frequency_hz: float, off_hz: float) -> tuple[float, floa
 
 
 def _components(bench: Bench, room: Running, drift_nT_per_min: float, noise_nT: float) -> Work[list[str]]:
-    """Mean, drift and noise of each component of the reference; returns what is beyond its limit, in words."""
+    """Mean, drift and noise of each component of the reference; returns what is beyond its limit, in words.
+
+    The mean is as uncertain as all that is declared of the reference; a drift and a noise are not.
+    """
+    if left := uncovered(_told(bench, room)):
+        yield note(bench, left)
     beyond, root = list[Measurement](), np.sqrt(2 * len(room))
     density = room.noise * np.sqrt(2 * room.period_s)
     told = zip(room.columns, room.mean, room.u_mean, *room.trend(), room.noise, density, strict=True)
-    for name, mean, u, slope, u_slope, sigma, per_root_Hz in told:
+    for number, (name, mean, noise, slope, u_slope, sigma, per_root_Hz) in enumerate(told):
+        u = float(np.hypot(noise, u_declared(_told(bench, room), partial(_component, number))))
         yield from measured(bench, f"mean {name}", mean, u, "nT")
         drift = yield from measured(bench, f"drift {name}", 60 * slope, 60 * u_slope, "nT/min", drift_nT_per_min)
         quiet = yield from measured(bench, f"noise {name}", sigma, sigma / root, "nT", noise_nT)
         yield from measured(bench, f"noise density {name}", per_root_Hz, per_root_Hz / root, "nT/√Hz")
         beyond += [m for m in (drift, quiet) if m.verdict == "FAIL"]
     return [f"{m.name} {m.value:.3g} {m.unit}" for m in beyond]
+
+
+def _told(bench: Bench, room: Running) -> Run:
+    """The mean as the reference tells it: a vector's components, or a magnitude."""
+    return as_positions(bench, room.mean[None] if len(room.mean) == 3 else room.mean)
+
+
+def _component(number: int, told: Run) -> float:
+    return float((told.magnitude_nT if told.reference_vector is None else told.reference_vector[0])[number])
+
+
+def _magnitude(told: Run) -> float:
+    return float(told.magnitude_nT[0])
 
 
 def _beside_the_model(bench: Bench, room: Running) -> Work[str]:
@@ -138,13 +161,14 @@ def _beside_the_model(bench: Bench, room: Running) -> Work[str]:
     if not FIRST_YEAR <= today.year < LAST_YEAR:
         return f"; of {today.year} no field is expected: WMM is here from {FIRST_YEAR} to {LAST_YEAR}"
     expected = wmm(site.latitude_deg, site.longitude_deg, site.height_m, today)
-    u = float(np.linalg.norm(room.u_mean * room.mean) / found)
+    noise = float(np.linalg.norm(room.u_mean * room.mean) / found)
+    u = float(np.hypot(noise, u_declared(_told(bench, room), _magnitude)))
     yield from measured(bench, "magnitude", found, u, "nT")
     yield from measured(bench, f"magnitude by {expected.model}", expected.magnitude_nT, expected.u_magnitude_nT, "nT")
     apart = found - expected.magnitude_nT
     said = f"; its {found:.0f} nT are {abs(apart):.0f} nT {'above' if apart > 0 else 'below'} what {expected.model}"
     said += f" expects outdoors ({expected.magnitude_nT:.0f} nT, U = {2 * expected.u_magnitude_nT:.0f} nT, k = 2)"
-    if abs(apart) <= 2 * expected.u_magnitude_nT:
+    if abs(apart) <= 2 * np.hypot(expected.u_magnitude_nT, u):
         return said
     return said + ": iron near by, or the reference's unit and scale"
 

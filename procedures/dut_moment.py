@@ -14,6 +14,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, across, attitude, how_to_mount
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, refuse_too_fast
+from labcal.bench.stated import as_positions
 from labcal.bench.steps import (
     Plan,
     Procedure,
@@ -23,6 +24,7 @@ from labcal.bench.steps import (
     measure_ambient,
     measured,
     mount,
+    note,
     ready,
     record,
     recorded,
@@ -34,6 +36,7 @@ from labcal.errors import InputError
 from labcal.fit.dipole import PAIRS, DipoleFit, Dwell, fit_dipole
 from labcal.geometry import rotation, unit
 from labcal.record.stream import Event, Prompt
+from labcal.uncertainty.verdicts import uncovered
 
 NEEDS, LASTS_MIN = "the DUT on a platform with a motor, a vector reference that can be moved beside it", 9
 
@@ -79,7 +82,10 @@ def dut_moment(
             for number, sign in enumerate(TURNING if stand.mounting != AWAY else ()):
                 looks += yield from _turned(bench, stand, sign * field, number, rate_deg_per_s, mode, len(looks))
         yield from coils_off(bench)
-    yield from _told(bench, fit_dipole(looks, np.outer(distances_m, up), u_place_m), field_nT, limit_Am2)
+    if left := uncovered(as_positions(bench, field[None]), ["the reference's turn against the cage"]):
+        yield note(bench, left)
+    found = fit_dipole(looks, np.outer(distances_m, up), u_place_m)
+    yield from _told(bench, found.with_scale(1e-6 * (bench.reference_stated.u_scale_ppm or 0.0)), field_nT, limit_Am2)
 
 
 @dataclass(frozen=True, slots=True)

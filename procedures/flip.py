@@ -12,6 +12,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import attitude
 from labcal.bench.parameters import Limits
 from labcal.bench.steps import Plan, Procedure, dut_nT, measured, mount, record
+from labcal.bench.streams.samples import Samples
 from labcal.geometry import rotation
 from labcal.record.stream import Event
 
@@ -34,7 +35,7 @@ def flip(
     The four attitudes add up to nothing, I + Rx + Ry + Rz = 0, so the mean of the readings is the offset.
     """
     plan = Plan(tuple((name, dwell_s + 30.0) for name in TURNS), frozenset(TURNS))
-    readings: list[Array] = []
+    seen: list[Samples] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)
         for number, (name, turned) in enumerate(TURNS.items()):
@@ -42,10 +43,12 @@ def flip(
             text = f"Mount the DUT with body Z up, body X towards the cage's X; then {name}."
             yield from mount(bench, f"flip-{number}", turned @ attitude(bench, "z"), text)
             blocks = yield from record(bench, dwell_s)
-            readings.append(dut_nT(bench, blocks).mean)
+            seen.append(dut_nT(bench, blocks))
+    readings = np.array([one.mean for one in seen])
     offset = np.mean(readings, axis=0)
-    spread = float(np.max(np.linalg.norm(np.array(readings) - offset, axis=1)))
-    u = spread * np.radians(u_mounting_deg) / 2
+    spread = float(np.max(np.linalg.norm(readings - offset, axis=1)))
+    noise = float(np.linalg.norm([one.u_mean.max() for one in seen])) / len(seen)
+    u = float(np.hypot(noise, spread * np.radians(u_mounting_deg) / 2))
     for name, value in zip("xyz", offset, strict=True):
         yield from measured(bench, f"offset {name}", value, u, "nT")
     yield Event(bench.clock.now(), "flip", "offset from four attitudes", {"offset_nT": offset.tolist()})

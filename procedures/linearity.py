@@ -15,6 +15,7 @@ from labcal.bench.parameters import Limits
 from labcal.bench.stated import as_positions
 from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, note, rest, switch_mode
 from labcal.bench.streams.samples import samples
+from labcal.errors import InputError
 from labcal.geometry import unit
 from labcal.record import Run
 from labcal.record.stream import Event
@@ -43,6 +44,8 @@ def linearity(
     u_mounting_deg: Annotated[float, Limits(0, 10, unit="deg"), "how well the axis is mounted; 0: not stated"] = 0.0,
 ) -> Procedure:
     """Step the field along a body axis (or two together) and measure the departure from a straight line."""
+    if bench.config.reference.kind != "vector":
+        raise InputError("linearity needs a vector reference")
     at_zero = attitude(bench, axis)
     direction = np.asarray(AXES[axis]) + (np.zeros(3) if second_axis == "none" else np.asarray(AXES[second_axis]))
     along_B = unit(direction)

@@ -94,6 +94,8 @@ def verify(
     seen = _seen(bench, found, axis, u_mounting_deg)
     if left := uncovered(seen.positions, _unknown(bench)):
         yield note(bench, left)
+    if seen.positions.reference_vector is None:
+        yield note(bench, "No heading is judged: of the field the reference tells the magnitude alone.")
     yield from _judge(bench, "before", seen.reading * bench.config.dut.nominal_nT_per_unit, seen, axis)
     if calibration is not None:
         names, modes = np.full(positions, "verify"), np.full(positions, mode)
@@ -130,7 +132,8 @@ def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: flo
     angle = np.array([samples(blocks, "angle", "angle_deg").mean[0] for blocks in found])
     reference = np.array([spot.reference for spot in spots])
     attitudes = np.array([rotation(AXES[axis], -np.radians(deg)) @ at_zero for deg in angle])
-    positions = as_positions(bench, reference, attitudes, u_mounting_deg)
+    told = reference[:, 0] if reference.shape[1] == 1 else reference
+    positions = as_positions(bench, told, attitudes, u_mounting_deg)
     u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
@@ -153,10 +156,11 @@ def _judge(
     heading_deg: float | None = None,
     error_nT: float | None = None,
 ) -> Work[None]:
-    level = float(np.median(np.linalg.norm(in_body(seen.positions), axis=1)))
+    level = float(np.median(seen.positions.magnitude_nT))
     u_heading = float(np.hypot(np.degrees(seen.u_nT / level), seen.u_angle_deg))
     rows = (("heading", u_heading, "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
-    for which, (name, u, unit, limit) in enumerate(rows):
+    of_a_magnitude = seen.positions.reference_vector is None  # there is no heading in it
+    for which, (name, u, unit, limit) in list(enumerate(rows))[of_a_magnitude:]:
         judged = (("rms", rms, u / np.sqrt(len(field_nT)), limit), ("largest", largest, u, None))
         for what, figure, noise, allowed in judged:
             of = partial(_figure, figure, which, field_nT, axis)
@@ -176,6 +180,8 @@ def largest(values: Array) -> float:
 
 def _figure(figure: Callable[[Array], float], which: int, field_nT: Array, axis: str, positions: Run) -> float:
     """A figure of the heading errors (`which` 0) or of the magnitude errors (1)."""
+    if positions.reference_vector is None:
+        return figure(np.linalg.norm(field_nT, axis=1) - positions.magnitude_nT)
     return figure(errors(field_nT, in_body(positions), np.asarray(AXES[axis]))[which])
 
 

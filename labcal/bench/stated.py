@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import date
 
 import numpy as np
@@ -67,7 +68,8 @@ def as_positions(
 ) -> Run:
     """Standstills as a run, for what its declarations do to them: the reference (n, 3) [nT, C] in each, no readings.
 
-    Of a scalar reference its magnitude (n,) [nT].
+    Of a scalar reference its magnitude (n,) [nT]. It counts as a reference where it stands, also where nothing carries
+    its field to the DUT.
 
     `body_from_cage` (n, 3, 3) are the DUT's attitudes, `u_mounting_deg` how well its axes are known in its body; 0 is
     not stated. Where no attitude is told, nothing hangs on the platform's axis.
@@ -82,7 +84,7 @@ def as_positions(
         simulated=bench.config.unreal,
         operator="",
         dut=Dut(bench.config.dut.serial),
-        reference=stated_reference(bench),
+        reference=replace(stated_reference(bench), kind=bench.config.reference.kind),
         segments=tuple(
             Segment(str(i), "static", body_from_cage=R, u_axis_body_deg=u_mounting_deg or None, u_axis_cage_deg=u_cage)  # type: ignore[arg-type]
             for i, R in enumerate(attitudes)

@@ -44,6 +44,7 @@ def conformity(
     found = judged(calibration, specification, run)
     if json_file is not None:
         told = {"specification": [asdict(line) for line in found.lines], "left_open": list(found.left_open)}
+        told |= {"offsets": found.k_means} if found.k_means else {}
         write_json(told, json_file, "conformity", inputs=read, force=force)
     if json_file != "-":
         show_conformity(found)
@@ -91,6 +92,8 @@ def show_conformity(found: Assessment) -> None:
             tur = "–" if line.tur is None else f"{line.tur:.1f}"
             table.add_row(line.quantity, *numbers, line.unit, WORDS[line.result], risk_in_words(line.risk), tur)
         screen.print(table)
+        if found.k_means and any(line.quantity.startswith("offset") for line in found.lines):
+            screen.print(f"Offsets are those {found.k_means}.", highlight=False)
         for rule in dict.fromkeys(line.rule for line in found.lines):
             screen.print(f"Decision rule: {rule}.", style="dim", highlight=False)
         screen.print(RISK_WORDS, style="dim", highlight=False)

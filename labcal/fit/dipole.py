@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,6 +41,11 @@ class DipoleFit:
     def u(self) -> Array:
         """Standard uncertainties (9,)."""
         return np.sqrt(np.diag(self.covariance))
+
+    def with_scale(self, u_scale: float) -> DipoleFit:
+        """As uncertain as the scale of the sensor that saw it too, relative: all of the moment follows it."""
+        moment = np.concatenate([self.permanent_Am2, [self.induced_Am2_per_T[i, j] for i, j in PAIRS]])
+        return replace(self, covariance=self.covariance + u_scale**2 * np.outer(moment, moment))
 
     def largest_induced_Am2(self, field_nT: float) -> tuple[float, float]:
         """The largest moment [A m²] that `field_nT` induces in any direction, and its standard uncertainty.

@@ -42,7 +42,7 @@ def _stated(found: Calibration, file: Path) -> Assessment:
     left_open = tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN))
     if not found.specification and not left_open:
         raise InputError("was measured under no specification: name one with --specification FILE", file=file)
-    return Assessment(stated_lines(found), left_open)
+    return Assessment(stated_lines(found), left_open, found.k_means())
 
 
 def _same_run(found: Calibration, run: session.Source) -> Run:

@@ -226,6 +226,17 @@ def test_another_specification_is_judged_and_said_to_have_been_chosen_afterwards
     assert execute([*asked, "--run", str(tmp_path / "other")]) == 2
 
 
+def test_offsets_say_at_what_channels_they_are(
+    calibration: Calibration, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+):
+    (tmp_path / "cal.json").write_bytes(calibration_bytes(replace(calibration, k_at={"i_eps": 0.0532})))
+    (tmp_path / "sheet.toml").write_text('[offset]\nlimit = 1e5\nunit = "nT"\n')
+    asked = ["conformity", str(tmp_path / "cal.json"), "--specification", str(tmp_path / "sheet.toml")]
+    assert execute([*asked, "--json", str(tmp_path / "lines.json")]) == 0
+    assert "Offsets are those at i_eps = 0.0532" in capsys.readouterr().out
+    assert json.loads((tmp_path / "lines.json").read_text())["offsets"].startswith("at i_eps = 0.0532")
+
+
 def test_a_calibration_measured_under_none_says_so(draft: Path, capsys: pytest.CaptureFixture[str]):
     assert execute(["conformity", str(draft)]) == 2
     assert "was measured under no specification: name one with --specification FILE" in capsys.readouterr().err

@@ -77,6 +77,19 @@ def test_a_reference_that_stands_beside_its_place_is_within_the_uncertainty_stat
     assert 0.7 < np.sqrt(np.mean(errors**2)) < 1.3
 
 
+def test_the_moment_is_as_uncertain_as_the_scale_of_the_sensor_that_saw_it() -> None:
+    """Seen by a sensor that reads 1 % too much, all of it is 1 % larger."""
+    looks = seen(1, 0.0)
+    here = fit_dipole(looks, PLACES, 0.0)
+    there = fit_dipole([replace(k, seen_nT=1.01 * k.seen_nT) for k in looks], PLACES, 0.0)
+    moved = np.r_[
+        there.permanent_Am2 - here.permanent_Am2,
+        [(there.induced_Am2_per_T - here.induced_Am2_per_T)[i, j] for i, j in PAIRS],
+    ]
+    wider = here.with_scale(0.01).covariance - here.covariance
+    assert np.sqrt(np.diag(wider)) == pytest.approx(np.abs(moved), rel=1e-3)
+
+
 def test_one_mounting_does_not_determine_the_moment() -> None:
     with pytest.raises(ValueError, match="do not determine"):
         fit_dipole(seen(1, 1.0, "z"), PLACES)

@@ -8,7 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scalar_lab import SCALAR, sensor
 
+from labcal import session
 from labcal.record.stream import Event
 
 Run = Callable[..., Any]
@@ -85,6 +87,28 @@ def test_a_cage_s_matrix_is_as_uncertain_as_the_reference_s_scale(ran: Run) -> N
     assert 50 <= good.value(u) < 0.1 * bad.value(u)
     assert bad.measured["DUT: change from bench.toml"].u > 20 * good.measured["DUT: change from bench.toml"].u
     assert "The supplies' read-back." in notes(good)
+    remote = ran("cage-calibration", edits=[*WORSE, ('place = "dut"', 'place = "remote"')], **short)
+    assert remote.value(u) == pytest.approx(5_000, rel=0.05)  # it is put at the DUT's place for this
+    assert "there is no reference" not in notes(remote)
+
+
+def test_a_room_s_mean_is_as_uncertain_as_the_reference_and_its_drift_is_not(ran: Run) -> None:
+    short = {"duration_s": 10, "mains_s": 5}
+    good, bad = ran("ambient", **short), ran("ambient", edits=WORSE, **short)
+    for name, true_nT in (("x", 20_400.0), ("y", 1_150.0), ("z", -43_700.0)):
+        assert bad.measured[f"mean ref_{name}"].u == pytest.approx(np.hypot(300.0, 5e-3 * true_nT), rel=0.05)
+        assert good.measured[f"mean ref_{name}"].u < 10
+        drift = f"drift ref_{name}"
+        assert bad.measured[drift].u == pytest.approx(good.measured[drift].u)
+    assert "alignment" in notes(good)
+
+
+def test_a_flip_that_is_met_well_is_as_uncertain_as_its_readings(ran: Run) -> None:
+    """0.01 degrees of 48 µT are 4.2 nT for all four attitudes; of a noisy DUT short dwells tell less."""
+    met_well = {"dwell_s": 4, "u_mounting_deg": 0.01}
+    noisy = ran("flip", "dut = { noise_nT = 300.0 }", **met_well).measured["offset x"].u
+    assert noisy > 0.5 * 300 / np.sqrt(4 * 4 * 10)  # ten readings a second
+    assert noisy > 5 * 4.2
 
 
 def test_a_half_turn_that_is_missed_is_in_the_zero_and_one_that_nobody_states_is_named(ran: Run) -> None:
@@ -120,3 +144,20 @@ def test_a_sphere_s_map_and_verdict_are_as_uncertain_as_the_reference(ran: Run) 
     assert "alignment" in notes(good)
     assert "drift since its own calibration" in notes(good)
     assert "drift since its own calibration" not in notes(old)
+
+
+def test_verify_beside_a_scalar_reference_judges_magnitudes_alone(ran: Run) -> None:
+    """A magnitude is no vector of three equal components; the DUT is some thousand nT off as it stands."""
+    vector, scalar = ran("verify", **SMALL), ran("verify", sensor(1), 11, SCALAR, **SMALL)
+    name = "before: rms magnitude error"
+    assert scalar.value(name) == pytest.approx(vector.value(name), rel=0.2)
+    assert not any("heading" in name for name in scalar.measured)
+    assert "No heading is judged" in notes(scalar)
+    worse = ran("verify", sensor(1), 11, [*SCALAR, ("u_scale_ppm = 1.0", "u_scale_ppm = 5000.0")], **SMALL)
+    largest = "before: largest magnitude error"
+    assert 0.5 < worse.measured[largest].u / (5e-3 * 35_000) < 2, worse.measured[largest]  # another may be the largest
+    assert scalar.measured[largest].u < 20
+
+
+def test_linearity_refuses_a_scalar_reference(bench_file: Callable[..., Any]) -> None:
+    assert "needs a vector reference" in session.run("linearity", bench_file(sensor(1), *SCALAR)).status

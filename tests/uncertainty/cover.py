@@ -15,6 +15,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
+from scipy.special import betaincinv
 from trials import KINDS, trial_of_the_loop
 from wrong_lab import EFFECTS
 
@@ -51,7 +52,7 @@ class _Line:
 
 def _told(found: Sequence[_Line]) -> int:
     """The table on stdout; 1 where all together, or a class of enough runs, are outside their limits."""
-    print("| class | runs | in 95 % | rms error / u | effect named |\n|---|---|---|---|---|")
+    print("| class | runs | in 95 % (interval) | rms error / u | effect named |\n|---|---|---|---|---|")
     wrong = []
     for place, names in (("lab", LABS), ("kind", KINDS), ("effect", EFFECTS)):
         for name in names:
@@ -71,7 +72,20 @@ def _covered(of: Sequence[_Line]) -> float:
 
 def _row(of: Sequence[_Line], name: str) -> str:
     z, named = np.sqrt(np.mean([one.square for one in of])), np.mean([one.named for one in of])
-    return f"| {name} | {len(of)} | {100 * _covered(of):.1f} % | {z:.2f} | {100 * named:.0f} % |"
+    low, high = binomial_interval(_covered(of), len(of))
+    share = f"{100 * _covered(of):.1f} % ({100 * low:.1f} to {100 * high:.1f})"
+    return f"| {name} | {len(of)} | {share} | {z:.2f} | {100 * named:.0f} % |"
+
+
+def binomial_interval(share: float, runs: int) -> tuple[float, float]:
+    """The 95 % interval of a share of so many runs (Clopper & Pearson 1934), each run one trial; never too narrow.
+
+    A run's intervals hold or miss together at the most: what is in it of many readings counts for no more than one.
+    """
+    held = share * runs
+    low = betaincinv(held, runs - held + 1, 0.025) if held > 0 else 0.0
+    high = betaincinv(held + 1, runs - held, 0.975) if held < runs else 1.0
+    return float(low), float(high)
 
 
 def _spread(of: Sequence[_Line]) -> str:

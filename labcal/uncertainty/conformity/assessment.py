@@ -17,10 +17,14 @@ ORDER = ("pass", "conditional-pass", "conditional-fail", "fail")  # the best fir
 
 @dataclass(frozen=True, slots=True)
 class Assessment:
-    """The lines that were judged, and in a sentence each what the specification limits and nothing determined."""
+    """The lines that were judged, and in a sentence each what the specification limits and nothing determined.
+
+    `k_means` says what the offsets belong to, as "at i_eps = 0.0532 A"; empty where they belong to any state.
+    """
 
     lines: tuple[Judged, ...]
     left_open: tuple[str, ...]
+    k_means: str = ""
 
     @property
     def worst(self) -> str | None:
@@ -37,7 +41,7 @@ def assess(calibration: Calibration, specification: Specification, run: Run | No
         lines += [judge(one, limit, specification) for one in known]
         if not known:
             left_open.append(f"{LEFT_OPEN}{name.replace('_', '-')}, which {_why_open(measured, name, run)}.")
-    return Assessment(tuple(lines), tuple(left_open))
+    return Assessment(tuple(lines), tuple(left_open), calibration.k_means())
 
 
 def _why_open(measured: Sequence[Measured], name: str, run: Run | None) -> str:

@@ -119,6 +119,8 @@ def _remarks(new: Calibration, old: Calibration) -> list[str]:
     said = []
     if dict(new.k_at) != dict(old.k_at):
         said.append(f"Offsets are not of the same state: as found {_state(old)}, as left {_state(new)}.")
+    elif new.k_means():
+        said.append(f"Offsets are those {new.k_means()}.")
     if new.simulated != old.simulated:
         said.append("One of the two is simulated.")
     return said

@@ -66,6 +66,8 @@ def test_what_cannot_be_compared_is_said():
     assert bare.in_words() == "Whether the sensor changed cannot be said: a calibration states no uncertainty."
     shifted = changes(replace(one, k_at={"i_eps": 0.05}), other)
     assert shifted.remarks == ("Offsets are not of the same state: as found at any state, as left at i_eps = 0.05.",)
+    alike = [replace(c, k_at={"i_eps": 0.05}) for c in (one, other)]
+    assert changes(*alike).remarks == ("Offsets are those at i_eps = 0.05.",)
     with pytest.raises(ValueError, match="is of S2, not of S1"):
         changes(one, replace(other, dut=replace(other.dut, serial="S2")))
     with pytest.raises(ValueError, match="has readings in counts of 4 nT, not in nT"):
