@@ -1,12 +1,15 @@
-"""What newcomers read is as it promises to be: short paragraphs of the algorithm, and a glossary whose rooms exist."""
+"""What newcomers read is as it promises: short paragraphs, a glossary whose rooms exist, one meaning a name."""
 
 from __future__ import annotations
 
+import ast
 import re
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 AT_MOST_LINES = 6
+MATHEMATICS = ("geometry.py", "earth", "record", "model", "uncertainty", "quality", "fit", "loop")
 NO_PROSE = ("|", "#", "<!--")
 ITEM = r"\n(?=\s*(?:-|\d+\.) )"  # of a list: a paragraph of its own
 
@@ -51,3 +54,16 @@ def test_a_long_paragraph_and_a_room_that_moved_are_seen() -> None:
     assert rooms("| a | b | | `loop/data`, `fit` |") == ["loop/data", "fit"]
     assert there("loop/policy")
     assert not there("loop/quick")
+
+
+def public_classes(room: str) -> list[str]:
+    place = ROOT / "labcal" / room
+    files = [place] if place.is_file() else sorted(place.rglob("*.py"))
+    trees = (ast.parse(file.read_text(encoding="utf-8")) for file in files)
+    return [n.name for tree in trees for n in tree.body if isinstance(n, ast.ClassDef) and not n.name.startswith("_")]
+
+
+def test_a_class_of_the_mathematics_has_a_name_of_its_own() -> None:
+    names = Counter(name for room in MATHEMATICS for name in public_classes(room))
+    assert [name for name, count in names.items() if count > 1] == []
+    assert len(names) > 100
