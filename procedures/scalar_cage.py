@@ -18,7 +18,7 @@ from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.fit.scalar_cage import (
     UPPER,
-    CageMagnitudes,
+    Magnitudes,
     ScalarCage,
     by_components,
     fit_scalar_cage,
@@ -107,7 +107,7 @@ def rotating(modulus_nT: float, n_directions: int, verify: int) -> tuple[Array, 
     return kept, fresh
 
 
-def _seen(bench: Bench, steps: Sequence[Array | None], dwell_s: float) -> Work[CageMagnitudes]:
+def _seen(bench: Bench, steps: Sequence[Array | None], dwell_s: float) -> Work[Magnitudes]:
     """Each set of currents driven and the mean magnitude recorded; currents as the supplies hold them."""
     t, held, signs, magnitudes = list[float](), list[Array](), list[Array](), list[float]()
     for currents in steps:
@@ -120,7 +120,7 @@ def _seen(bench: Bench, steps: Sequence[Array | None], dwell_s: float) -> Work[C
         reading = samples((yield from record(bench, dwell_s)), "reference", "ref_f")
         t.append(float(reading.t_s.mean()))
         magnitudes.append(float(reading.mean[0]))
-    return CageMagnitudes(np.array(t), np.array(held), np.array(signs), np.array(magnitudes))
+    return Magnitudes(np.array(t), np.array(held), np.array(signs), np.array(magnitudes))
 
 
 def _asked(work: Callable[[], T]) -> T:
@@ -132,17 +132,12 @@ def _asked(work: Callable[[], T]) -> T:
 
 
 def _told(
-    bench: Bench,
-    first: CageMagnitudes,
-    second: CageMagnitudes,
-    fresh: NDArray[np.bool_],
-    error_nT: float,
-    square_deg: float,
+    bench: Bench, first: Magnitudes, second: Magnitudes, fresh: NDArray[np.bool_], error_nT: float, square_deg: float
 ) -> Work[None]:
     """Both methods, each by its own fields, and together; then what fields tell that no fit has seen."""
     stated = bench.config.reference
 
-    def fitted(seen: CageMagnitudes, start: ScalarCage | None = None) -> ScalarCage:
+    def fitted(seen: Magnitudes, start: ScalarCage | None = None) -> ScalarCage:
         sensor = {"u_zero_nT": stated.u_offset_nT, "u_scale_ppm": stated.u_scale_ppm}
         return _asked(lambda: fit_scalar_cage(seen, **sensor, start=start))
 
@@ -159,10 +154,10 @@ def _told(
     yield Event(bench.clock.now(), "scalar-cage", f"x along coil x: matrix_nT_per_A = [{rows}]", _data(found, every))
 
 
-def joined(one: CageMagnitudes, other: CageMagnitudes) -> CageMagnitudes:
+def joined(one: Magnitudes, other: Magnitudes) -> Magnitudes:
     """Both, in this order."""
-    pairs = ((getattr(one, f.name), getattr(other, f.name)) for f in fields(CageMagnitudes))
-    return CageMagnitudes(*(np.concatenate(pair) for pair in pairs))
+    pairs = ((getattr(one, f.name), getattr(other, f.name)) for f in fields(Magnitudes))
+    return Magnitudes(*(np.concatenate(pair) for pair in pairs))
 
 
 def _rows(found: ScalarCage, square_deg: float) -> list[tuple[list[str], Array, Array, str, float | None]]:
@@ -175,9 +170,7 @@ def _rows(found: ScalarCage, square_deg: float) -> list[tuple[list[str], Array, 
     ]
 
 
-def _verified(
-    bench: Bench, found: ScalarCage, seen: CageMagnitudes, fresh: CageMagnitudes, error_nT: float
-) -> Work[None]:
+def _verified(bench: Bench, found: ScalarCage, seen: Magnitudes, fresh: Magnitudes, error_nT: float) -> Work[None]:
     """Rms error of the magnitude at fields that no fit has seen: with bench.toml's matrix, and with the one found."""
     stated = bench.cage.matrix_nT_per_A
     before = np.linalg.norm(fresh.currents_A @ stated.T + with_matrix(stated, seen), axis=1) - fresh.magnitude_nT
@@ -191,7 +184,7 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _data(found: ScalarCage, seen: CageMagnitudes) -> dict[str, object]:
+def _data(found: ScalarCage, seen: Magnitudes) -> dict[str, object]:
     return {
         "t_s": seen.t_s.tolist(),  # the ambient field is its mean at these times
         "matrix_nT_per_A": found.matrix_nT_per_A.tolist(),

@@ -26,7 +26,7 @@ LARGEST_CONDITION = 1e5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CageMagnitudes:
+class Magnitudes:
     """What a scalar sensor saw: `currents_A` and `signs` (n, 3), magnitudes (n,) [nT] at times (n,)."""
 
     t_s: Array
@@ -37,9 +37,9 @@ class CageMagnitudes:
     def __len__(self) -> int:
         return len(self.t_s)
 
-    def select(self, rows: NDArray[np.bool_]) -> CageMagnitudes:
+    def select(self, rows: NDArray[np.bool_]) -> Magnitudes:
         """These rows alone."""
-        return CageMagnitudes(self.t_s[rows], self.currents_A[rows], self.signs[rows], self.magnitude_nT[rows])
+        return Magnitudes(self.t_s[rows], self.currents_A[rows], self.signs[rows], self.magnitude_nT[rows])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,7 +90,7 @@ class ScalarCage:
         upper = np.array([self.matrix_nT_per_A[i, j] for i, j in UPPER])
         return np.concatenate([upper, self.ambient_nT, self.leak_A])
 
-    def magnitude_nT(self, seen: CageMagnitudes) -> Array:
+    def magnitude_nT(self, seen: Magnitudes) -> Array:
         """What it makes the sensor see (n,) [nT] at the currents and times of `seen`."""
         I = seen.currents_A + self.leak_A * seen.signs  # noqa: E741  # I is the current, as in the formulas
         b = I @ self.matrix_nT_per_A.T + self.ambient_nT + self.course.at(seen.t_s)
@@ -122,7 +122,7 @@ def _from_square_deg(A: Array) -> Array:
     return np.degrees(np.arcsin([u[:, 0] @ u[:, 1], u[:, 0] @ u[:, 2], u[:, 1] @ u[:, 2]]))
 
 
-def by_components(seen: CageMagnitudes) -> tuple[Array, Array]:
+def by_components(seen: Magnitudes) -> tuple[Array, Array]:
     """A (3, 3) and b0 (3,) in closed form, from squares: F² = Iᵀ G I + 2 gᵀ I + c with G = AᵀA, g = Aᵀ b0.
 
     One coil at ±I gives G_jj and g_j (half the sum and a quarter of the difference of F²), two coils at the four signs
@@ -147,7 +147,7 @@ def by_components(seen: CageMagnitudes) -> tuple[Array, Array]:
 
 
 def fit_scalar_cage(
-    seen: CageMagnitudes,
+    seen: Magnitudes,
     *,
     u_zero_nT: float | None = None,
     u_scale_ppm: float | None = None,
@@ -183,7 +183,7 @@ def fit_scalar_cage(
     )
 
 
-def with_matrix(matrix_nT_per_A: Array, seen: CageMagnitudes) -> Array:
+def with_matrix(matrix_nT_per_A: Array, seen: Magnitudes) -> Array:
     """The ambient field (3,) [nT, the matrix' frame] that comes nearest to `seen` with this matrix, as it stands."""
     made = seen.currents_A @ matrix_nT_per_A.T
     b0 = _balls(made, seen.magnitude_nT)
@@ -213,7 +213,7 @@ def largest_En(one: ScalarCage, other: ScalarCage) -> float:
     return float(np.abs(apart / (2 * np.sqrt(np.diag(one.covariance_a + other.covariance_a)[:6]))).max())
 
 
-def _linearised(seen: CageMagnitudes, theta: Array, S: Array, drift: Array) -> tuple[Array, Array]:
+def _linearised(seen: Magnitudes, theta: Array, S: Array, drift: Array) -> tuple[Array, Array]:
     """DF / d parameters (n, 12 + 3 q) and what is left of F (n,)."""
     A = _upper(theta[:6])
     I = seen.currents_A + theta[9:12] * seen.signs  # noqa: E741  # I is the current, as in the formulas
@@ -247,7 +247,7 @@ def _solved(J: Array, y: Array) -> Array:
 
 
 def _declared(
-    seen: CageMagnitudes, J: Array, u_zero_nT: float | None, u_scale_ppm: float | None
+    seen: Magnitudes, J: Array, u_zero_nT: float | None, u_scale_ppm: float | None
 ) -> tuple[Contribution, ...]:
     errors: Sequence[tuple[str, float | None, str, Array]] = (
         ("sensor's zero", u_zero_nT, "nT", np.full(len(seen), u_zero_nT or 0.0)),

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from labcal.fit.scalar_cage import CageMagnitudes, ScalarCage, by_components, fit_scalar_cage, largest_En, with_matrix
+from labcal.fit.scalar_cage import Magnitudes, ScalarCage, by_components, fit_scalar_cage, largest_En, with_matrix
 from procedures.scalar_cage import components, joined, rotating
 
 COILS = np.array([[50_100.0, -250.0, 180.0], [-310.0, 49_800.0, 90.0], [-170.0, 160.0, 50_300.0]])
@@ -24,24 +24,24 @@ def in_the_coils_frame() -> tuple[np.ndarray, np.ndarray]:
     return frame @ COILS, frame @ EARTH
 
 
-def seen(steps: list[np.ndarray | None], seed: int, noise_nT: float = 0.1, from_s: float = 0.0) -> CageMagnitudes:
+def seen(steps: list[np.ndarray | None], seed: int, noise_nT: float = 0.1, from_s: float = 0.0) -> Magnitudes:
     """The magnitudes at `steps` of currents, 3.5 s apart, beside a place that waves by some nT."""
     rng, t = np.random.default_rng(seed), from_s + 3.5 * np.arange(len(steps))
     I = np.array([np.zeros(3) if step is None else step for step in steps])  # noqa: E741  # I is the current, as in the papers
     signs = np.array([np.zeros(3) if step is None else np.where(step >= 0, 1.0, -1.0) for step in steps])
     wave = np.outer(np.sin(2 * np.pi * t / 400), [8.0, -6.0, 5.0])
     b = (I + LEAK_A * signs) @ COILS.T + EARTH + wave
-    return CageMagnitudes(t, I, signs, np.linalg.norm(b, axis=1) + rng.normal(0, noise_nT, len(t)))
+    return Magnitudes(t, I, signs, np.linalg.norm(b, axis=1) + rng.normal(0, noise_nT, len(t)))
 
 
-def both(seed: int, noise_nT: float = 0.1) -> tuple[CageMagnitudes, CageMagnitudes]:
+def both(seed: int, noise_nT: float = 0.1) -> tuple[Magnitudes, Magnitudes]:
     first = seen(components(np.full(3, 0.8)), seed, noise_nT)
     fields = rotating(50e3, 32, 4)[0]
     second = seen([np.linalg.solve(COILS, b - EARTH) for b in fields], seed + 1000, noise_nT, first.t_s[-1] + 4.0)
     return first, second
 
 
-def errors(found: ScalarCage, at: CageMagnitudes) -> np.ndarray:
+def errors(found: ScalarCage, at: Magnitudes) -> np.ndarray:
     A, b0 = in_the_coils_frame()
     wave = np.outer(np.sin(2 * np.pi * at.t_s / 400), [8.0, -6.0, 5.0]).mean(axis=0)
     frame = A @ np.linalg.inv(COILS)
@@ -94,11 +94,11 @@ def test_the_closed_form_is_exact_where_nothing_drifts_or_leaks() -> None:
     steps = components(np.full(3, 0.8))
     I = np.array([np.zeros(3) if step is None else step for step in steps])  # noqa: E741  # I is the current, as in the papers
     F = np.linalg.norm(I @ COILS.T + EARTH, axis=1)
-    A, b0 = by_components(CageMagnitudes(np.arange(len(F), dtype=float), I, 0 * I, F))
+    A, b0 = by_components(Magnitudes(np.arange(len(F), dtype=float), I, 0 * I, F))
     true_A, true_b0 = in_the_coils_frame()
     assert pytest.approx(true_A, abs=1e-4) == A
     assert pytest.approx(true_b0, abs=1e-4) == b0
-    assert with_matrix(COILS, CageMagnitudes(np.zeros(len(F)), I, 0 * I, F)) == pytest.approx(EARTH, abs=1e-4)
+    assert with_matrix(COILS, Magnitudes(np.zeros(len(F)), I, 0 * I, F)) == pytest.approx(EARTH, abs=1e-4)
 
 
 def test_currents_that_tell_too_little_are_refused() -> None:
