@@ -16,7 +16,7 @@ from labcal.bench.parameters import Limits
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, note, ready, record
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
-from labcal.fit.locate import ROUND, SQUARE, Coils, Place, Seen, locate, shifts
+from labcal.fit.locate import ROUND, SQUARE, CoilResponses, Coils, Place, locate, shifts
 from labcal.record.stream import Event, Prompt, Stream
 
 NEEDS, LASTS_MIN = "[cage.geometry] with halves that a person can reverse; a vector reference", 5
@@ -146,7 +146,7 @@ def _place(bench: Bench, name: str, normal: Sequence[Response], opposed: dict[in
     for coil, response in opposed.items():
         reversed_[:, coil] = response.of[name]
     every = [*normal, *opposed.values()]
-    seen = Seen(
+    seen = CoilResponses(
         np.column_stack([response.of[name] for response in normal]), reversed_, tuple(sorted(opposed)),
         float(np.sqrt(np.mean([response.u[name] ** 2 for response in every]))),
         float(np.sqrt(np.mean([response.u_current**2 for response in every]))),

@@ -51,7 +51,7 @@ class Coils:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Seen:
+class CoilResponses:
     """Responses (3, 3) of one sensor, in its own axes and unit per A, columns are the coils.
 
     `halves`: the coils (their numbers) that were driven with one half reversed too; other columns of `reversed_` are
@@ -86,7 +86,7 @@ def from_axis(j: int, column: Array) -> Array:
     return rotation_vector(across / size * np.arctan2(size, ideal @ true))
 
 
-def locate(seen: Seen, coils: Coils, start_m: Array | None = None) -> Place:
+def locate(seen: CoilResponses, coils: Coils, start_m: Array | None = None) -> Place:
     """The place at which a sensor sees this. Raises ValueError where the responses tell none."""
     if not seen.halves:
         raise ValueError("no half was reversed: the field of a pair as it should be is flat at its middle")
@@ -109,7 +109,7 @@ def locate(seen: Seen, coils: Coils, start_m: Array | None = None) -> Place:
     return Place(place, np.asarray(np.linalg.inv((weight @ J).T @ (weight @ J))), float(misfit))
 
 
-def shifts(seen: Seen, coils: Coils, found: Place, u_size_m: float, u_imbalance: float) -> Array:
+def shifts(seen: CoilResponses, coils: Coils, found: Place, u_size_m: float, u_imbalance: float) -> Array:
     """How the place moves (4, 3) [m] where all sizes err alike, as one tape measure does, and each coil's balance."""
 
     def at(changed: Coils) -> Array:
@@ -119,7 +119,7 @@ def shifts(seen: Seen, coils: Coils, found: Place, u_size_m: float, u_imbalance:
     return np.array([size, *(at(replace(coils, imbalance=u_imbalance * one)) for one in np.eye(3))])
 
 
-def _ratio(seen: Seen) -> tuple[Array, Array]:
+def _ratio(seen: CoilResponses) -> tuple[Array, Array]:
     """X by columns of the reversed coils (3 h,), and the root of its inverse covariance (3 h, 3 h).
 
     dX = D_n⁻¹ (dD_r − dD_n X), every element of D uncertain by the same u: columns are correlated by D_n. A current's

@@ -13,7 +13,7 @@ from labcal.fit.vector.system import evaluate
 from labcal.loop.candidates.prior import precision
 from labcal.loop.closures import after_effects
 from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.noise.bounded import weighed_spectra
+from labcal.loop.noise.bounded import weighted_spectra
 from labcal.loop.noise.coloured import grams_of_bands
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit, derivatives
@@ -112,7 +112,7 @@ def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
     What declared errors D left in the residual is no noise.
     """
     moved = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
-    spectra = weighed_spectra(moved, cosine_transform(found.problem.y[found.used]))
+    spectra = weighted_spectra(moved, cosine_transform(found.problem.y[found.used]))
     grams = inverse @ grams_of_bands(moved[:, :, : len(inverse)], spectra.bands) @ inverse
     before = inverse @ precision(found.terms, found.problem.T.shape[2], len(inverse)) @ inverse
     return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1) + before, spectra.dof)

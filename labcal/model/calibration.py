@@ -178,7 +178,7 @@ class Calibration:
 
 def k_means(effects: Sequence[EffectRecord], k_at: Mapping[str, float] | None = None) -> str:
     """What k belongs to beside these effects, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
-    effects = [effect for effect in effects if effect.basis is None]  # that is nought on the mean, nowhere by itself
+    effects = [effect for effect in effects if effect.basis is None]  # that is zero on the mean, nowhere by itself
     stated = {name: value for effect in effects for name, value in effect.reference_value.items()}
     units = {name: _unit_of_drive(effect) for effect in effects for name in effect.channels[:1]}
     said = [

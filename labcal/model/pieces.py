@@ -25,10 +25,10 @@ BESIDE = 3  # usable rows beyond an effect's reach that a piece has on either si
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Taken:
-    """One effect in some rows (n), which is nought where it is not known."""
+    """One effect in some rows (n), which is zero where it is not known."""
 
     value: Array  # (n, 3)
-    jacobian: Array  # (n, 3, p) by its parameters in their order; nought where it is not known
+    jacobian: Array  # (n, 3, p) by its parameters in their order; zero where it is not known
     variance: Array  # (n, 3) of what its parameters do not say
     usable: Mask  # (n,) rows that have what it needs
     flags: Mapping[str, Mask]  # each (n,)

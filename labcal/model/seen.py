@@ -31,7 +31,7 @@ class Seen:
 
     @property
     def mean_square(self) -> Array:
-        """(3,); nought where no row has it."""
+        """(3,); zero where no row has it."""
         return np.asarray(self._squares / max(self.count, 1))
 
     @property

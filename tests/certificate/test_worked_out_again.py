@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sqlite3
 from collections.abc import Callable
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -30,21 +32,33 @@ Edit = Callable[[dict[str, Any]], object]
 ROWS = 60  # of a turn; three turns
 
 
-@pytest.fixture
-def run_id(tmp_path: Path) -> str:
-    """A run in the local store whose sensor follows a current: 500, -300 and 100 nT/A."""
+@pytest.fixture(scope="module")
+def prepared(tmp_path_factory: pytest.TempPathFactory) -> SimpleNamespace:
+    """A home with a run whose sensor follows a current, 500, -300 and 100 nT/A, and what `labcal fit` makes of it."""
     current = np.where(np.arange(3 * ROWS) // 9 % 2 == 0, 1.0, 0.0)
     channel = Channel("i_load", "A", "current", current)
     made = made_up_run(rows=ROWS, fields_nT=((30e3, 20e3, 25e3),), channels=[channel], noise_nT=5.0)
-    write_bundle(made.with_effect(np.outer(current, [500.0, -300.0, 100.0])), tmp_path / "run")
-    return session.import_bundle(tmp_path / "run")
+    folder = tmp_path_factory.mktemp("prepared")
+    write_bundle(made.with_effect(np.outer(current, [500.0, -300.0, 100.0])), folder / "run")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("LABCAL_HOME", str(folder / "home"))
+        run_id = session.import_bundle(folder / "run")
+        session.draft(run_id, session.fit_run(run_id)[1][0], folder / "cal.json")
+    draft = (folder / "cal.json").read_bytes()
+    return SimpleNamespace(run_id=run_id, bundle=folder / "run", home=folder / "home", draft=draft)
 
 
 @pytest.fixture
-def draft(run_id: str, tmp_path: Path) -> Path:
-    """What `labcal fit` makes of it."""
-    path = tmp_path / "cal.json"
-    session.draft(run_id, session.fit_run(run_id)[1][0], path)
+def run_id(prepared: SimpleNamespace) -> str:
+    """That run, in this test's own store."""
+    shutil.copytree(prepared.home, home(), dirs_exist_ok=True)
+    return str(prepared.run_id)
+
+
+@pytest.fixture
+def draft(run_id: str, prepared: SimpleNamespace, tmp_path: Path) -> Path:
+    """That draft, for one test alone."""
+    (path := tmp_path / "cal.json").write_bytes(prepared.draft)
     return path
 
 
@@ -149,7 +163,12 @@ def test_two_sign_what_the_run_gives_and_scripts_may_require_it(
 
 @pytest.mark.usefixtures("trusting")
 def test_without_the_run_it_is_provisional_at_most(
-    draft: Path, key: Ed25519PrivateKey, other_key: Ed25519PrivateKey, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    prepared: SimpleNamespace,
+    draft: Path,
+    key: Ed25519PrivateKey,
+    other_key: Ed25519PrivateKey,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
 ):
     session.approve(draft, "bob")
     signed_by_two_elsewhere(draft, key, other_key)
@@ -158,7 +177,7 @@ def test_without_the_run_it_is_provisional_at_most(
     elsewhere = session.verify(draft, tmp_path / "signers")
     assert (elsewhere.status, elsewhere.recomputed and elsewhere.recomputed.same) == ("provisional", None)
     assert "is not in this store" in " ".join(elsewhere.sentences())
-    assert session.verify(draft, tmp_path / "signers", tmp_path / "run").status == "released"
+    assert session.verify(draft, tmp_path / "signers", prepared.bundle).status == "released"
 
 
 def test_what_was_worked_out_is_kept_by_what_it_came_from(draft: Path, monkeypatch: pytest.MonkeyPatch):

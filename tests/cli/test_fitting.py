@@ -19,11 +19,20 @@ FIT_KEYS = {
 }  # fmt: skip
 
 
-@pytest.fixture
-def calibration(shared: Path, tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def drafted(shared: Path, tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """The draft that `labcal fit` makes of a practice run."""
-    out = tmp_path / "cal.json"
-    assert execute(["fit", str(shared / PRACTICE / "bundle"), "--out", str(out)]) == 0
+    out = tmp_path_factory.mktemp("drafted") / "cal.json"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("LABCAL_HOME", str(out.parent / "home"))
+        assert execute(["fit", str(shared / PRACTICE / "bundle"), "--out", str(out)]) == 0
+    return out.read_bytes()
+
+
+@pytest.fixture
+def calibration(drafted: bytes, tmp_path: Path) -> Path:
+    """That draft, for one test alone."""
+    (out := tmp_path / "cal.json").write_bytes(drafted)
     return out
 
 

@@ -8,7 +8,7 @@ from riwanto import MODELS, TRUTH, simulate
 from swarm_by_loop import rotation_axis_fitness
 
 from labcal.fit.swarm.loci import loci_of
-from labcal.fit.swarm.objectives import Magnitudes, Planes, RotationAxisObjective
+from labcal.fit.swarm.objectives import MagnitudeObjective, Planes, RotationAxisObjective
 from labcal.fit.swarm.search import Options, axis_weight_nT, objective_of, repaired
 
 
@@ -28,7 +28,7 @@ def parts(run):
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: f"model-{m.number}")
 def test_values_equal_an_svd_for_each_particle(model, sign):
     loci, axes, magnitude = parts(simulate(model, seed=1, samples=300))
-    swarm = RotationAxisObjective(Magnitudes.of(np.vstack(loci), magnitude), Planes.of(loci, axes, sign))
+    swarm = RotationAxisObjective(MagnitudeObjective.of(np.vstack(loci), magnitude), Planes.of(loci, axes, sign))
     where = particles(model.number)
     by_loop = [rotation_axis_fitness(p, loci, axes, magnitude, sign) for p in where]
     assert swarm(where) == pytest.approx(np.array(by_loop), rel=1e-9, abs=0)
@@ -36,7 +36,9 @@ def test_values_equal_an_svd_for_each_particle(model, sign):
 
 def test_many_samples_are_summed_in_blocks():
     loci, axes, magnitude = parts(simulate(MODELS[0], seed=1, samples=10_000))
-    swarm = RotationAxisObjective(Magnitudes.of(np.vstack(loci), magnitude), Planes.of(loci, axes, "two-samples"))
+    swarm = RotationAxisObjective(
+        MagnitudeObjective.of(np.vstack(loci), magnitude), Planes.of(loci, axes, "two-samples")
+    )
     where = particles(9)
     by_loop = [rotation_axis_fitness(p, loci, axes, magnitude, "two-samples") for p in where]
     assert swarm(where) == pytest.approx(np.array(by_loop), rel=1e-9, abs=0)
@@ -56,7 +58,7 @@ def test_turning_backwards_counts_backwards():
     forth_and_back = [np.concatenate([r, r[-2::-1]]) for r in rows]
     ways = [np.repeat([1.0, -1.0], len(r) - 1) for r in rows]
     with_ways = Planes.of([loci.reading[r] for r in forth_and_back], loci.axes, "sequence", ways)
-    objective = RotationAxisObjective(Magnitudes.of(loci.reading, loci.magnitude), with_ways)
+    objective = RotationAxisObjective(MagnitudeObjective.of(loci.reading, loci.magnitude), with_ways)
     once = objective_of(loci, 10.0, Options(log_det=False))
     assert objective(TRUTH[None]) == pytest.approx(once(TRUTH[None]), rel=0.05)
     assert with_ways.turn == pytest.approx(2 * Planes.of([loci.reading[r] for r in rows], loci.axes).turn, rel=1e-2)
@@ -69,7 +71,7 @@ def test_two_samples_mislead_where_the_sequence_does_not():
         loci, axes, magnitude = parts(simulate(replace(MODELS[0], arc_deg=1080.0), seed=seed, samples=102))
         for sign in wrong:
             planes = Planes.of(loci, axes, sign)
-            value = RotationAxisObjective(Magnitudes.of(np.vstack(loci), magnitude), planes)(TRUTH[None])[0]
+            value = RotationAxisObjective(MagnitudeObjective.of(np.vstack(loci), magnitude), planes)(TRUTH[None])[0]
             wrong[sign] += value > 10_000
     assert wrong["sequence"] == 0
     assert wrong["two-samples"] == 20

@@ -70,13 +70,15 @@ def unmarked(page):
     return {text for text in plain if MARK not in text and re.search("[A-Za-z]{2}", text)} - DATA
 
 
-@pytest.mark.parametrize("entry", OUR_PAGES, ids=lambda entry: entry.name)
-def test_every_word_of_a_page_is_in_the_ts_file(still, marked, entry):
-    page = build_page(entry, still.app_state, still.theme)
-    try:
-        assert unmarked(page) == set()
-    finally:
-        page.deleteLater()
+def test_every_word_of_each_page_is_in_the_ts_file(still, marked):
+    missing = {}
+    for entry in OUR_PAGES:
+        page = build_page(entry, still.app_state, still.theme)
+        try:
+            missing[entry.name] = unmarked(page)
+        finally:
+            page.deleteLater()
+    assert missing == {entry.name: set() for entry in OUR_PAGES}
 
 
 def test_every_word_of_a_table_is_in_the_ts_file(marked):

@@ -18,7 +18,7 @@ from labcal.loop import ClosedLoop, close_loop
 from labcal.loop.empirical.words import POINTS, of_one
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
-from labcal.loop.noise.marginal import RATIOS, Reduced
+from labcal.loop.noise.marginal import RATIOS, NullEliminated
 from labcal.model import Calibration
 from labcal.model.effects import load_shipped
 from labcal.record import Channel, Run
@@ -139,7 +139,7 @@ def test_the_marginal_likelihood_is_that_of_the_dense_covariance() -> None:
     n, bands = 40, bands_of(40)
     base, X, y = draw.normal(size=(n, 1, 2)), draw.normal(size=(n, 1, 3)), draw.normal(size=(n, 1, 1))
     null = NullModel.of(base.copy(), y.copy(), bands, 1e-6)
-    found = Reduced.of(null, X, range(len(bands.spectra))).best(np.eye(3))
+    found = NullEliminated.of(null, X, range(len(bands.spectra))).best(np.eye(3))
     S = np.repeat(bands.spectra[found.spectrum], np.diff(bands.edges))
     white = 1 / np.sqrt(S)[:, None]
     A, Z, r = white * base[:, 0], white * X[:, 0], white * y[:, 0]

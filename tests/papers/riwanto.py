@@ -344,7 +344,7 @@ in (10), as we find, and not the printed 16 511.
 {table}
 
 How far from the truth: rms error of an entry of K, and of k in nT; then squared error over the Cramér-Rao bound (CRB),
-averaged over the parameters (columns with ²). `ml` is told `white_in="field"`; "polished" is Gauss-Newton from the
+averaged over the parameters (columns with ²). `ml` has `white_in="field"`; "polished" is Gauss-Newton from the
 published swarm's best place to the most likely map, log-determinant included; "held" are the truths inside `ml`'s
 95 % intervals, "refused" the seeds on which `ml` says that the run does not determine the map.
 

@@ -23,7 +23,7 @@ from labcal.study.engine import on_processes
 from labcal.study.job import Job
 from labcal.study.run import run_study
 
-NUMBER, WAIT_S = 12, 300.0
+NUMBER, WAIT_S = 8, 300.0
 
 
 @pytest.fixture(scope="module")

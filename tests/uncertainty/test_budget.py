@@ -15,7 +15,7 @@ from wrong_lab import Declared
 
 from labcal.loop.close import prepare
 from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.noise.bounded import weighed_spectra
+from labcal.loop.noise.bounded import weighted_spectra
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import Calibration
@@ -255,7 +255,7 @@ def test_degrees_of_freedom_are_how_much_u_scatters_over_runs() -> None:
     variances, stated = [], []
     for _ in range(100):
         y = draw.standard_normal((n, 1))
-        found = weighed_spectra(moved, cosine_transform(y))
+        found = weighted_spectra(moved, cosine_transform(y))
         white = FitNoise.single(inverse * found.spectra[0, 0], found.dof)
         variances.append(slope @ white.covariance @ slope)
         stated.append(white.dof_of(slope))

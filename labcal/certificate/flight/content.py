@@ -114,7 +114,7 @@ def stamps(effect: Fitted) -> bool:
 
 
 def without_lag(calibration: Calibration) -> Calibration:
-    """The same with every lag nought, its uncertainty as it is."""
+    """The same with every lag zero, its uncertainty as it is."""
     return replace(calibration, effects=tuple(map(_at_once, calibration.effects)))
 
 

@@ -112,7 +112,7 @@ def _tests(result: ClosedLoop) -> Table | None:
 
 P_OF_TESTS = (
     "p: how often a residual without structure gives as much, the looks taken counted. A test fails where p is below "
-    "0.01 and what it finds is material. Whiteness is told of the segment that is worst after."
+    "0.01 and what it finds is material. Whiteness is that of the segment that is worst after."
 )
 TESTS = {
     "whiteness": "White from row to row (Ljung-Box)",
@@ -131,8 +131,8 @@ def _twins(result: ClosedLoop) -> list[Block]:
 
 
 WEIGHED = (
-    "Evidence: gain in log-likelihood (nats) over noise with a slow wander that has no name, less the price of the "
-    "parameters and of every look taken. p: how often chance alone makes the heaviest of all candidates as heavy. "
+    "Evidence: gain in log-likelihood (nats) over noise with a slow wander that has no name, less the penalty for "
+    "parameters and trials. p: how often noise alone gives the best of all candidates as much evidence. "
     "Held-out rms and gain stand where the cause was tried on held-out blocks."
 )
 

@@ -28,7 +28,7 @@ def ekf(run: Run) -> Fit:
 def step(
     x: Array, P: Array, reading: Array, magnitude: float, noise: Array, reference_noise: float
 ) -> tuple[Array, Array, float]:
-    """One update, (25); see `live.Step`. With R the variance of v, K = P⁺ Hᵀ / R."""
+    """One update, (25); see `live.FilterUpdate`. With R the variance of v, K = P⁺ Hᵀ / R."""
     at = terms(x, reading, magnitude, noise, reference_noise)
     row = np.array(slope(at))
     Pr = P @ row

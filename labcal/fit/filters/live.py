@@ -29,7 +29,7 @@ CHANCE = 1e-6  # of a false alarm
 SURPRISE = 1.5  # innovations squared over expected: beyond this, and beyond chance, the filter has diverged
 
 
-class Step(Protocol):
+class FilterUpdate(Protocol):
     """One reading taken into (c, E); all in one unit in which magnitudes are of order one."""
 
     def __call__(
@@ -81,7 +81,7 @@ class LiveFilter:
     residuals correct their scale.
     """
 
-    step: ClassVar[Step]
+    step: ClassVar[FilterUpdate]
 
     def __init__(self, noise: Array, reference_noise: float = 0.0) -> None:
         self._start = Start(noise, reference_noise, twostep.estimate, nearly_linear)

@@ -43,7 +43,7 @@ def ukf_augmented(run: Run) -> Fit:
 def step(
     x: Array, P: Array, reading: Array, magnitude: float, noise: Array, reference_noise: float
 ) -> tuple[Array, Array, float]:
-    """One update with nine states; see `live.Step`. R = σ²(x̂) is added to the innovation's variance, below (47)."""
+    """One `live.FilterUpdate` with nine states. R = σ²(x̂) is added to the innovation's variance, below (47)."""
     at = terms(x, reading, magnitude, noise, reference_noise)
     root, odd, even = spread(x, P, at)
     mean, expected = moments_of((odd, even))

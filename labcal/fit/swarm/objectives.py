@@ -25,7 +25,7 @@ _FIRST, _SECOND = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])  # 
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Magnitudes:
+class MagnitudeObjective:
     """F1 (8b): how far |K m − k| is from the known magnitude, summed over the samples."""
 
     centre: Array  # (3,) of the readings: the quadratic form is expanded there, far from cancellation
@@ -34,7 +34,7 @@ class Magnitudes:
     scratch: Array  # one block, reused: fresh memory costs more than the arithmetic. Not for two threads at once
 
     @classmethod
-    def of(cls, reading: ArrayLike, magnitude: ArrayLike) -> Magnitudes:
+    def of(cls, reading: ArrayLike, magnitude: ArrayLike) -> MagnitudeObjective:
         """From readings (n, 3) and the magnitude (n,) of the field [nT]."""
         reading = np.asarray(reading, dtype=float)
         centre = reading.mean(axis=0)
@@ -162,7 +162,7 @@ class RotationAxisObjective:
     `planes` None leaves the scalar checking objective alone. The weights by hand are the paper's.
     """
 
-    magnitudes: Magnitudes
+    magnitudes: MagnitudeObjective
     planes: Planes | None = None
     weight_magnitude: float = 1.0
     weight_axis_nT: float = 4e4

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.swarm.loci import Loci
-from labcal.fit.swarm.objectives import Magnitudes, Planes, RotationAxisObjective, SignRule
+from labcal.fit.swarm.objectives import MagnitudeObjective, Planes, RotationAxisObjective, SignRule
 from labcal.fit.swarm.particle_swarm import Objective, SwarmSettings, minimise, refine
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ def search(loci: Loci, noise_nT: float, options: Options, seed: int, basis: Arra
 def objective_of(loci: Loci, noise_nT: float, options: Options, *, axes: bool = True) -> RotationAxisObjective:
     """Equation (10) for these loci."""
     step = max(1, len(loci) // options.most_samples)
-    magnitudes = Magnitudes.of(loci.reading[::step], loci.magnitude[::step])
+    magnitudes = MagnitudeObjective.of(loci.reading[::step], loci.magnitude[::step])
     n = len(magnitudes.magnitude)
     radius_squared = loci.magnitude**2 - np.nan_to_num(loci.along) ** 2
     wide = [i for i in range(len(loci.axes)) if _u_tilt(radius_squared[loci.rows(i)], noise_nT) < LARGEST_U_TILT]

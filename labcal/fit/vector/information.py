@@ -34,7 +34,7 @@ class Information:
 
     affine: AffineMap  # of the whole run
     normal: Array  # (s, p, p)
-    feigned: Array  # (s, 12, 12)
+    noise_induced: Array  # (s, 12, 12)
     shift: Array  # (s, e, p) change of the gradient by an error of one standard deviation
     widened: float
     scale: float
@@ -44,10 +44,11 @@ class Information:
 
         Infinite on its diagonal where they do not determine the map.
         """
-        N, dg, feigned = (np.tensordot(chosen.astype(float), a, 1) for a in (self.normal, self.shift, self.feigned))
+        sums = (self.normal, self.shift, self.noise_induced)
+        N, dg, noise_induced = (np.tensordot(chosen.astype(float), a, 1) for a in sums)
         N, dg = _without_phases(N, dg)
-        values, vectors = np.linalg.eigh(N - feigned)
-        by_noise = np.einsum("maj,mab,mbj->mj", vectors, feigned, vectors, optimize=True)
+        values, vectors = np.linalg.eigh(N - noise_induced)
+        by_noise = np.einsum("maj,mab,mbj->mj", vectors, noise_induced, vectors, optimize=True)
         known = (values > SIGNAL_OVER_NOISE * by_noise) & (values > SINGULAR * values[:, -1:])
         whole = known.all(axis=1)
         out = np.tile(np.diag(np.full(12, np.inf)), (len(chosen), 1, 1))
@@ -79,10 +80,10 @@ def information(run: Run) -> Information:
     there = [observe_like(error.change(run), seen) for error in declared_errors(run)]
     parts = [np.flatnonzero(seen.segment == s) for s in range(len(run.segments))]
     N, here = (np.stack(sums) for sums in zip(*(_of(seen, noise, solution, rows) for rows in parts), strict=True))
-    feigned = np.stack([_feigned(seen, noise, solution, rows) for rows in parts])
+    noise_induced = np.stack([_noise_induced(seen, noise, solution, rows) for rows in parts])
     moved = [[_of(other, noise, solution, rows)[1] for other in there] for rows in parts]
     shift = np.array(moved).reshape(len(parts), len(there), N.shape[1]) - here[:, None, :]
-    known = Information(found.affine, N, feigned, shift, 1.0, seen.scale)
+    known = Information(found.affine, N, noise_induced, shift, 1.0, seen.scale)
     return replace(known, widened=_widened(whole, replace(known, shift=0 * shift)))
 
 
@@ -100,6 +101,6 @@ def _of(seen: Observations, noise: Noise, found: Solution, rows: NDArray[np.intp
     return normal(part, at, found.weight[rows])
 
 
-def _feigned(seen: Observations, noise: Noise, found: Solution, rows: NDArray[np.intp]) -> Array:
+def _noise_induced(seen: Observations, noise: Noise, found: Solution, rows: NDArray[np.intp]) -> Array:
     part = replace(found, weight=found.weight[rows])
     return noise_induced_information(seen.select(rows), noise.select(rows), part)

@@ -38,7 +38,7 @@ POLISHED = 2  # starts that are followed to their minimum
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Estimate:
+class MaximumLikelihood:
     """All that a maximum-likelihood fit knows: what the loop builds on, where `Fit` is for people and files."""
 
     observations: Observations
@@ -106,7 +106,7 @@ def estimate(
     as_planes: bool = False,
     robust: bool = True,
     white_in: WhiteIn = "reading",
-) -> Estimate:
+) -> MaximumLikelihood:
     """Fit the form `allowed` (affine, or symmetric where all rows are magnitudes) to the usable rows of `run`.
 
     `as_planes`: with a scalar reference, turns about known axes are planes of unknown heights (`observe_planes`).
@@ -123,10 +123,10 @@ def estimate(
     start = _best_start(seen, noise, shape, nominal)
     found, noise, loss, scale = _iterate(run, seen, noise, shape, start, robust=robust, white_in=white_in)
     identified = identify(seen, noise, shape, found, loss, scale)
-    return Estimate(seen, noise, shape, found, identified, scale)
+    return MaximumLikelihood(seen, noise, shape, found, identified, scale)
 
 
-def _on_planes(run: Run, *, robust: bool, white_in: WhiteIn) -> Estimate | None:
+def _on_planes(run: Run, *, robust: bool, white_in: WhiteIn) -> MaximumLikelihood | None:
     """The fit to the planes of turns about known axes, magnitudes alone known; None where they do not determine it."""
     if run.reference.kind != "scalar" or not observe_planes(run).loci:
         return None
@@ -138,17 +138,17 @@ def _on_planes(run: Run, *, robust: bool, white_in: WhiteIn) -> Estimate | None:
     return found if good else None
 
 
-def _declared(run: Run, found: Estimate) -> tuple[Contribution, ...]:
+def _declared(run: Run, found: MaximumLikelihood) -> tuple[Contribution, ...]:
     return declared_contributions(run, found.observations, found.noise, found.parameterisation, found.solution)
 
 
-def _free(found: Estimate) -> float:
+def _free(found: MaximumLikelihood) -> float:
     """Residual components, as they weigh, less the parameters fitted to them."""
     weighed = float(np.sum(found.solution.weight * found.observations.kind))
     return float(weighed - found.parameterisation.basis.shape[1] - len(found.solution.phase))
 
 
-def _inflation(run: Run, found: Estimate) -> float:
+def _inflation(run: Run, found: MaximumLikelihood) -> float:
     """How much correlated residuals widen the covariance, declared errors set apart; 1 where they are independent.
 
     Residuals that declared errors enlarged have widened it already: that is taken back as far as the declared noise.

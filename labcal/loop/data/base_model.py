@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.fit.vector.identify import Identified, identify
-from labcal.fit.vector.ml import Estimate, estimate
+from labcal.fit.vector.ml import MaximumLikelihood, estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve
 from labcal.fit.vector.system import Noise, evaluate
@@ -84,7 +84,7 @@ def noise_model(run: Run, seen: Observations) -> Noise:
     return Noise(declared_noise(run), run.reference.noise_nT or 0.0, angle, time)
 
 
-def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
+def fit_base(run: Run, seen: Observations) -> tuple[Base, MaximumLikelihood]:
     """The largest base that the run determines, fitted robustly. Raises InputError where not even an offset is."""
     scalar = bool((seen.kind == SCALAR).all())
     full: ParameterisationName = "symmetric" if scalar else "affine"
@@ -109,13 +109,13 @@ def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
     raise InputError(f"run {run.run_id} does not even determine an offset: {why}")
 
 
-def _is_determined(found: Estimate, base: Base) -> bool:
+def _is_determined(found: MaximumLikelihood, base: Base) -> bool:
     field = float(found.observations.magnitude.max())
     loose = found.identified.worst_u_nT >= policy.POLICY.max_field_uncertainty * field
     return found.identified.why_not is None and (base == "offset" or not loose)
 
 
-def determined_by_geometry(found: Estimate) -> Identified:
+def determined_by_geometry(found: MaximumLikelihood) -> Identified:
     """What these readings would determine if the fitted map were true: a strong effect is no lack of excitation."""
     start = found.solution
     field = evaluate(found.observations, found.noise, start.theta, start.phase).field
@@ -124,7 +124,7 @@ def determined_by_geometry(found: Estimate) -> Identified:
     return identify(seen, found.noise, found.parameterisation, exact, LEAST_SQUARES)
 
 
-def least_squares(seen: Observations, noise: Noise, near: Estimate) -> Solution:
+def least_squares(seen: Observations, noise: Noise, near: MaximumLikelihood) -> Solution:
     """The base fit without robust weights, once outliers are set aside."""
     start = near.solution
     return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=30)

@@ -15,7 +15,7 @@ from labcal.loop.empirical.inputs import Inputs, middle_of, sets_of_inputs
 from labcal.loop.empirical.splines import LENGTHS, functions_of_length, splines_of, table
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import Likelihood, NullModel
-from labcal.loop.noise.marginal import Marginal, Reduced
+from labcal.loop.noise.marginal import Marginal, NullEliminated
 from labcal.loop.parallel import parallel_map
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.empirical import FAMILY, of_base
@@ -28,51 +28,51 @@ HYPERPARAMETERS = 2  # of a smooth function: its size and its length
 
 
 @dataclass(frozen=True, slots=True)
-class _Weighed:
+class _Ranked:
     inputs: Inputs
     length: float
     marginal: Marginal
 
 
 @dataclass(frozen=True, slots=True)
-class Search:
+class Shortlist:
     """The sets of inputs that are worth weighing, and how many there were."""
 
     sets: tuple[Inputs, ...]
     trials: int
 
 
-def shortlist(pool: CandidateSet, accepted: Sequence[Candidate]) -> Search:
+def shortlist(pool: CandidateSet, accepted: Sequence[Candidate]) -> Shortlist:
     """The sets of inputs with the most evidence under white noise, or under that of the null model."""
     null, sets = pool.null_model(accepted), sets_of_inputs(pool.problem)
     some = sorted({0, null.null.spectrum})
-    first = parallel_map(lambda names: _weighed(pool, null, names, some), sets)
+    first = parallel_map(lambda names: _ranked(pool, null, names, some), sets)
     best = sorted(first, key=lambda w: -w.marginal.log)[:SHORTLIST]
-    return Search(tuple(w.inputs for w in best), len(sets))
+    return Shortlist(tuple(w.inputs for w in best), len(sets))
 
 
-def best_smooth(pool: CandidateSet, accepted: Sequence[Candidate], search: Search) -> Scored | None:
+def best_smooth(pool: CandidateSet, accepted: Sequence[Candidate], listed: Shortlist) -> Scored | None:
     """The smooth function with the most evidence, on the rows of `pool`; None where there is not enough of it."""
-    if not search.sets:
+    if not listed.sets:
         return None
     null = pool.null_model(accepted)
     every = range(len(null.bands.spectra))
-    chosen = max((_weighed(pool, null, names, every) for names in search.sets), key=lambda w: w.marginal.log)
-    price = 0.5 * HYPERPARAMETERS * np.log(pool.n_data) + np.log(search.trials)
+    chosen = max((_ranked(pool, null, names, every) for names in listed.sets), key=lambda w: w.marginal.log)
+    penalty = 0.5 * HYPERPARAMETERS * np.log(pool.n_data) + np.log(listed.trials)
     gain = chosen.marginal.log - null.null.log
-    if gain - price < policy.POLICY.min_evidence:
+    if gain - penalty < policy.POLICY.min_evidence:
         return None
-    candidate = Candidate(FAMILY, _term(pool, chosen), search.trials)
+    candidate = Candidate(FAMILY, _term(pool, chosen), listed.trials)
     drop = _drop(pool, accepted, candidate)
     likelihood = Likelihood(chosen.marginal.log, chosen.marginal.level, chosen.marginal.spectrum, 0.0)
-    return Scored(candidate, gain, gain - price, drop, len(candidate.term.parameters), likelihood)
+    return Scored(candidate, gain, gain - penalty, drop, len(candidate.term.parameters), likelihood)
 
 
-def _weighed(pool: CandidateSet, null: NullModel, names: Inputs, spectra: Sequence[int]) -> _Weighed:
+def _ranked(pool: CandidateSet, null: NullModel, names: Inputs, spectra: Sequence[int]) -> _Ranked:
     """A function of these inputs at the length that is most likely."""
     reduced = _reduced(pool, null, _plain(pool, names), spectra)
     each = [
-        _Weighed(names, length, reduced.best(_on_each_axis(functions_of_length(len(names), length))))
+        _Ranked(names, length, reduced.best(_on_each_axis(functions_of_length(len(names), length))))
         for length in LENGTHS[len(names)]
     ]
     return max(each, key=lambda w: w.marginal.log)
@@ -82,15 +82,15 @@ def _on_each_axis(functions: Array) -> Array:
     return np.asarray(np.kron(functions, np.eye(3)))
 
 
-def _reduced(pool: CandidateSet, null: NullModel, plain: Term, spectra: Sequence[int]) -> Reduced:
+def _reduced(pool: CandidateSet, null: NullModel, plain: Term, spectra: Sequence[int]) -> NullEliminated:
     """The splines' columns with the null model eliminated; at once for all axes where every row is whitened alike."""
     whole, rows = pool.whole, pool.transformed_rows
     if whole.whiten.strides[0]:
-        return Reduced.of(null, cosine_transform(pool.problem.columns(plain)[rows]), spectra)
+        return NullEliminated.of(null, cosine_transform(pool.problem.columns(plain)[rows]), spectra)
     assert plain.basis is not None
     functions = plain.basis.at(list(values(plain.inputs, whole.scene).T))
     functions = functions if pool.problem.bins is None else pool.problem.bins.averaged(functions)
-    return Reduced.of_product(null, cosine_transform(functions[rows]), whole.whiten[0], spectra)
+    return NullEliminated.of_product(null, cosine_transform(functions[rows]), whole.whiten[0], spectra)
 
 
 def _plain(pool: CandidateSet, names: Inputs) -> Term:
@@ -101,7 +101,7 @@ def _plain(pool: CandidateSet, names: Inputs) -> Term:
     return Term(FAMILY.kernel, parameters, channels_of(names), middle_of(run, names), (), names, basis)
 
 
-def _term(pool: CandidateSet, chosen: _Weighed) -> Term:
+def _term(pool: CandidateSet, chosen: _Ranked) -> Term:
     """The form that ships: few functions, orthogonal to the base on these rows, with the prior that is most likely."""
     plain = _plain(pool, chosen.inputs)
     assert plain.basis is not None

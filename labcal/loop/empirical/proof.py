@@ -10,7 +10,7 @@ import numpy as np
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.empirical.build import Search, best_smooth, shortlist
+from labcal.loop.empirical.build import Shortlist, best_smooth, shortlist
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate
 from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.heldout_rules import improves
@@ -23,11 +23,11 @@ def with_smooth(found: Evidence) -> Evidence | None:
     Nothing that is accepted changes: a known effect is never displaced.
     """
     pool, accepted = found.pool, found.accepted
-    search = shortlist(pool, accepted)
-    scored = best_smooth(pool, accepted, search)
+    listed = shortlist(pool, accepted)
+    scored = best_smooth(pool, accepted, listed)
     if scored is None or scored.drop < policy.POLICY.material_share:
         return None
-    own = cross_validate(pool, found.blocks, lambda part: [*accepted, *_built(part, accepted, search)], accepted)
+    own = cross_validate(pool, found.blocks, lambda part: [*accepted, *_built(part, accepted, listed)], accepted)
     if not improves(own) or not _is_worth_it(own, found):
         return None
     return replace(
@@ -35,12 +35,12 @@ def with_smooth(found: Evidence) -> Evidence | None:
         accepted=(*accepted, scored.candidate),
         contributions=(*found.contributions, own),
         equivalents=(*found.equivalents, (Equivalent(scored, own.after),)),
-        cv_error=_held_out(found, own, search),
+        cv_error=_held_out(found, own, listed),
     )
 
 
-def _built(part: CandidateSet, accepted: Sequence[Candidate], search: Search) -> list[Candidate]:
-    scored = best_smooth(part, accepted, search)
+def _built(part: CandidateSet, accepted: Sequence[Candidate], listed: Shortlist) -> list[Candidate]:
+    scored = best_smooth(part, accepted, listed)
     return [] if scored is None else [scored.candidate]
 
 
@@ -50,7 +50,7 @@ def _is_worth_it(own: HeldOutErrors, found: Evidence) -> bool:
     return own.before**2 - own.after**2 > policy.POLICY.min_share_of_excess * excess
 
 
-def _held_out(found: Evidence, own: HeldOutErrors, search: Search) -> HeldOutErrors:
+def _held_out(found: Evidence, own: HeldOutErrors, listed: Shortlist) -> HeldOutErrors:
     """The error of all that was chosen, chosen again without each fold; before it, the base's own."""
     after, known = own, found.accepted
     if known:
@@ -58,7 +58,7 @@ def _held_out(found: Evidence, own: HeldOutErrors, search: Search) -> HeldOutErr
 
         def again(part: CandidateSet) -> list[Candidate]:
             chosen = nested(part)
-            return [*chosen, *_built(part, chosen, search)]
+            return [*chosen, *_built(part, chosen, listed)]
 
         after = cross_validate(found.pool, found.blocks, again)
     before = np.full(len(after.rows), np.nan)

@@ -29,7 +29,7 @@ WHITE_ODDS = 10.0  # of white noise against all the others together, before the 
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Weighed:
+class WeightedSpectra:
     """The spectra tried, as large as the residual makes them, and their odds."""
 
     bands: Bands
@@ -43,7 +43,7 @@ class Weighed:
         return np.asarray(self.weight @ self.spectra)
 
 
-def weighed_spectra(transformed: Array, y: Array) -> Weighed:
+def weighted_spectra(transformed: Array, y: Array) -> WeightedSpectra:
     """What noise there may be, with transformed columns (n, q, b) fitted to transformed y (n, q)."""
     bands, tried = bands_of(len(y)), tried_spectra(len(y))
     grams = _on_independent(grams_of_bands(np.concatenate([transformed, y[:, :, None]], axis=2), bands))
@@ -51,12 +51,12 @@ def weighed_spectra(transformed: Array, y: Array) -> Weighed:
     logs, level = np.array([_restricted(g, spectrum, bands, y) for g, spectrum in zip(weighed, tried, strict=True)]).T
     weight = np.exp(logs - logs.max())
     weight[0] *= WHITE_ODDS * (len(weight) - 1)
-    return Weighed(bands, weight / weight.sum(), level[:, None] * tried, float(y.size - grams.shape[1] + 1))
+    return WeightedSpectra(bands, weight / weight.sum(), level[:, None] * tried, float(y.size - grams.shape[1] + 1))
 
 
 def bounded_spectrum(transformed: Array, y: Array) -> tuple[Bands, Array]:
-    """The bands and the noise's variance in each, averaged over `weighed_spectra`."""
-    found = weighed_spectra(transformed, y)
+    """The bands and the noise's variance in each, averaged over `weighted_spectra`."""
+    found = weighted_spectra(transformed, y)
     return found.bands, found.mean
 
 

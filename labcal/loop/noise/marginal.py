@@ -31,7 +31,7 @@ class Marginal:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Reduced:
+class NullEliminated:
     """Columns with the null model eliminated, under some of its spectra."""
 
     null: NullModel
@@ -40,13 +40,13 @@ class Reduced:
     xty: Array  # (spectra, p)
 
     @classmethod
-    def of(cls, null: NullModel, X: Array, spectra: Sequence[int]) -> Reduced:
+    def of(cls, null: NullModel, X: Array, spectra: Sequence[int]) -> NullEliminated:
         """For transformed columns X (n, q, p)."""
         found = Grams.of(X[:, :, None, :], null.columns_and_y, null.bands)
         return cls._without_null(null, found.own[:, 0], found.cross, spectra)
 
     @classmethod
-    def of_product(cls, null: NullModel, functions: Array, whiten: Array, spectra: Sequence[int]) -> Reduced:
+    def of_product(cls, null: NullModel, functions: Array, whiten: Array, spectra: Sequence[int]) -> NullEliminated:
         """For transformed functions (n, m) on each axis, whitened alike (q, 3) in all rows: a ninth of the work."""
         others = null.columns_and_y.reshape(len(functions), len(whiten), -1)
         pieces = list(itertools.pairwise(null.bands.edges.tolist()))
@@ -58,7 +58,7 @@ class Reduced:
         return cls._without_null(null, own.reshape(-1, p, p), onto.reshape(*onto.shape[:2], p), spectra)
 
     @classmethod
-    def _without_null(cls, null: NullModel, each: Array, crossed: Array, spectra: Sequence[int]) -> Reduced:
+    def _without_null(cls, null: NullModel, each: Array, crossed: Array, spectra: Sequence[int]) -> NullEliminated:
         """From the Gram matrices of each band: (bands, p, p), and (bands, others, p) with null columns and y."""
         from scipy.linalg import solve_triangular
 

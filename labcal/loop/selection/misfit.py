@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.noise.marginal import Reduced
+from labcal.loop.noise.marginal import NullEliminated
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import delayed, low_passed
@@ -56,7 +56,7 @@ def evidence_beside_misfit(
     """
     null, model = pool.null_model(others), pool.null_model([*others, chosen])
     columns = np.concatenate([span.columns for span in missed], axis=2)
-    found = Reduced.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
+    found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
     rank = pool.score(chosen, null).rank
     return max(found.log, model.null.log) - null.null.log - pool.penalty(chosen, rank)
 

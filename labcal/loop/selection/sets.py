@@ -1,4 +1,4 @@
-"""Several channels that act at once: weighed whole with the price of all their parameters, and pruned backward.
+"""Several channels that act at once: scored whole with the penalty for all their parameters, and pruned backward.
 
 Of four loads or panels none carries half, and each alone leaves too much to be sure of (Springmann & Cutler 2011 have
 five). A set begins with every channel of its kind and loses the weakest until each member left has the evidence of a
@@ -103,8 +103,8 @@ def _pruned(pool: CandidateSet, null_model: NullModel, offered: Sequence[Candida
 
     while len(kept) > 1:
         all_of_them = gain(kept)
-        price = [pool.penalty(offered[i], columns[i].shape[2]) for i in kept]
-        own = [all_of_them - gain([j for j in kept if j != i]) - p for i, p in zip(kept, price, strict=True)]
+        penalties = [pool.penalty(offered[i], columns[i].shape[2]) for i in kept]
+        own = [all_of_them - gain([j for j in kept if j != i]) - p for i, p in zip(kept, penalties, strict=True)]
         if min(own) >= policy.POLICY.min_evidence:
             break
         del kept[int(np.argmin(own))]

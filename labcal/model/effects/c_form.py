@@ -1,6 +1,6 @@
 """An effect for a computer that flies: its formula in C99, row by row, which its author writes beside the kernel.
 
-The body of a `CForm` is statements that set `e[parameter][axis]`, nought before, to what the kernel gives for the row.
+The body of a `CForm` is statements that set `e[parameter][axis]`, zero before, to what the kernel gives for the row.
 It finds `now->t_s` (double), `now->segment`, `now->mode`, `now->field[3]` (a = K m − k [nT, B]), `now->along[3]` (the
 same along the sensor's own axes), `now->input[…]` (double), `AXES[3][3]`, `shape[]` (double, the term's shape
 parameters in their order) and `state`, its own. Every other number is a `labcal_real`, written `R(…)`.

@@ -18,7 +18,7 @@ OVER = Shape("secant_s", 0.05, "s", kind=SECANT)
 DRIFTS = Shape("secant_ppm", 0.0, "ppm", kind=SECANT)
 FROM = Shape("t_ref_s", 0.0, "s", kind=GIVEN)
 EITHER_WAY = Shape("half_span_s", 0.0, "s", kind=GIVEN)
-LEAST_s = 1e-3  # over less the secant of a lag that passes through nought is taken over this
+LEAST_s = 1e-3  # over less the secant of a lag that passes through zero is taken over this
 LEAST_OF_A_ROW = 0.4  # the search begins with the slope at each row: between two rows a part of a secant averages both
 PPM = 1e-6
 BACKWARD_IN_C = """\

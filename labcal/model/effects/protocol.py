@@ -93,7 +93,7 @@ class Scene:
 
 
 Kernel = Callable[["Term", Scene], Array]
-SMALLEST = 1e-6  # values of secants that count as nought
+SMALLEST = 1e-6  # values of secants that count as zero
 DrawnAgainst = Literal["time", "angle", "field"]
 Action = Literal[
     "load",  # a load is switched, or the power mode

@@ -118,7 +118,7 @@ WORDS: dict[Result, str] = {
 
 
 def risk_in_words(risk: float) -> str:
-    """A risk in per cent, two figures; one that is all but nought or certain as such."""
+    """A risk in per cent, two figures; one that is all but zero or certain as such."""
     if risk < 1e-4:
         return "< 0.01 %"
     return f"{100 * risk:.2g} %" if risk < 0.995 else "> 99 %"

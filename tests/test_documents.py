@@ -1,0 +1,69 @@
+"""What newcomers read is as it promises: short paragraphs, a glossary whose rooms exist, one meaning a name."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import Counter
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+AT_MOST_LINES = 6
+MATHEMATICS = ("geometry.py", "earth", "record", "model", "uncertainty", "quality", "fit", "loop")
+NO_PROSE = ("|", "#", "<!--")
+ITEM = r"\n(?=\s*(?:-|\d+\.) )"  # of a list: a paragraph of its own
+
+
+def paragraphs(text: str) -> list[list[str]]:
+    """Runs of prose lines, items of lists among them, without tables, headings and code."""
+    plain = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+    found = [part.splitlines() for part in re.split(rf"\n\s*\n|{ITEM}", plain)]
+    return [prose for part in found if (prose := [line for line in part if not line.startswith(NO_PROSE)])]
+
+
+def rooms(row: str) -> list[str]:
+    """What stands between backticks in a row's last cell."""
+    return re.findall(r"`([^`]+)`", row.strip().strip("|").split("|")[-1])
+
+
+def there(room: str) -> bool:
+    place = ROOT / "labcal" / room
+    return place.exists() or place.with_name(f"{place.name}.py").exists()
+
+
+def test_no_paragraph_of_the_algorithm_is_longer_than_six_lines() -> None:
+    found = paragraphs((ROOT / "docs" / "closed-loop.md").read_text(encoding="utf-8"))
+    assert [prose[0] for prose in found if len(prose) > AT_MOST_LINES] == []
+    assert len(found) > 50
+
+
+def test_each_term_of_the_glossary_lives_in_a_room_that_there_is() -> None:
+    rows = [
+        line
+        for line in (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8").splitlines()
+        if line.startswith("| ") and not line.startswith("| term")
+    ]
+    assert [row for row in rows if not rooms(row)] == []
+    assert [room for row in rows for room in rooms(row) if room != "u" and not there(room)] == []
+    terms = [row.split("|")[1].strip().casefold() for row in rows]
+    assert len(terms) == len(set(terms)) > 40
+
+
+def test_a_long_paragraph_and_a_room_that_moved_are_seen() -> None:
+    assert [len(one) for one in paragraphs("# Title\n\na\nb\n\n| c |\n\nd\ne\nf\n- g\n  h\n- i\n")] == [2, 3, 2, 1]
+    assert rooms("| a | b | | `loop/data`, `fit` |") == ["loop/data", "fit"]
+    assert there("loop/policy")
+    assert not there("loop/quick")
+
+
+def public_classes(room: str) -> list[str]:
+    place = ROOT / "labcal" / room
+    files = [place] if place.is_file() else sorted(place.rglob("*.py"))
+    trees = (ast.parse(file.read_text(encoding="utf-8")) for file in files)
+    return [n.name for tree in trees for n in tree.body if isinstance(n, ast.ClassDef) and not n.name.startswith("_")]
+
+
+def test_a_class_of_the_mathematics_has_a_name_of_its_own() -> None:
+    names = Counter(name for room in MATHEMATICS for name in public_classes(room))
+    assert [name for name, count in names.items() if count > 1] == []
+    assert len(names) > 100
