@@ -19,7 +19,7 @@ ERROR = re.compile(r"[CE]\d\d")
 ERRORS = {
     "E01": "the voltage is above its range, or above 95 % of its over-voltage protection",
     "E02": "the voltage is below its under-voltage limit",
-    "E07": "its output cannot go on: a protection has switched it off, or its Shut Off or Enable is open",
+    "E07": "a protection tripped, or an input of its rear panel bars it",
     "C01": "it does not know this",
     "C05": "that is beyond what it delivers",
 }

@@ -266,6 +266,11 @@ name = "cage"
 """
 
 
+ASKS = {  # what a person must state beside its role
+    "waveshare-relay": "x = , y = , z = ", "csv-line": "columns = [ ]", "labjack-t7": "uT_per_V = [ , , ]",
+}  # fmt: skip
+
+
 def draft(found: Sequence[Found]) -> str:
     """A bench.toml of what was found, with what a person must still state commented out."""
     parts = [HEAD]
@@ -275,7 +280,7 @@ def draft(found: Sequence[Found]) -> str:
             parts.append(f"# {one.link}: {said}: no driver of labcal is known to fit.\n")
             continue
         limits = "max_current_A = , compliance_V = " if one.kind == "coil" else ""
-        settings = ", ".join(filter(None, (one.settings, limits)))
+        settings = ", ".join(filter(None, (one.settings, limits, ASKS.get(one.driver, ""))))
         name, role = f"{one.driver.replace('-', '_')}_{number}", one.kind + "-x, -y or -z" * bool(limits)
         lines = [f"[instruments.{name}]  # {said}", f'driver = "{one.driver}"', f'link = "{one.link}"']
         lines += [f'# role = ""  # {role}'] + [f"# settings = {{ {settings} }}"] * bool(settings)

@@ -136,6 +136,8 @@ def test_what_speaks_otherwise_is_known_too(name: str, role: str, said: str, mon
 def test_the_draft_is_refused_until_limits_are_stated(tmp_path: Path) -> None:
     found = [Found("tcp://10.0.0.5:9221", "THURLBY THANDAR, PL303-P, 1, 1", "tti-pl", "coil"),
              Found("serial:///dev/ttyUSB0?baud=9600", 'ACME "X", 1')]  # fmt: skip
+    found.append(Found("modbus-rtu:///dev/ttyUSB1?baud=9600", "a board", "waveshare-relay", "polarity or interlock"))
+    assert "# settings = { x = , y = , z =  }" in draft(found)
     (path := tmp_path / "bench.toml").write_text(draft(found))
     with pytest.raises(InputError, match="is missing"):
         read_config(path)

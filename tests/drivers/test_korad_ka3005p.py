@@ -77,7 +77,9 @@ def test_a_set_that_nothing_confirms_is_not_sent_again() -> None:
 def test_sets_that_follow_each_other_at_once_reach_it_and_at_60_ms_they_are_lost() -> None:
     clock, lab = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), open_twin({}, 1)
     link = EmulatedLink("emulated://x", KoradEmulator(lab, {"coil-x": {}}, Settings()), clock)
-    KoradSupply("x", link, clock, Settings()).set_current(0.25)
+    steady = KoradSupply("x", link, clock, Settings())
+    steady.write_off()
+    steady.set_current(0.25)
     clock.wait_until(clock.now() + 1.0)
     hasty = KoradSupply("x", link, clock, Settings(gap_s=0.06))
     hasty.write_off()
