@@ -63,7 +63,6 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "Set the clock right and start the run again."),
     QT_TRANSLATE_NOOP("Data", "Switch {0} off by hand before anything else."),
     QT_TRANSLATE_NOOP("Data", "zero, open"),
-    QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero: {0}"),
     QT_TRANSLATE_NOOP("Data", "VALID: signed by {0}."),
     QT_TRANSLATE_NOOP("Data", "NOT VALID: {0} carries no signature."),
     QT_TRANSLATE_NOOP("Data", "NOT VALID."),

@@ -1206,10 +1206,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils NOT confirmed at zero: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>VALID: signed by {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3616,6 +3612,14 @@
     </message>
     <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ Not ready: see what is said of the coils.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ Not ready: {0}. See the Bench page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1206,10 +1206,6 @@
         <translation>null, offen</translation>
     </message>
     <message>
-        <source>coils NOT confirmed at zero: {0}</source>
-        <translation>Spulen NICHT als null bestätigt: {0}</translation>
-    </message>
-    <message>
         <source>VALID: signed by {0}.</source>
         <translation>GÜLTIG: signiert von {0}.</translation>
     </message>
@@ -1343,7 +1339,7 @@
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
-        <translation>{0}: Für {1} gibt es hier keinen Schlüssel; Neu macht einen</translation>
+        <translation>{0}: Für {1} gibt es hier keinen Schlüssel; `labcal keys new --name {2}` macht einen</translation>
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
@@ -3593,6 +3589,14 @@
     <message>
         <source>Ready. {0} stands on {1}.</source>
         <translation>Bereit. {0} steht auf {1}.</translation>
+    </message>
+    <message>
+        <source>✕ Not ready: see what is said of the coils.</source>
+        <translation>✕ Nicht bereit: siehe, was von den Spulen gesagt ist.</translation>
+    </message>
+    <message>
+        <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation>✕ Nicht bereit: {0}. Siehe die Seite Messplatz.</translation>
     </message>
     <message>
         <source>not known</source>

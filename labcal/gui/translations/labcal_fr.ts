@@ -1206,10 +1206,6 @@
         <translation>zéro, ouverte</translation>
     </message>
     <message>
-        <source>coils NOT confirmed at zero: {0}</source>
-        <translation>bobines NON confirmées à zéro : {0}</translation>
-    </message>
-    <message>
         <source>VALID: signed by {0}.</source>
         <translation>VALIDE : signé par {0}.</translation>
     </message>
@@ -1343,7 +1339,7 @@
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
-        <translation>{0} : pas de clé pour {1} ici ; Nouvelle clé en fait une</translation>
+        <translation>{0} : pas de clé pour {1} ici ; `labcal keys new --name {2}` en fait une</translation>
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
@@ -3593,6 +3589,14 @@
     <message>
         <source>Ready. {0} stands on {1}.</source>
         <translation>Prêt. {0} est sur {1}.</translation>
+    </message>
+    <message>
+        <source>✕ Not ready: see what is said of the coils.</source>
+        <translation>✕ Pas prêt : voir ce qui est dit des bobines.</translation>
+    </message>
+    <message>
+        <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation>✕ Pas prêt : {0}. Voir la page Banc.</translation>
     </message>
     <message>
         <source>not known</source>
