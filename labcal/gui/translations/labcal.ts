@@ -4083,6 +4083,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>body {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cage X</source>
         <translation type="unfinished"></translation>
     </message>

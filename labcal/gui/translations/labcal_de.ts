@@ -2957,7 +2957,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Schließen</translation>
+        <translation>Ablegen</translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
@@ -2993,11 +2993,11 @@
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt im Verlauf. Neu messen: Schließen, dann Start.</translation>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Start.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
-        <translation>Nichts Gemessenes ist verloren: Auf der Startseite geht es weiter. Oder Schließen und neu beginnen.</translation>
+        <translation>Nichts Gemessenes ist verloren: Auf der Startseite geht es weiter. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
@@ -4083,6 +4083,10 @@
         <translation>von der Seite</translation>
     </message>
     <message>
+        <source>body {0}</source>
+        <translation>Körper {0}</translation>
+    </message>
+    <message>
         <source>cage X</source>
         <translation>Käfig X</translation>
     </message>
@@ -4568,7 +4572,7 @@
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt. Neu messen: Schließen, dann Start.</translation>
+        <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Start.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
@@ -4576,7 +4580,7 @@
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Start.</source>
-        <translation>Oben Genanntes beheben, dann neu messen: Schließen, dann Start.</translation>
+        <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Start.</translation>
     </message>
     <message>
         <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>

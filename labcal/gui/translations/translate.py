@@ -67,6 +67,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "closure"),
     QT_TRANSLATE_NOOP("Words", "from above"),
     QT_TRANSLATE_NOOP("Words", "from the side"),
+    QT_TRANSLATE_NOOP("Words", "body {0}"),
     QT_TRANSLATE_NOOP("Words", "cage X"),
     QT_TRANSLATE_NOOP("Words", "cage Y"),
     QT_TRANSLATE_NOOP("Words", "role"),
