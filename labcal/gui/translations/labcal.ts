@@ -4339,6 +4339,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Plot: {0} against {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>residual  nT</source>
         <translation type="unfinished"></translation>
     </message>

@@ -4379,6 +4379,10 @@
         <translation>Prüfling  nT</translation>
     </message>
     <message>
+        <source>Plot: {0} against {1}</source>
+        <translation>Diagramm: {0} über {1}</translation>
+    </message>
+    <message>
         <source>residual  nT</source>
         <translation>Rest  nT</translation>
     </message>

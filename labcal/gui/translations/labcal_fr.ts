@@ -4379,6 +4379,10 @@
         <translation>DUT  nT</translation>
     </message>
     <message>
+        <source>Plot: {0} against {1}</source>
+        <translation>Graphique : {0} selon {1}</translation>
+    </message>
+    <message>
         <source>residual  nT</source>
         <translation>résidu  nT</translation>
     </message>

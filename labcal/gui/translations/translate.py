@@ -141,6 +141,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "nT"),
     QT_TRANSLATE_NOOP("Words", "ppm from the first"),
     QT_TRANSLATE_NOOP("Words", "DUT  nT"),
+    QT_TRANSLATE_NOOP("Words", "Plot: {0} against {1}"),
     QT_TRANSLATE_NOOP("Words", "residual  nT"),
     QT_TRANSLATE_NOOP("Words", "held-out rms  nT"),
     QT_TRANSLATE_NOOP("Words", "noise alone"),
