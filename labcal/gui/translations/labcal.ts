@@ -1086,15 +1086,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: the link is lost{1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}: the link is lost.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the link does not open{1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1102,11 +1094,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: this user may not open it{1}.</source>
+        <source>{0}: the link does not open ({1}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: another program has opened it{1}.</source>
+        <source>{0}: this user may not open it ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1086,28 +1086,32 @@
         <translation>{0}: Die Verbindung ist verloren ({1}).</translation>
     </message>
     <message>
-        <source>{0}: the link is lost{1}.</source>
-        <translation>{0}: Die Verbindung ist verloren{1}.</translation>
-    </message>
-    <message>
         <source>{0}: the link is lost.</source>
         <translation>{0}: Die Verbindung ist verloren.</translation>
-    </message>
-    <message>
-        <source>{0}: the link does not open{1}.</source>
-        <translation>{0}: Die Verbindung lässt sich nicht öffnen{1}.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>
         <translation>{0}: Die Verbindung lässt sich nicht öffnen.</translation>
     </message>
     <message>
-        <source>{0}: this user may not open it{1}.</source>
-        <translation>{0}: Dieser Benutzer darf es nicht öffnen{1}.</translation>
+        <source>{0}: the link does not open ({1}).</source>
+        <translation>{0}: Die Verbindung lässt sich nicht öffnen ({1}).</translation>
     </message>
     <message>
-        <source>{0}: another program has opened it{1}.</source>
-        <translation>{0}: Ein anderes Programm hat es geöffnet{1}.</translation>
+        <source>{0}: this user may not open it ({1}).</source>
+        <translation>{0}: Dieser Benutzer darf es nicht öffnen ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it.</source>
+        <translation>{0}: Dieser Benutzer darf es nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it ({1}).</source>
+        <translation>{0}: Ein anderes Programm hat es geöffnet ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it.</source>
+        <translation>{0}: Ein anderes Programm hat es geöffnet.</translation>
     </message>
     <message>
         <source>the guardian did not start.</source>

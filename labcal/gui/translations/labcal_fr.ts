@@ -1086,28 +1086,32 @@
         <translation>{0} : la liaison est perdue ({1}).</translation>
     </message>
     <message>
-        <source>{0}: the link is lost{1}.</source>
-        <translation>{0} : la liaison est perdue{1}.</translation>
-    </message>
-    <message>
         <source>{0}: the link is lost.</source>
         <translation>{0} : la liaison est perdue.</translation>
-    </message>
-    <message>
-        <source>{0}: the link does not open{1}.</source>
-        <translation>{0} : la liaison ne s&apos;ouvre pas{1}.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>
         <translation>{0} : la liaison ne s&apos;ouvre pas.</translation>
     </message>
     <message>
-        <source>{0}: this user may not open it{1}.</source>
-        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir{1}.</translation>
+        <source>{0}: the link does not open ({1}).</source>
+        <translation>{0} : la liaison ne s&apos;ouvre pas ({1}).</translation>
     </message>
     <message>
-        <source>{0}: another program has opened it{1}.</source>
-        <translation>{0} : un autre programme l&apos;a ouvert{1}.</translation>
+        <source>{0}: this user may not open it ({1}).</source>
+        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it.</source>
+        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir.</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it ({1}).</source>
+        <translation>{0} : un autre programme l&apos;a ouvert ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it.</source>
+        <translation>{0} : un autre programme l&apos;a ouvert.</translation>
     </message>
     <message>
         <source>the guardian did not start.</source>
