@@ -121,7 +121,6 @@ class SidePanel(Surface):
         self._column.addWidget(self._coils)
         self._zero = label("", wrap=True)
         self._column.addWidget(self._zero)
-        self._column.addSpacing(GRID)
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self._rows: list[QLabel] = []
@@ -133,7 +132,7 @@ class SidePanel(Surface):
         area.setFrameShape(QScrollArea.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setMinimumHeight(5 * GRID)
+        area.setMinimumHeight(3 * GRID)
         area.viewport().setAutoFillBackground(False)
         self._lights = QVBoxLayout()
         self._lights.setSpacing(GRID // 2)

@@ -241,3 +241,22 @@ def test_a_plan_is_that_of_its_settings_and_one_beyond_a_limit_is_refused_in_wor
     assert asked.command.given == {"rate_deg_per_s": "25"}
     asked.failed(Fault("input", "25 deg/s is beyond the DUT's limit.", "Nothing was moved."))
     assert choose.plan.text() == "✕ 25 deg/s is beyond the DUT's limit. Nothing was moved."
+
+
+def test_settings_that_most_runs_leave_alone_are_folded_until_they_are_another_or_wanted(qtbot, still, choose):
+    choose.choose("preflight")
+    qtbot.waitUntil(lambda: choose.form.isVisible(), timeout=30_000)
+    form = choose.form
+
+    def seen():
+        return [name for name, field in form.fields.items() if field.isVisible()]
+
+    usual = list(form.fields)[:6]
+    assert seen() == usual
+    assert form.more.text() == f"▸ More settings: {len(form.fields) - 6}"
+    form.set_text("zero_s", "30")
+    assert seen() == [*usual, "zero_s"]
+    form.set_text("zero_s", "much")
+    assert form.complaints["zero_s"].isVisible()
+    qtbot.mouseClick(form.more, Qt.MouseButton.LeftButton)
+    assert seen() == list(form.fields)

@@ -1,5 +1,6 @@
 """Without a mouse: every control of every page is reached by Tab and seen to have the focus; a run is led by keys."""
 
+import pyqtgraph as pg
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -90,3 +91,9 @@ def test_every_control_of_every_page_is_reached_by_tab_and_is_seen_to_have_the_f
         if type(button).__name__ == "QPushButton":
             assert button.focusPolicy() & Qt.FocusPolicy.TabFocus, button.text()
             assert button.toolTip(), button.text()
+
+
+def test_every_plot_says_to_a_screen_reader_what_it_shows(still):
+    plots = [one for name in ("Run", "Fit", "Loop", "History") for one in still.page(name).findChildren(pg.PlotWidget)]
+    assert len(plots) > 8
+    assert [one for one in plots if not one.accessibleName().startswith("Plot: ")] == []

@@ -150,6 +150,7 @@ def measured(hands):
     items = [choose.list.item(row) for row in range(choose.list.count())]
     names = [one.text() for one in items if one.flags() & Qt.ItemFlag.ItemIsSelectable]
     hands.choose(names.index("preflight"), choose.list)
+    hands.press(choose.form.more)
     for name, text in SHORT.items():
         hands.enter(choose.form.fields[name], text)
     hands.press(choose.form.fields["reverse"])

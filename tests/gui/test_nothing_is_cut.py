@@ -1,5 +1,6 @@
 """Every page in its states at six sizes: no text is cut, and nothing lies over anything else, by geometry."""
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from test_choose import told_by_the_loop
 from test_compare import side
 from test_path import RUN, calibration
 
+from labcal.bench.coils.state import FieldReading, Heard
 from labcal.gui.ipc.answers import Checked, Comparison, Ended, FitFigures, Fitted, Look
 from labcal.gui.ipc.messages import (
     CloseLoop,
@@ -60,7 +62,19 @@ def stored(window, *runs):
 
 
 def interrupted(window):
-    stored(window, *(replace(RUN, run_id=f"r{n}", status="interrupted") for n in range(5)))
+    stored(window, *(replace(RUN, run_id=f"r{n}", dut_serial=f"EM-{n}", status="interrupted") for n in range(5)))
+    return "Start"
+
+
+def doubted(window):
+    """What is said of the coils at its longest, and every value old."""
+    begun(window)
+    seen = FieldReading(None, (-43_695.6, 20_366.7, 1_135.6), time.monotonic() - 125.0)
+    told(window, (None, 0.0, 0.0), verdict="disagrees", age_s=125.0)
+    lab = window.app_state.run.lab
+    names = [*window.app_state.facts.instruments, "guardian"]
+    heard = tuple(Heard(name, time.monotonic() - 125.0) for name in names[:-1])
+    window.app_state.bench_worker.states.emit(replace(lab, field=seen, instruments=heard, guardian=True))
     return "Start"
 
 
@@ -155,6 +169,7 @@ def certificate(window, keys=("jdoe@lab",), **standing):
 STATES = {
     "Start": lambda window: (stored(window, RUN), "Start")[1],
     "Start, interrupted runs": interrupted,
+    "Start, coils in doubt": doubted,
     "Bench": lambda window: "Bench",
     "Bench, a fault": broken,
     "Run, to choose": lambda window: "Run",

@@ -6,7 +6,9 @@ import pytest
 from PySide6.QtCore import Qt
 
 from labcal.gui.ipc.answers import CalibrationFile, Ended, FitFigures, Fitted, RunLine, Signature, Standing
-from labcal.gui.ipc.messages import FitRun, ListRuns, RunProcedure
+from labcal.gui.ipc.messages import CloseLoop, FitRun, ListRuns, RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.start import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record import Dut
 from labcal.record.stream import Measurement, Step
@@ -137,6 +139,46 @@ def test_the_end_of_a_run_fills_the_page_with_its_verdict(still, qtbot, verdict)
     qtbot.mouseClick(card.details, Qt.MouseButton.LeftButton)
     assert live.below.isVisible()
     assert live.middle.currentWidget() is not card
+
+
+def test_next_begins_what_it_says(still, path, qtbot):
+    path.take_runs((RUN,))
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert still.app_state.fit_worker.commands(FitRun) == [FitRun("r1", "ml")]
+    path.take_calibrations((calibration(signed=False),))
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert still.app_state.fit_worker.commands(CloseLoop) == [CloseLoop("r1")]
+
+
+def test_next_leads_into_the_field_that_is_wanted(still, path, qtbot):
+    still.app_state.set_identity(operator="")
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert still.page_shown() == "Start"
+    assert still.top.operator.hasFocus()
+
+
+def test_start_is_not_ready_where_the_side_panel_says_what_is_wrong(still):
+    question, lab = still.page("Start").question, still.app_state.lab
+    assert question.text().startswith("Ready.")
+    lab.update(now=replace(lab.state.now, lights=(("supply_x", "fault", "the link is lost"),)))
+    assert question.text() == "✕ Not ready: supply_x. See the Bench page."
+    lab.update(now=replace(lab.state.now, coil_words="coils NOT confirmed at zero"))
+    assert question.text() == "✕ Not ready: see what is said of the coils."
+
+
+def test_what_coils_off_has_ended_is_no_failure(still):
+    run = still.app_state.run
+    run.start(RunProcedure("field-hold", "bench.toml", {}, "EM-07", "J. Doe"))
+    fault = Fault("stopped", "aborted by the operator")
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "failed: aborted by the operator", fault))
+    assert run_verdict(run).word == "■ STOPPED"
+
+
+def test_who_began_anew_is_not_asked_to_go_on_with_what_was_before():
+    broken = replace(RUN, status="interrupted")
+    again, older = replace(RUN, run_id="r2"), replace(ANOTHER, status="interrupted")
+    assert to_be_resumed((broken, older)) == [broken, older]
+    assert to_be_resumed((again, broken, older)) == [older]
 
 
 @pytest.mark.parametrize(

@@ -75,6 +75,11 @@ def test_no_fault_has_a_form_here_that_nobody_says():
     [
         ("reference: no sample for 2.1 s.", "reference: seit 2.1 s kein Wert."),
         ("supply_x (tcp://10.0.0.7:5): the link is lost (reset).", "Die Verbindung ist verloren (reset)."),
+        (
+            "x: the link is lost. Plug it in, see that nobody else has opened it, then begin this step again.",
+            "x: Die Verbindung ist verloren. Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen "
+            "Schritt neu beginnen.",
+        ),
         ("a number from 0 to 60 deg/s", "eine Zahl von 0 bis 60 deg/s"),
         ("VALID: signed by jdoe@lab.", "GÜLTIG: signiert von jdoe@lab."),
         ("interrupted: aborted by the operator", "unterbrochen: vom Bediener abgebrochen"),

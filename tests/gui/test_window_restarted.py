@@ -45,7 +45,8 @@ def watched(lab, tmp_path):
     yield begin
     for one in begun:
         one.terminate()
-        one.communicate()
+        one.wait()
+        one.stdout.close()
 
 
 def said(watched, word):

@@ -66,9 +66,12 @@ def do(window: window_module.Window) -> None:
 
 if deed == "cannot":  # open a second time
     sys.exit(2)
-if deed in ("late", "never"):
+if deed == "never":
+    time.sleep(60)
+    sys.exit(2)
+if deed == "late":
     say("late")
-    time.sleep(10 if deed == "late" else 600)
+    time.sleep(10)
 opened = window_module.open_window
 
 

@@ -103,7 +103,9 @@ class Channel:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
         self._on_bench, self.control = True, Control(to_be_resumed=True)
         if self._watched and going is not None:
-            self._door, self._past = self._door or Door(), Past(going)
+            self._past = Past(going)
+            with suppress(OSError):  # no place for its card: then none comes back, and the run ends with its window
+                self._door = self._door or Door()
         if not simulated:
             threading.Thread(target=self._watch_heartbeat, args=(self.control,), daemon=True, name="still").start()
 

@@ -74,7 +74,8 @@ class Client(QObject):
         super().__init__(parent)
         self._command = command
         self._process: QProcess | None = None
-        self._worker_before = 0  # the process that this window has come back to
+        self._worker_before = 0  # the process that this window comes back to
+        self._is_back = False  # and it has answered: it is that process
         self._pending: dict[int, tuple[Command[Any], Callable[[Any], object], OnFault]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
@@ -89,7 +90,7 @@ class Client(QObject):
 
     def come_back(self, worker: int) -> None:
         """Speak to the process `worker`, whose run went on without a window."""
-        self._worker_before = worker
+        self._worker_before, self._is_back = worker, False
         self._start((*REJOIN, str(worker)))
 
     def _start(self, command: tuple[str, ...]) -> None:
@@ -132,7 +133,7 @@ class Client(QObject):
     def _kill(self, why: str) -> None:
         if self._process is not None:
             self._ended_here = self._ended_here or why
-            if self._worker_before:
+            if self._worker_before and self._is_back:
                 _end(self._worker_before)
             self._process.kill()
 
@@ -186,6 +187,7 @@ class Client(QObject):
             case Progress(text):
                 self.progress.emit(text)
             case GoesOn():
+                self._is_back = True
                 self.came_back.emit(event)
             case Done(number, answer):
                 self._answered(number, answer)

@@ -13,6 +13,7 @@ from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosi
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.common import Card, button, flat, label, set_state
 from labcal.gui.widgets.run_chooser import run_title
@@ -120,6 +121,7 @@ class StartPage(QWidget):
         goes_on = self.tr("A run goes on: {0}, DUT {1}. See the Run page.")
         self.question.setText(
             (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
+            or self._not_ready()
             or self.tr("Ready. {0} stands on {1}.").format(
                 self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
             )
@@ -130,6 +132,14 @@ class StartPage(QWidget):
         for widget in (self.morning, self.calibrate):
             widget.setVisible(known)
             widget.setEnabled(not self._app_state.run.alive)
+
+    def _not_ready(self) -> str:
+        """What the lab itself has against a run, as the side panel shows it; "" where nothing."""
+        now = self._app_state.lab.state.now
+        if mark_of(now.coil_words)[1] == "bad":
+            return self.tr("✕ Not ready: see what is said of the coils.")
+        failed = ", ".join(name for name, light, _ in now.lights if light == "fault")
+        return self.tr("✕ Not ready: {0}. See the Bench page.").format(failed) if failed else ""
 
     def _bench_known(self) -> None:
         facts = self._app_state.facts
@@ -229,8 +239,10 @@ class StartPage(QWidget):
 
 def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:
     """Of `runs`, the newest first, the interrupted ones after which nobody began the same of the same DUT anew."""
-    last = {(one.procedure, one.dut_serial): one for one in reversed(runs)}
-    return [one for one in last.values() if one.status == "interrupted"][::-1]
+    newest = dict[tuple[str, str], RunLine]()
+    for one in runs:
+        newest.setdefault((one.procedure, one.dut_serial), one)
+    return [one for one in newest.values() if one.status == "interrupted"]
 
 
 def days_since(utc: str) -> int:

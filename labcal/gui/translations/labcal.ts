@@ -1086,15 +1086,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: the link is lost{1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}: the link is lost.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the link does not open{1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1102,11 +1094,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: this user may not open it{1}.</source>
+        <source>{0}: the link does not open ({1}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: another program has opened it{1}.</source>
+        <source>{0}: this user may not open it ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1203,10 +1207,6 @@
     </message>
     <message>
         <source>zero, open</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>coils NOT confirmed at zero: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3619,6 +3619,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✕ Not ready: see what is said of the coils.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No bench is open.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4079,6 +4087,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>body {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cage X</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4328,6 +4340,10 @@
     </message>
     <message>
         <source>DUT  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot: {0} against {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1086,28 +1086,32 @@
         <translation>{0}: Die Verbindung ist verloren ({1}).</translation>
     </message>
     <message>
-        <source>{0}: the link is lost{1}.</source>
-        <translation>{0}: Die Verbindung ist verloren{1}.</translation>
-    </message>
-    <message>
         <source>{0}: the link is lost.</source>
         <translation>{0}: Die Verbindung ist verloren.</translation>
-    </message>
-    <message>
-        <source>{0}: the link does not open{1}.</source>
-        <translation>{0}: Die Verbindung lässt sich nicht öffnen{1}.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>
         <translation>{0}: Die Verbindung lässt sich nicht öffnen.</translation>
     </message>
     <message>
-        <source>{0}: this user may not open it{1}.</source>
-        <translation>{0}: Dieser Benutzer darf es nicht öffnen{1}.</translation>
+        <source>{0}: the link does not open ({1}).</source>
+        <translation>{0}: Die Verbindung lässt sich nicht öffnen ({1}).</translation>
     </message>
     <message>
-        <source>{0}: another program has opened it{1}.</source>
-        <translation>{0}: Ein anderes Programm hat es geöffnet{1}.</translation>
+        <source>{0}: this user may not open it ({1}).</source>
+        <translation>{0}: Dieser Benutzer darf es nicht öffnen ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it.</source>
+        <translation>{0}: Dieser Benutzer darf es nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it ({1}).</source>
+        <translation>{0}: Ein anderes Programm hat es geöffnet ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it.</source>
+        <translation>{0}: Ein anderes Programm hat es geöffnet.</translation>
     </message>
     <message>
         <source>the guardian did not start.</source>
@@ -1204,10 +1208,6 @@
     <message>
         <source>zero, open</source>
         <translation>null, offen</translation>
-    </message>
-    <message>
-        <source>coils NOT confirmed at zero: {0}</source>
-        <translation>Spulen NICHT als null bestätigt: {0}</translation>
     </message>
     <message>
         <source>VALID: signed by {0}.</source>
@@ -1343,7 +1343,7 @@
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
-        <translation>{0}: Für {1} gibt es hier keinen Schlüssel; Neu macht einen</translation>
+        <translation>{0}: Für {1} gibt es hier keinen Schlüssel; `labcal keys new --name {2}` macht einen</translation>
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
@@ -2961,7 +2961,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Schließen</translation>
+        <translation>Ablegen</translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
@@ -2997,11 +2997,11 @@
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt im Verlauf. Neu messen: Schließen, dann Start.</translation>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Start.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
-        <translation>Nichts Gemessenes ist verloren: Auf der Startseite geht es weiter. Oder Schließen und neu beginnen.</translation>
+        <translation>Nichts Gemessenes ist verloren: Auf der Startseite geht es weiter. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
@@ -3595,6 +3595,14 @@
         <translation>Bereit. {0} steht auf {1}.</translation>
     </message>
     <message>
+        <source>✕ Not ready: see what is said of the coils.</source>
+        <translation>✕ Nicht bereit: siehe, was von den Spulen gesagt ist.</translation>
+    </message>
+    <message>
+        <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation>✕ Nicht bereit: {0}. Siehe die Seite Messplatz.</translation>
+    </message>
+    <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
@@ -4079,6 +4087,10 @@
         <translation>von der Seite</translation>
     </message>
     <message>
+        <source>body {0}</source>
+        <translation>Körper {0}</translation>
+    </message>
+    <message>
         <source>cage X</source>
         <translation>Käfig X</translation>
     </message>
@@ -4371,6 +4383,10 @@
         <translation>Prüfling  nT</translation>
     </message>
     <message>
+        <source>Plot: {0} against {1}</source>
+        <translation>Diagramm: {0} über {1}</translation>
+    </message>
+    <message>
         <source>residual  nT</source>
         <translation>Rest  nT</translation>
     </message>
@@ -4564,7 +4580,7 @@
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt. Neu messen: Schließen, dann Start.</translation>
+        <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Start.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
@@ -4572,7 +4588,7 @@
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Start.</source>
-        <translation>Oben Genanntes beheben, dann neu messen: Schließen, dann Start.</translation>
+        <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Start.</translation>
     </message>
     <message>
         <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>

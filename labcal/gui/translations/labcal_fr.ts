@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>a run needs the serial number of its DUT: --dut SERIAL</source>
-        <translation>une mesure exige le numéro de série de son dispositif</translation>
+        <translation>une mesure exige le numéro de série de son DUT</translation>
     </message>
     <message>
         <source>run {0} was not interrupted: it is {1}</source>
@@ -1007,7 +1007,7 @@
     </message>
     <message>
         <source>run {0} is of DUT {1}, the bench has {2}</source>
-        <translation>la mesure {0} est du dispositif {1}, sur le banc se trouve {2}</translation>
+        <translation>la mesure {0} est du DUT {1}, sur le banc se trouve {2}</translation>
     </message>
     <message>
         <source>run {0} is of {1}, not of {2}</source>
@@ -1031,7 +1031,7 @@
     </message>
     <message>
         <source>{0} is signed: its serial stands; another DUT needs a run of its own</source>
-        <translation>{0} est signé : son numéro reste ; un autre dispositif demande sa propre mesure</translation>
+        <translation>{0} est signé : son numéro reste ; un autre DUT demande sa propre mesure</translation>
     </message>
     <message>
         <source>another person than the operator approves: --as NAME</source>
@@ -1086,28 +1086,32 @@
         <translation>{0} : la liaison est perdue ({1}).</translation>
     </message>
     <message>
-        <source>{0}: the link is lost{1}.</source>
-        <translation>{0} : la liaison est perdue{1}.</translation>
-    </message>
-    <message>
         <source>{0}: the link is lost.</source>
         <translation>{0} : la liaison est perdue.</translation>
-    </message>
-    <message>
-        <source>{0}: the link does not open{1}.</source>
-        <translation>{0} : la liaison ne s&apos;ouvre pas{1}.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>
         <translation>{0} : la liaison ne s&apos;ouvre pas.</translation>
     </message>
     <message>
-        <source>{0}: this user may not open it{1}.</source>
-        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir{1}.</translation>
+        <source>{0}: the link does not open ({1}).</source>
+        <translation>{0} : la liaison ne s&apos;ouvre pas ({1}).</translation>
     </message>
     <message>
-        <source>{0}: another program has opened it{1}.</source>
-        <translation>{0} : un autre programme l&apos;a ouvert{1}.</translation>
+        <source>{0}: this user may not open it ({1}).</source>
+        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: this user may not open it.</source>
+        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir.</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it ({1}).</source>
+        <translation>{0} : un autre programme l&apos;a ouvert ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: another program has opened it.</source>
+        <translation>{0} : un autre programme l&apos;a ouvert.</translation>
     </message>
     <message>
         <source>the guardian did not start.</source>
@@ -1204,10 +1208,6 @@
     <message>
         <source>zero, open</source>
         <translation>zéro, ouverte</translation>
-    </message>
-    <message>
-        <source>coils NOT confirmed at zero: {0}</source>
-        <translation>bobines NON confirmées à zéro : {0}</translation>
     </message>
     <message>
         <source>VALID: signed by {0}.</source>
@@ -1343,7 +1343,7 @@
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
-        <translation>{0} : pas de clé pour {1} ici ; Nouvelle clé en fait une</translation>
+        <translation>{0} : pas de clé pour {1} ici ; `labcal keys new --name {2}` en fait une</translation>
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
@@ -1387,11 +1387,11 @@
     </message>
     <message>
         <source>Calibrate the DUT at rest: the coils play directions all over; K and k in the cage&apos;s frame.</source>
-        <translation>Étalonner le dispositif au repos : les bobines parcourent toutes les directions ; K et k dans le repère de la cage.</translation>
+        <translation>Étalonner le DUT au repos : les bobines parcourent toutes les directions ; K et k dans le repère de la cage.</translation>
     </message>
     <message>
         <source>Check sign, order and handedness of cage, reference and DUT, and the sense of the angle.</source>
-        <translation>Vérifier signe, ordre et orientation de la cage, de la référence et du dispositif, et le sens de l&apos;angle.</translation>
+        <translation>Vérifier signe, ordre et orientation de la cage, de la référence et du DUT, et le sens de l&apos;angle.</translation>
     </message>
     <message>
         <source>Check the reference&apos;s due date, its zero by 180° turns, and its magnitude against direction and a standard.</source>
@@ -1399,7 +1399,7 @@
     </message>
     <message>
         <source>Find where DUT and reference stand, from the gradients of coil pairs with one half reversed.</source>
-        <translation>Trouver où sont le dispositif et la référence, d&apos;après les gradients de paires de bobines dont une moitié est inversée.</translation>
+        <translation>Trouver où sont le DUT et la référence, d&apos;après les gradients de paires de bobines dont une moitié est inversée.</translation>
     </message>
     <message>
         <source>Go through the checklist; every &quot;no&quot; is named at the end.</source>
@@ -1423,19 +1423,19 @@
     </message>
     <message>
         <source>Measure offset and gain against the DUT&apos;s temperature while it changes.</source>
-        <translation>Mesurer décalage et gain selon la température du dispositif pendant qu&apos;elle change.</translation>
+        <translation>Mesurer décalage et gain selon la température du DUT pendant qu&apos;elle change.</translation>
     </message>
     <message>
         <source>Measure the DUT&apos;s offset from four attitudes in the ambient field, coils off.</source>
-        <translation>Mesurer le décalage du dispositif dans quatre attitudes du champ ambiant, bobines coupées.</translation>
+        <translation>Mesurer le décalage du DUT dans quatre attitudes du champ ambiant, bobines coupées.</translation>
     </message>
     <message>
         <source>Measure the DUT&apos;s permanent and induced dipole from what the reference sees of it at two distances.</source>
-        <translation>Mesurer le dipôle permanent et induit du dispositif d&apos;après ce qu&apos;en voit la référence à deux distances.</translation>
+        <translation>Mesurer le dipôle permanent et induit du DUT d&apos;après ce qu&apos;en voit la référence à deux distances.</translation>
     </message>
     <message>
         <source>Measure the current-to-field matrix and offset at the DUT&apos;s place and at the reference&apos;s; a draft.</source>
-        <translation>Mesurer la matrice courant-champ et le décalage à la place du dispositif et de la référence ; un brouillon.</translation>
+        <translation>Mesurer la matrice courant-champ et le décalage à la place du DUT et de la référence ; un brouillon.</translation>
     </message>
     <message>
         <source>Measure the current-to-field matrix, its squareness and the ambient field by a scalar sensor in the centre.</source>
@@ -1443,11 +1443,11 @@
     </message>
     <message>
         <source>Measure the delay of DUT, reference and angle against the set-point and each other.</source>
-        <translation>Mesurer le retard du dispositif, de la référence et de l&apos;angle sur la consigne et entre eux.</translation>
+        <translation>Mesurer le retard du DUT, de la référence et de l&apos;angle sur la consigne et entre eux.</translation>
     </message>
     <message>
         <source>Measure the platform&apos;s own field with the reference at the DUT&apos;s place, coils off.</source>
-        <translation>Mesurer le champ propre de la plateforme, la référence à la place du dispositif, bobines coupées.</translation>
+        <translation>Mesurer le champ propre du plateau, la référence à la place du DUT, bobines coupées.</translation>
     </message>
     <message>
         <source>Play a field history, with the tracking error recorded.</source>
@@ -1475,7 +1475,7 @@
     </message>
     <message>
         <source>Turn the DUT about one body axis in one steady field.</source>
-        <translation>Tourner le dispositif autour d&apos;un axe du corps dans un champ constant.</translation>
+        <translation>Tourner le DUT autour d&apos;un axe du corps dans un champ constant.</translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -1495,7 +1495,7 @@
     </message>
     <message>
         <source>a vector reference, first at the DUT&apos;s place, then at its own</source>
-        <translation>une référence vectorielle, d&apos;abord à la place du dispositif, puis à la sienne</translation>
+        <translation>une référence vectorielle, d&apos;abord à la place du DUT, puis à la sienne</translation>
     </message>
     <message>
         <source>an absolute scalar sensor in the cage&apos;s centre</source>
@@ -1507,59 +1507,59 @@
     </message>
     <message>
         <source>the DUT as it will fly, and a camera</source>
-        <translation>le dispositif tel qu&apos;il volera, et un appareil photo</translation>
+        <translation>le DUT tel qu&apos;il volera, et un appareil photo</translation>
     </message>
     <message>
         <source>the DUT at rest in the cage</source>
-        <translation>le dispositif au repos dans la cage</translation>
+        <translation>le DUT au repos dans la cage</translation>
     </message>
     <message>
         <source>the DUT at rest in the cage; a table of the field, an orbit, or a simulator</source>
-        <translation>le dispositif au repos dans la cage ; une table du champ, une orbite ou un simulateur</translation>
+        <translation>le DUT au repos dans la cage ; une table du champ, une orbite ou un simulateur</translation>
     </message>
     <message>
         <source>the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration</source>
-        <translation>le dispositif au repos dans la cage ; une référence vectorielle à sa place, ou un étalonnage de cage approuvé</translation>
+        <translation>le DUT au repos dans la cage ; une référence vectorielle à sa place, ou un étalonnage de cage approuvé</translation>
     </message>
     <message>
         <source>the DUT free to be turned over by hand</source>
-        <translation>le dispositif peut être retourné à la main</translation>
+        <translation>le DUT peut être retourné à la main</translation>
     </message>
     <message>
         <source>the DUT on a platform with a motor</source>
-        <translation>le dispositif sur une plateforme à moteur</translation>
+        <translation>le DUT sur un plateau à moteur</translation>
     </message>
     <message>
         <source>the DUT on a platform with a motor, a vector reference that can be moved beside it</source>
-        <translation>le dispositif sur une plateforme à moteur, à côté une référence vectorielle mobile</translation>
+        <translation>le DUT sur un plateau à moteur, à côté une référence vectorielle mobile</translation>
     </message>
     <message>
         <source>the DUT on the platform</source>
-        <translation>le dispositif sur la plateforme</translation>
+        <translation>le DUT sur le plateau</translation>
     </message>
     <message>
         <source>the DUT on the platform, a vector reference</source>
-        <translation>le dispositif sur la plateforme, une référence vectorielle</translation>
+        <translation>le DUT sur le plateau, une référence vectorielle</translation>
     </message>
     <message>
         <source>the DUT on the platform, its calibration file</source>
-        <translation>le dispositif sur la plateforme, son fichier d&apos;étalonnage</translation>
+        <translation>le DUT sur le plateau, son fichier d&apos;étalonnage</translation>
     </message>
     <message>
         <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
-        <translation>le dispositif sur la plateforme, des charges du véhicule spatial qu&apos;on peut commuter</translation>
+        <translation>le DUT sur le plateau, des charges du véhicule spatial qu&apos;on peut commuter</translation>
     </message>
     <message>
         <source>the DUT on the platform, remounted three times; a vector reference</source>
-        <translation>le dispositif sur la plateforme, remonté trois fois ; une référence vectorielle</translation>
+        <translation>le DUT sur le plateau, remonté trois fois ; une référence vectorielle</translation>
     </message>
     <message>
         <source>the DUT with its thermometer, a means to warm it</source>
-        <translation>le dispositif avec son thermomètre, de quoi le chauffer</translation>
+        <translation>le DUT avec son thermomètre, de quoi le chauffer</translation>
     </message>
     <message>
         <source>the bare fixture with the motor, a vector reference at the DUT&apos;s place</source>
-        <translation>le support nu avec le moteur, une référence vectorielle à la place du dispositif</translation>
+        <translation>le support nu avec le moteur, une référence vectorielle à la place du DUT</translation>
     </message>
     <message>
         <source>the cage as it will be used, coils off</source>
@@ -1567,7 +1567,7 @@
     </message>
     <message>
         <source>the reference on the platform</source>
-        <translation>la référence sur la plateforme</translation>
+        <translation>la référence sur le plateau</translation>
     </message>
     <message>
         <source>Altitude km</source>
@@ -1911,15 +1911,15 @@
     </message>
     <message>
         <source>the DUT&apos;s power mode</source>
-        <translation>mode d&apos;alimentation du dispositif</translation>
+        <translation>mode d&apos;alimentation du DUT</translation>
     </message>
     <message>
         <source>body axis mounted along the platform axis</source>
-        <translation>axe du corps monté le long de l&apos;axe de la plateforme</translation>
+        <translation>axe du corps monté le long de l&apos;axe du plateau</translation>
     </message>
     <message>
         <source>field from the platform axis</source>
-        <translation>champ par rapport à l&apos;axe de la plateforme</translation>
+        <translation>champ par rapport à l&apos;axe du plateau</translation>
     </message>
     <message>
         <source>magnitude of the field</source>
@@ -2071,7 +2071,7 @@
     </message>
     <message>
         <source>channels to switch; none: every current channel of the DUT</source>
-        <translation>voies à commuter ; aucune : toutes les voies de courant du dispositif</translation>
+        <translation>voies à commuter ; aucune : toutes les voies de courant du DUT</translation>
     </message>
     <message>
         <source>times each load is switched on</source>
@@ -2083,7 +2083,7 @@
     </message>
     <message>
         <source>first amplitude, within coil and DUT limits</source>
-        <translation>première amplitude, dans les limites de la bobine et du dispositif</translation>
+        <translation>première amplitude, dans les limites de la bobine et du DUT</translation>
     </message>
     <message>
         <source>reversals</source>
@@ -2115,7 +2115,7 @@
     </message>
     <message>
         <source>in each field at rest, with the DUT and without</source>
-        <translation>dans chaque champ au repos, avec et sans dispositif</translation>
+        <translation>dans chaque champ au repos, avec et sans DUT</translation>
     </message>
     <message>
         <source>largest moment that passes</source>
@@ -2155,7 +2155,7 @@
     </message>
     <message>
         <source>body axis along the platform axis</source>
-        <translation>axe du corps le long de l&apos;axe de la plateforme</translation>
+        <translation>axe du corps le long de l&apos;axe du plateau</translation>
     </message>
     <message>
         <source>rms error at those fields that passes</source>
@@ -2175,7 +2175,7 @@
     </message>
     <message>
         <source>body axis along the platform axis and the field</source>
-        <translation>axe du corps le long de l&apos;axe de la plateforme et du champ</translation>
+        <translation>axe du corps le long de l&apos;axe du plateau et du champ</translation>
     </message>
     <message>
         <source>body axis stepped together with it</source>
@@ -2267,7 +2267,7 @@
     </message>
     <message>
         <source>body axes, each mounted along the platform axis in turn</source>
-        <translation>axes du corps, montés tour à tour le long de l&apos;axe de la plateforme</translation>
+        <translation>axes du corps, montés tour à tour le long de l&apos;axe du plateau</translation>
     </message>
     <message>
         <source>field magnitudes</source>
@@ -2279,7 +2279,7 @@
     </message>
     <message>
         <source>the DUT&apos;s power modes</source>
-        <translation>modes d&apos;alimentation du dispositif</translation>
+        <translation>modes d&apos;alimentation du DUT</translation>
     </message>
     <message>
         <source>timing uncertainty, at least</source>
@@ -2407,11 +2407,11 @@
     </message>
     <message>
         <source>temperature channel of the DUT; empty: the first</source>
-        <translation>voie de température du dispositif ; vide : la première</translation>
+        <translation>voie de température du DUT ; vide : la première</translation>
     </message>
     <message>
         <source>along the platform axis</source>
-        <translation>le long de l&apos;axe de la plateforme</translation>
+        <translation>le long de l&apos;axe du plateau</translation>
     </message>
     <message>
         <source>times every field is visited</source>
@@ -3595,6 +3595,14 @@
         <translation>Prêt. {0} est sur {1}.</translation>
     </message>
     <message>
+        <source>✕ Not ready: see what is said of the coils.</source>
+        <translation>✕ Pas prêt : voir ce qui est dit des bobines.</translation>
+    </message>
+    <message>
+        <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation>✕ Pas prêt : {0}. Voir la page Banc.</translation>
+    </message>
+    <message>
         <source>not known</source>
         <translation>inconnu</translation>
     </message>
@@ -4079,6 +4087,10 @@
         <translation>de côté</translation>
     </message>
     <message>
+        <source>body {0}</source>
+        <translation>corps {0}</translation>
+    </message>
+    <message>
         <source>cage X</source>
         <translation>cage X</translation>
     </message>
@@ -4369,6 +4381,10 @@
     <message>
         <source>DUT  nT</source>
         <translation>DUT  nT</translation>
+    </message>
+    <message>
+        <source>Plot: {0} against {1}</source>
+        <translation>Graphique : {0} selon {1}</translation>
     </message>
     <message>
         <source>residual  nT</source>

@@ -48,6 +48,8 @@ class RunVerdict:
 def run_verdict(run: RunViewModel) -> RunVerdict:
     """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish."""
     status = run.status.partition(":")[0]
+    if status == "failed" and run.fault is not None and run.fault.kind == "stopped":
+        status = "stopped"  # by COILS OFF: nothing failed
     if status != "finished":
         shape, state = ENDS.get(status, ENDS["failed"])
         return RunVerdict(f"{shape} {translated(status).upper()}", state, translated(str(TEXTS[4])), _next(status))

@@ -106,7 +106,7 @@ class Mounting(QWidget):
         order = sorted(range(3), key=lambda n: float(body[n] @ TOWARD))
         for n in order:
             start, end = centre + BOX[n] * body[n], centre + (BOX[n] + 0.52) * body[n]
-            self._arrow(painter, start, end, self._theme.axes[n], f"body {'XYZ'[n]}", 3.0)
+            self._arrow(painter, start, end, self._theme.axes[n], translated("body {0}").format("XYZ"[n]), 3.0)
 
     def _paint_turn(self, painter: QPainter, axis: Array) -> None:
         """An arc with a head in front of the platform: right-handed about its axis."""

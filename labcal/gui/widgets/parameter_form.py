@@ -17,7 +17,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import button, named, set_state
 from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
-SEEN = 5  # settings, the first of each procedure
+SEEN = 6  # settings, the first of each procedure
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
 
 

@@ -69,6 +69,7 @@ def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
     widget = _spare_plots.pop()
     for side, text in (("bottom", bottom), ("left", left)):
         widget.getPlotItem().getAxis(side).labelText = translated(text)
+    widget.setAccessibleName(translated("Plot: {0} against {1}").format(translated(left), translated(bottom)))
     apply_theme(widget, theme)
     return widget
 
