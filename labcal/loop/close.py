@@ -30,6 +30,7 @@ from labcal.loop.selection.members import told_apart
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
 from labcal.loop.telling import NOTHING, Progress, Telling
+from labcal.loop.uncertainty import chances_of_nought
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
@@ -73,7 +74,7 @@ def _closed(run: Run, telling: Telling, *, empirical: bool) -> ClosedLoop:
     telling.known = so_far(pool, selection.accepted)
     telling.step("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
-    found, after = final_fit(problem, found, selection)
+    found, after = final_fit(problem, found, selection, chances_of_nought)
     found = told_apart(found)
     before = base_fit(problem, found) if found.accepted else after
     aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}

@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop import close_loop
+from labcal.loop import close, close_loop
 from labcal.loop.candidates.library import expand_library
 from labcal.loop.close import prepare
-from labcal.loop.selection import final_fit
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.uncertainty import chances_of_nought
 
@@ -41,7 +40,7 @@ def test_what_declared_errors_explain_as_well_is_given_up(
 ) -> None:
     run = session.load_run(str(run_with(making, tmp_path, 200.0)))
     assert [e.effect for e in close_loop(run).accepted] == ["offset-current"]
-    monkeypatch.setattr(final_fit, "chances_of_nought", lambda fitted: [0.5 for _ in fitted.terms])
+    monkeypatch.setattr(close, "chances_of_nought", lambda fitted: [0.5 for _ in fitted.terms])
     closed = close_loop(replace(run, run_id="again"))
     assert closed.accepted == ()
     refused = next(e for e in closed.rejected if (e.effect, e.channels) == ("offset-current", ("i_load",)))

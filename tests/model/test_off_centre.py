@@ -32,7 +32,7 @@ def draw() -> np.random.Generator:
 def test_a_harmonic_has_no_divergence_and_no_curl(degree: str, draw: np.random.Generator) -> None:
     at, step = draw.normal(0, 0.5, 3), 1e-5
     for which in ("xx", "xy") if degree == "1" else "xyz":
-        sides = [off_centre._harmonic(degree, which, at + sign * step * np.eye(3)) for sign in (1, -1)]
+        sides = [off_centre.harmonic(degree, which, at + sign * step * np.eye(3)) for sign in (1, -1)]
         slope = (sides[0] - sides[1]) / (2 * step)  # row i: the derivative by x_i
         assert abs(np.trace(slope)) < 1e-8 * np.abs(slope).max()
         assert np.abs(slope - slope.T).max() < 1e-8 * np.abs(slope).max()

@@ -5,6 +5,7 @@ An effect that is no more than its uncertainty there, declared errors included, 
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,11 +19,17 @@ from labcal.loop.selection.crossval import rms
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence, prove
 from labcal.loop.selection.select import Selection, contribution
-from labcal.loop.uncertainty import chances_of_nought
+
+Chances = Callable[[JointFit], Sequence[float]]
 
 
-def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> tuple[Evidence, JointFit]:
-    """The fit with the accepted effects; those that it does not arrive with are given up, and the rest proven anew."""
+def final_fit(
+    problem: LinearProblem, found: Evidence, selection: Selection, chances_of_nought: Chances
+) -> tuple[Evidence, JointFit]:
+    """The fit with the accepted effects; those that it does not arrive with are given up, and the rest proven anew.
+
+    So are those that may be nought: `chances_of_nought` tells how often each term would seem as large.
+    """
     astray, nought = dict[Cause, float](), dict[Cause, float]()
     while found.accepted:
         fitted = _nearest(problem, found)
@@ -31,7 +38,7 @@ def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> 
             place = len(found.accepted) - 1
             astray[found.accepted[place].cause] = left
         else:
-            place, chance = _least_certain(found, fitted)
+            place, chance = _least_certain(found, chances_of_nought(fitted))
             if chance <= policy.POLICY.significance:
                 return _as_told(found, left), fitted
             nought[found.accepted[place].cause] = chance
@@ -39,10 +46,10 @@ def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> 
     return found, base_fit(problem, found)
 
 
-def _least_certain(found: Evidence, fitted: JointFit) -> tuple[int, float]:
+def _least_certain(found: Evidence, chances: Sequence[float]) -> tuple[int, float]:
     """The place of the accepted effect that is likeliest nought, all members of a set together, and its chance."""
     ends = np.cumsum([len(chosen.parts) for chosen in found.accepted])
-    each = [float(part.min()) for part in np.split(np.array(chances_of_nought(fitted)), ends[:-1])]
+    each = [float(part.min()) for part in np.split(np.array(chances), ends[:-1])]
     place = int(np.argmax(each))
     return place, each[place]
 

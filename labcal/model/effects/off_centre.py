@@ -55,7 +55,7 @@ def columns(names: Names, lon_deg: float, lat_deg: float, up_deg: float, rig: Ri
     """
     place = _place(rig, *np.radians([lon_deg, lat_deg, up_deg]))
     harmonics, drive, which = _arranged(names)
-    fields = np.stack([_harmonic(degree, axis, place) for degree, axis in harmonics], axis=2)
+    fields = np.stack([harmonic(degree, axis, place) for degree, axis in harmonics], axis=2)
     drives = np.column_stack([rig.reference_nT, np.ones(len(place))])
     return np.asarray(fields[:, :, which] * drives[:, None, drive])
 
@@ -82,7 +82,8 @@ def _place(rig: Rig, lon: float, lat: float, up: float) -> Array:
     return np.asarray(np.cos(up) * (lever @ rig.to_body) + np.sin(up) * np.nan_to_num(rig.axis_cage))
 
 
-def _harmonic(degree: str, which: str, place: Array) -> Array:
+def harmonic(degree: str, which: str, place: Array) -> Array:
+    """The field (n, 3) at places (n, 3) of one harmonic of this degree: a matrix's, or about an axis."""
     return place @ traceless(which) if degree == "1" else _about_axis(degree, which, place)
 
 
