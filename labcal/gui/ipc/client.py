@@ -243,8 +243,9 @@ class Client(QObject):
 
 def _end(worker: int) -> None:
     """As QProcess ends a process of its own; the line to it is open, so it is that process still."""
+    at_once = getattr(signal, "SIGKILL", signal.SIGTERM)  # Windows, which has no SIGKILL, ends it by either
     with suppress(OSError):
-        os.kill(worker, signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
+        os.kill(worker, at_once)
 
 
 def _named_signal(number: int) -> str:
