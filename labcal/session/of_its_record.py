@@ -56,8 +56,8 @@ def deletions(store: Store) -> Iterator[str]:
 
 def _of_bundle(stated: Calibration, bundle: Bundle) -> OfRecord:
     """A bundle's chain was walked when it was read; `verify` compares the two heads."""
-    against = _of_head(stated, bundle.stated_chain is not None)
-    unshown = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
+    against: tuple[str, ...] = _of_head(stated, bundle.stated_chain is not None)
+    unshown: tuple[str, ...] = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
     with suppress(InputError), Store.open() as store:
         if bundle.stated_chain and store.has(stated.run_id) and store.has_head(stated.run_id, bundle.stated_chain):
             against += _of_cage(stated, store)
@@ -85,10 +85,10 @@ def _of_imported(stated: Calibration, bundle: Bundle, noted: tuple[str, ...]) ->
     if bundle.sha256 != stated.run_sha256:
         told = f"run_sha256: the run {stated.run_id} of this store is not the one that it states"
         return OfRecord((told,))
-    against = _of_head(stated, bundle.stated_chain is not None)
+    against: tuple[str, ...] = _of_head(stated, bundle.stated_chain is not None)
     if bundle.stated_chain is not None and stated.chain and dict(stated.chain) != bundle.stated_chain:
         against += _another_head(stated)
-    unshown = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
+    unshown: tuple[str, ...] = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
     if stated.cage_sha256 is not None and not bundle.chain:
         unshown += ("cage_sha256: its run came without the record that names its cage",)
     if any(head.encode() not in bundle.chain for head in noted):
