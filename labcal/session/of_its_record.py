@@ -72,10 +72,8 @@ def _of_store(stated: Calibration, store: Store) -> OfRecord:
     noted = noted_heads().get(stated.run_id, ())
     if store.status(stated.run_id) == "imported":
         return _of_imported(stated, store.bundle(stated.run_id), noted)
-    against = (
-        () if head_holds else (f"chain: the head that it states is none of the run {stated.run_id} of this store",)
-    )
-    against += _of_head(stated, store.head_of(stated.run_id) is not None) + _of_cage(stated, store)
+    against = _of_cage(stated, store) if head_holds else _another_head(stated)
+    against += _of_head(stated, store.head_of(stated.run_id) is not None)
     if why := _against_log(store, stated.run_id, noted):
         against += (f"chain: {why}",)
     return OfRecord(against)
