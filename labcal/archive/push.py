@@ -136,11 +136,14 @@ def push_calibration(
         return _add(connection, tables.DOCUMENT, site, [_document(digest, one) for one in documents]) > 0 or new
 
 
-def last_entry(archive: Archive, site: str, log: str) -> int:
-    """The number of the last entry of an audit log that is there; 0 where none is."""
-    last = select(func.max(tables.AUDIT.c.number)).where(tables.AUDIT.c.site == site, tables.AUDIT.c.log == log)
+def last_entry(archive: Archive, site: str, log: str) -> tuple[int, frozenset[str]]:
+    """The number of the last entry of an audit log that is there, 0 where none is, and the links of that number."""
+    c = tables.AUDIT.c
+    own = select(c.number, c.link).where(c.site == site, c.log == log)
+    last = own.where(c.number == select(func.max(c.number)).where(c.site == site, c.log == log).scalar_subquery())
     with archive.transaction() as connection:
-        return connection.scalar(last) or 0
+        found = [(int(number), str(link)) for number, link in connection.execute(last)]
+    return (found[0][0] if found else 0), frozenset(link for _, link in found)
 
 
 def push_audit(archive: Archive, site: str, log: str, entries: Iterable[AuditRow]) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
@@ -72,6 +73,26 @@ def run_named(archive: Archive, run: str, site: str | None) -> dict[str, Any]:
             f"{archive.address.shown}: there are {len(found)} runs {run!r} ({each}): name one by its SHA-256"
         )
     return found[0]
+
+
+def came_utc(archive: Archive, digests: Sequence[str]) -> dict[str, datetime]:
+    """When the signatures of these SHA-256 came to the archive first, by its server's clock; those that are there."""
+    c = DOCUMENT.c
+    listed = select(c.sha256, func.min(c.pushed_utc)).where(c.kind == "signature", c.sha256.in_(digests))
+    with archive.transaction() as connection:
+        return {str(digest): utc for digest, utc in connection.execute(listed.group_by(c.sha256))}
+
+
+def superseding(archive: Archive, sha256: str) -> list[tuple[str, str, bytes, dict[str, bytes]]]:
+    """The calibrations that state to supersede the file of this SHA-256: site, SHA-256, bytes, {name: signature}."""
+    c, d = CALIBRATION.c, DOCUMENT.c
+    with archive.transaction() as connection:
+        found = connection.execute(select(c.site, c.sha256, c.content).where(c.supersedes == sha256)).all()
+        each = []
+        for site, digest, content in found:
+            listed = select(d.name, d.content).where(d.site == site, d["of"] == digest, d.kind == "signature")
+            each.append((site, digest, content, {str(name): made for name, made in connection.execute(listed)}))
+        return each
 
 
 def calibrations(archive: Archive, wanted: Wanted) -> list[dict[str, Any]]:

@@ -21,7 +21,7 @@ from sqlalchemy import (
     text,
 )
 
-SCHEMA, VERSION = "labcal", "0001"
+SCHEMA, VERSION = "labcal", "0002"
 METADATA = MetaData(schema=SCHEMA)
 
 
@@ -88,7 +88,8 @@ PARAMETER = Table(  # `of` is "map" (K and k), "figure" (offset, scale, angles b
 
 DOCUMENT = Table(  # a signature or a report of the calibration `of`
     "document", METADATA, _key("site"), _key("of"), _key("sha256"), _text("kind"), _text("name"),
-    _text("signer"), _text("objection"), Column("content", LargeBinary, nullable=False),
+    _text("signer"), _text("objection"), Column("content", LargeBinary, nullable=False), _pushed()[0],
+    Index("document_content", "sha256"),
 )  # fmt: skip
 
 AUDIT = Table(  # `log` is the link of a log's first entry: a site may have several machines

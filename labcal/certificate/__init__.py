@@ -23,7 +23,7 @@ from labcal.certificate.signing import (
     signature_files,
     verify,
 )
-from labcal.certificate.stated import Stated, state, stated_by_people
+from labcal.certificate.stated import Stated, check_stated, state, stated_by_people
 from labcal.certificate.superseding import keep_superseding, superseded_by
 
 __all__ = [
@@ -42,6 +42,7 @@ __all__ = [
     "check_approvers",
     "check_effects",
     "check_roles",
+    "check_stated",
     "flight",
     "hand_out",
     "keep_superseding",

@@ -1,15 +1,16 @@
 """A calibration beside what its run gives once it is worked out again: which fields differ, and what follows.
 
 By the same version every field has to come out again, but those that people set: the map and the effects' parameters
-within a hundredth of their u, all other numbers but for rounding. By another version the map, the effects and their
-uncertainties are compared alone, and what the run itself states.
+within a hundredth of their u, all other numbers but for rounding. By another version what its final fit gives has to
+come out again within a tenth of U (map, effects, covariance, budget, lines of the specification), a tenth of each rms
+that a fit has, no less that is not covered, and what the run itself states.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
@@ -18,6 +19,7 @@ import numpy as np
 from labcal.certificate.calibration_file import calibration_bytes
 from labcal.model import Calibration
 from labcal.model.affine import MAP_PARAMETERS
+from labcal.record import Run
 
 SAME_U = 0.01  # of u
 OTHER_U = 0.1  # of U = 2 u
@@ -28,7 +30,12 @@ NOTHING = 1e-12  # what cancels leaves as much
 BY_PEOPLE = frozenset({"format", "approvers", "supersedes", "number", "issued_utc", "validity.until"})
 OF_THE_STORE = frozenset({"cage_sha256", "chain"})  # a bundle of the same run does not tell them
 OF_THE_RUN = frozenset({"run_id", "run_sha256", "simulated", "dut", "span_s", "operator"})
-OF_THE_FIT = frozenset({"K", "k_nT", "effects", "covariance", "validity"})
+OF_THE_FIT = frozenset(
+    {"K", "k_nT", "effects", "findings", "covariance", "validity", "metrics", "specification", "budget", "k_at"}
+    | {"not_covered", "instruments"}
+)
+NEW_OF_2 = frozenset({"budget", "k_at", "not_covered"})
+OF_THE_LOOP = "residual"  # the line of a specification that rests on held-out time
 Document = Mapping[str, Any]
 
 
@@ -57,14 +64,60 @@ def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
 
     Not so where it states another run than its own.
     """
-    one, other = _document(stated), _document(made)
-    if false := _differences(one, other, OF_THE_RUN, {}):
+    if false := _of_the_run(stated, made):
         return Recomputed(False, false, holds=False)
-    one, other = (
-        {**d, "effects": _numbers(d), "covariance": _uncertainties(c)} for d, c in ((one, stated), (other, made))
-    )
-    found = _differences(one, other, OF_THE_FIT, _limits(made, 2 * OTHER_U) | _u_limits(other))
+    one, other = _of_a_final_fit(stated, made), _of_a_final_fit(made, stated)
+    one["not_covered"] = min(one.get("not_covered", 0), other["not_covered"])  # more may be named
+    fields = OF_THE_FIT - (NEW_OF_2 if stated.format == "labcal-calibration/1" else set())
+    found = _differences(one, other, fields, _limits(made, 2 * OTHER_U) | _between_versions(other))
+    found += _not_its_version(one)
     return Recomputed(not found, found)
+
+
+def of_its_run(stated: Calibration, run: Run) -> tuple[str, ...]:
+    """The fields of `stated` that another run than its own is told by, each in words."""
+    span = (float(run.t_s[0]), float(run.t_s[-1]))
+    made = replace(stated, run_id=run.run_id, simulated=run.simulated, operator=run.operator, dut=run.dut, span_s=span)
+    return _of_the_run(stated, made)
+
+
+def _of_the_run(stated: Calibration, made: Calibration) -> tuple[str, ...]:
+    return _differences(_document(stated), _document(made), OF_THE_RUN, {})
+
+
+def _not_its_version(stated: Document) -> tuple[str, ...]:
+    """Each version states itself twice."""
+    version = ((stated.get("made_by") or {}).get("version") or "").partition(" ")[0]
+    if not version or stated["software"] == f"labcal {version}":
+        return ()
+    return (f"software: {_said(stated['software'])} is stated, and made_by.version is {_said(version)}",)
+
+
+def _of_a_final_fit(calibration: Calibration, other: Calibration) -> dict[str, Any]:
+    """What can be compared between versions with the same of `other`, by field."""
+    stated = _document(calibration)
+    stated["effects"], stated["findings"] = _numbers(stated["effects"]), _numbers(stated["findings"])
+    stated["covariance"] = [row[:12] for row in (stated["covariance"] or [])[:12]]  # the map's
+    stated["metrics"] = _metrics(calibration, other)
+    stated["specification"] = [
+        {name: line[name] for name in ("quantity", "limit", "unit", "rule", "result", "value", "U")}
+        for line in map(dict, calibration.specification)
+        if not line["quantity"].startswith(OF_THE_LOOP)
+    ]
+    if "budget" in stated:
+        stated["budget"] = {f"{one['quantity']} at {one['at']}": one["U"] for one in stated["budget"]}
+        stated["not_covered"] = len(stated["not_covered"])  # the words may be others
+    return stated
+
+
+def _metrics(calibration: Calibration, other: Calibration) -> dict[str, float]:
+    """Those of both: a final fit has none of the loop's."""
+    return {
+        f"{when}.{name}": value
+        for when, found in calibration.metrics.items()
+        for name, value in found.items()
+        if name in other.metrics.get(when, {})
+    }
 
 
 def _document(calibration: Calibration) -> dict[str, Any]:
@@ -72,13 +125,14 @@ def _document(calibration: Calibration) -> dict[str, Any]:
     return stated
 
 
-def _numbers(document: Document) -> list[dict[str, Any]]:
-    """The effects, with their parameters' values alone."""
+def _numbers(effects: Iterable[Document]) -> list[dict[str, Any]]:
+    """The effects but those of the data, with their parameters' values and u alone."""
     named = ("effect", "channels", "belongs_to", "reference_value")
     return [
         {name: effect[name] for name in named}
-        | {"parameters": [{"name": p["name"], "value": p["value"]} for p in effect["parameters"]]}
-        for effect in document["effects"]
+        | {"parameters": [{"name": p["name"], "value": p["value"], "u": p["u"]} for p in effect["parameters"]]}
+        for effect in effects
+        if effect["belongs_to"] != "data"
     ]
 
 
@@ -89,8 +143,26 @@ def _uncertainties(calibration: Calibration) -> dict[str, float]:
     return dict(zip((f"u({name})" for name in MAP_PARAMETERS), np.sqrt(np.diag(calibration.covariance)), strict=False))
 
 
-def _u_limits(document: Document) -> dict[str, float]:
-    return {f"covariance.{name}": OTHER_U * u for name, u in document["covariance"].items()}
+def _between_versions(made: Document) -> dict[str, float]:
+    """By how much what a final fit gives may differ between versions, by its place."""
+    shares = {f"metrics.{name}": OTHER_U * value for name, value in made["metrics"].items()}
+    if "budget" in made:
+        shares |= {f"budget.{name}": OTHER_U * value for name, value in made["budget"].items()}
+    for i, line in enumerate(made["specification"]):
+        shares |= {f"specification[{i}].{name}": OTHER_U * line["U"] for name in ("value", "U")}
+    for place in ("effects", "findings"):
+        for i, effect in enumerate(made[place]):
+            for j, p in enumerate(effect["parameters"]):
+                at = f"{place}[{i}].parameters[{j}]"
+                shares |= {f"{at}.value": 2 * OTHER_U * p["u"], f"{at}.u": OTHER_U * p["u"]}
+    for i, row in enumerate(made["covariance"]):
+        shares |= {f"covariance[{i}][{j}]": 2 * OTHER_U * _scale(made, i, j) for j in range(len(row))}
+    return shares
+
+
+def _scale(made: Document, i: int, j: int) -> float:
+    """The product of two standard uncertainties of the map."""
+    return float(np.sqrt(made["covariance"][i][i] * made["covariance"][j][j]))
 
 
 def _limits(made: Calibration, share: float) -> dict[str, float]:

@@ -31,6 +31,7 @@ MADE = (
     "CREATE TRIGGER IF NOT EXISTS certificate_next BEFORE INSERT ON certificate WHEN NEW.running <> (SELECT "
     f"coalesce(max(running), 0) + 1 FROM certificate WHERE series = NEW.series AND year = NEW.year) {NEVER}",
 )
+NUMBER = re.compile(r"([A-Z0-9]+-[A-Z0-9]+)-(\d{4})-(\d{4,9})", re.ASCII)
 COLUMNS = "series, year, running, utc, run_id, file, state, reason, sha256"
 
 
@@ -105,6 +106,8 @@ def part_of(bench: str) -> str:
 def _check(register: sqlite3.Connection, number: str, run_id: str, sha256: str) -> Numbered | None:
     found = _find(register, number)
     if found is None:
+        if not NUMBER.fullmatch(number):
+            raise InputError(f"number: {number[:40]!r} is no LAB-BENCH-YEAR-NNNN; make the draft again")
         series = number.rsplit("-", 2)[0]
         if register.execute("SELECT 1 FROM certificate WHERE series = ? LIMIT 1", (series,)).fetchone():
             raise InputError(f"number: {number} was never given out; make the draft again")
@@ -125,8 +128,7 @@ def _require(register: sqlite3.Connection, number: str, home: Path) -> Numbered:
 
 
 def _find(register: sqlite3.Connection, number: str) -> Numbered | None:
-    match = re.fullmatch(r"([A-Z0-9]+-[A-Z0-9]+)-(\d{4})-(\d{4,9})", number, re.ASCII)
-    if match is None:
+    if (match := NUMBER.fullmatch(number)) is None:
         return None
     where = (match[1], int(match[2]), int(match[3]))
     asked = f"SELECT {COLUMNS} FROM certificate WHERE series = ? AND year = ? AND running = ?"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
-from datetime import date, datetime
+from datetime import UTC, date, datetime, timedelta
 from hashlib import sha256
 from pathlib import Path
 
@@ -12,6 +13,8 @@ from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.model import Calibration
+
+CLOCKS_DIFFER = timedelta(minutes=10)  # between the computers of a lab
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,27 @@ def stated_by_people(until: str | None, supersedes: Path | None, today: date | N
         return Stated(until)
     content = read_limited(supersedes, LARGEST_BYTES)
     return Stated(until, sha256(content).hexdigest(), parse_calibration(content, supersedes).dut.serial)
+
+
+def check_stated(calibration: Calibration, path: Path, now: datetime) -> None:
+    """Raise InputError, naming the field, for what nobody can have stated of a file that is signed `now`."""
+    if (until := calibration.validity.until) is not None and date.fromisoformat(until) < now.date():
+        raise InputError(f"validity.until: {until} is past; nothing was written", file=path)
+    supersedes = calibration.supersedes
+    if supersedes is not None and not re.fullmatch("[0-9a-f]{64}", supersedes, re.ASCII):
+        raise InputError("supersedes: is the SHA-256 of no file; nothing was written", file=path)
+    if calibration.issued_utc is not None and calibration.number is not None:
+        _check_issued(calibration.issued_utc, path, now)
+
+
+def _check_issued(stated: str, path: Path, now: datetime) -> None:
+    try:
+        issued = datetime.fromisoformat(stated).astimezone(UTC)
+    except (ValueError, OverflowError):
+        raise InputError(f"issued_utc: {stated[:40]!r} is no time; nothing was written", file=path) from None
+    if issued > now + CLOCKS_DIFFER:
+        told = f"issued_utc: {stated} is later than this computer's clock, {now:%Y-%m-%d %H:%M} UTC"
+        raise InputError(f"{told}: one of them is wrong; nothing was written", file=path)
 
 
 def _day(stated: str) -> date:

@@ -1,4 +1,4 @@
-"""When a signature is shown to have been there, and by what: an RFC 3161 token beside it, the lab's audit log.
+"""When a signature is shown to have been there, by what: an RFC 3161 token, the lab's audit log, the archive.
 
 `CAL.json.sshsig.tsr` is a time-stamping authority's reply for the bytes of `CAL.json.sshsig`, checked by the system's
 `openssl ts`; `timestamp_ca.pem` among the lab's keys holds the certificates of those it believes.
@@ -26,7 +26,7 @@ from labcal.files.home import for_children
 
 LARGEST_BYTES = 2**17
 WITHIN_S = 60.0
-BY = {"token": "its time-stamp token", "audit log": "the audit log"}
+BY = {"token": "its time-stamp token", "audit log": "the audit log", "archive": "the archive"}
 ANSWERED_S = 20.0  # an authority that takes longer is not waited for
 MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 _STAMP = re.compile(
@@ -39,7 +39,7 @@ class ShownTime:
     """A signature was there at `utc`, as something else than its signer shows."""
 
     utc: datetime
-    by: Literal["token", "audit log"]
+    by: Literal["token", "audit log", "archive"]
 
     def in_words(self) -> str:
         """Time and source."""

@@ -61,6 +61,9 @@ def verify(
     allowed_signers: Path | None = typer.Option(None, help="Trust this list instead of the lab's."),
     run: str | None = typer.Option(None, metavar="RUN", help="Check too that it came from this run."),
     require: Literal["released"] | None = typer.Option(None, help="Exit code 1 also where it is only provisional."),
+    archive: str | None = typer.Option(
+        None, metavar="URL", help="Ask this archive too, else that of LABCAL_ARCHIVE: times, and what supersedes it."
+    ),
     json_file: str | None = JSON,
     force: bool = FORCE,
 ) -> int:
@@ -69,10 +72,12 @@ def verify(
     Exit code 0: released or provisional; 1: not valid, not signed, expired or superseded.
     """
     from labcal import session
+    from labcal.session.in_archive import asking
 
     read = [calibration, *([allowed_signers] if allowed_signers else []), *(session.paths(run) if run else [])]
     claim("verify", json_path(json_file), inputs=read, force=force)
-    result = session.verify(calibration, allowed_signers, run, step_line)
+    in_archive = asking(archive, partial(say, err=True))
+    result = session.verify(calibration, allowed_signers, run, step_line, in_archive=in_archive)
     if json_file is not None:
         write_json(_document(result), json_file, "verify", inputs=read, force=force)
     if json_file != "-":
@@ -94,7 +99,7 @@ def _document(result: Verification) -> dict[str, object]:
 
 
 def _signature(result: Verification, check: Check) -> dict[str, object]:
-    """One signature: whose it is, when it was made, and by what that is known: a token, the audit log, or a claim."""
+    """One signature: whose it is, when it was made, and by what that is known: a token, audit log, archive, claim."""
     stated = result.calibration.issued_utc if result.calibration else None
     seen = check.shown
     utc = stated if seen is None else seen.utc.isoformat(timespec="seconds").replace("+00:00", "Z")

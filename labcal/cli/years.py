@@ -193,7 +193,7 @@ def fleet(
     from labcal.years.fleet import USUAL_BATCH, fleet_of
     from labcal.years.fleet_page import fleet_document, fleet_page
 
-    history = [one for one in _history(read, archive) if model in (None, one.model)]
+    history = [one for one in _history(read, archive, undated=True) if model in (None, one.model)]
     found = fleet_of(history, batch if batch is not None else USUAL_BATCH)
     _give("fleet", fleet_document(found), fleet_page(found), json, out, read, force=force)
     return DONE
@@ -207,14 +207,16 @@ def _stated(serial: str, repeats: int, baseline: int) -> CheckStandardConfig:
     return CheckStandardConfig(serial=serial, repeats=repeats, baseline=baseline)
 
 
-def _history(read: Sequence[Path], archive: str | None, serial: str | None = None) -> list[Calibrated]:
+def _history(
+    read: Sequence[Path], archive: str | None, serial: str | None = None, *, undated: bool = False
+) -> list[Calibrated]:
     from labcal.years.history import from_archive, from_files, of_this_lab
 
     if archive is not None:
         if read:
             raise InputError("say files, or --archive")
         return from_archive(archive, serial=serial)
-    return from_files(read, _remark) if read else of_this_lab(_remark)
+    return from_files(read, _remark, undated=undated) if read else of_this_lab(_remark, undated=undated)
 
 
 def _bench_and_file(text: str) -> tuple[str, Path]:

@@ -47,6 +47,7 @@ def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda
         affine=found.problem.affine,
         covariance=of_file.covariance,
         covariance_of=of_file.names,
+        sources=of_file.sources,
         frame_known=not bool((problem.observations.kind == SCALAR).all()),
         effects=tuple(replace(e, parameters=found) for e, found in zip(effects, parameters, strict=True)),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 from datetime import datetime
 from hashlib import sha256
@@ -22,10 +23,12 @@ def note(deed: audit.Deed, who: str = "", **about: str | None) -> None:
         raise InputError(f"done ({deed}), but not in the audit log: {fault.what}", file=fault.file) from None
 
 
-def note_file(deed: audit.Deed, who: str, path: Path, signature: Path | None = None) -> None:
-    """The same of a file, told by its name and the SHA-256 of what it holds now; so is its new `signature`."""
+def note_file(
+    deed: audit.Deed, who: str, path: Path, signature: Path | None = None, number: str | None = None, **about: str
+) -> None:
+    """The same of a file, told by its name, the SHA-256 of what it holds now, so is its new `signature`, its number."""
     signed = None if signature is None else _sha256(signature)
-    note(deed, who, file=path.name, sha256=_sha256(path), signature=signed)
+    note(deed, who, file=path.name, sha256=_sha256(path), signature=signed, number=number, **about)
 
 
 def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
@@ -52,6 +55,36 @@ def noted_utc(signature: bytes) -> datetime | None:
         if entry.deed in ("sign", "approve") and entry.about.get("signature") == digest:
             return datetime.fromisoformat(latest)
     return None
+
+
+def noted_heads() -> dict[str, tuple[str, ...]]:
+    """The heads that the chain of each run had whenever it ended here, as the log took them down, in its order."""
+    found = dict[str, tuple[str, ...]]()
+    with suppress(InputError):
+        if not any(b'"deed":"run"' in text for _, text, _ in audit.stored(home())):
+            return found
+        for entry in audit.read(home()).entries:
+            if entry.deed == "run" and "chain" in entry.about:
+                run = entry.about["run"]
+                found[run] = (*found.get(run, ()), entry.about["chain"])
+    return found
+
+
+def noted_cages(bench: str) -> list[audit.Entry]:
+    """The approvals of cage calibrations of a bench by its name, in the order of the log."""
+    with suppress(InputError):
+        if any(b'"measured_utc"' in text for _, text, _ in audit.stored(home())):
+            entries = audit.read(home()).entries
+            return [one for one in entries if one.deed == "approve" and one.about.get("cage") == bench]
+    return []
+
+
+def noted_number(number: str) -> set[str]:
+    """What the log says was done with a certificate number: approve, sign, void."""
+    with suppress(InputError):
+        if any(number.encode() in text for _, text, _ in audit.stored(home())):
+            return {entry.deed for entry in audit.read(home()).entries if entry.about.get("number") == number}
+    return set()
 
 
 def _sha256(path: Path) -> str:

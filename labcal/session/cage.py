@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from datetime import UTC, datetime
+from hashlib import sha256
 from pathlib import Path
 
 from labcal import certificate
@@ -17,7 +18,8 @@ from labcal.files.atomic import write_text
 from labcal.files.home import home
 from labcal.files.outputs import claim
 from labcal.runner.cage import approved_cage
-from labcal.session.audited import note_file
+from labcal.session.audited import note_file, noted_cages
+from labcal.session.numbering import bench_name
 from labcal.session.signing import shown
 from labcal.session.stamping import stamp
 from labcal.session.trust import handed_out
@@ -41,7 +43,8 @@ def approve_cage(
     [output] = claim("bench cage", out, force=force)
     signer = _approver_with_key(name)
     with Store.open() as kept:
-        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
+        header = kept.header(run)
+        found = approved_cage(header, kept.status(run), kept.items(run, but="block"), name)
     armoured = None
     if signer is not None:
         armoured = signed(cage_text(found).encode(), certificate.keys.signing_key(home(), signer, ask(signer)))
@@ -50,25 +53,43 @@ def approve_cage(
     signature = None if armoured is None else cage_signature_file(out)
     if signature is not None and armoured is not None:
         write_text(signature, armoured)
-    note_file("approve", name, out, signature)
+    about = {"cage": bench_name(header.bench), "measured_utc": found.measured_utc}
+    note_file("approve", name, out, signature, **about)
     if signature is not None and (said := stamp(signature, run)) is not None:
         tell(said)
     return found, signature
 
 
 def cage_remark(bench: Path) -> str | None:
-    """What is to be said of the cage calibration that a bench file names; None where it is signed, or none is named.
+    """What is to be said of the cage calibration that a bench file names; None where it is signed and the newest that
+    was approved here, or none is named.
 
     Raises InputError where its signature does not hold.
     """
-    named = read_config(bench).cage.calibration
+    config = read_config(bench)
+    named = config.cage.calibration
     if named is None or not (cage := bench.parent / named).is_file():
         return None  # a file that is not there is told when the bench is opened
-    approver = ""
+    found: CageCalibration | None = None
     with suppress(InputError):  # what is wrong with its text is told by its signature, else when the bench is opened
-        approver = read_cage(cage).approved_by
-    gone = certificate.keys.revoked(home())
-    return check_cage(cage, approver, handed_out(), gone, datetime.now(UTC), shown)
+        found = read_cage(cage)
+    approver, gone = found.approved_by if found else "", certificate.keys.revoked(home())
+    unsigned = check_cage(cage, approver, handed_out(), gone, datetime.now(UTC), shown)
+    older = None if found is None else _older(cage, found, config.name)
+    return " ".join(said for said in (unsigned, older) if said) or None
+
+
+def _older(cage: Path, found: CageCalibration, bench: str) -> str | None:
+    """That a later cage calibration of this bench was approved here, as the audit log says; None where none was."""
+    if not (approved := noted_cages(bench)):
+        return None
+    *before, last = approved
+    digest = sha256(cage.read_bytes()).hexdigest()
+    known = any(entry.about["sha256"] == digest for entry in before)
+    if last.about["sha256"] == digest or not (known or found.measured_utc < last.about["measured_utc"]):
+        return None
+    newest = f"{last.who} approved that of {last.about['measured_utc'][:10]} on {last.utc[:10]}"
+    return f"{cage.name}, measured {found.measured_utc[:10]}, is not the newest of this bench: {newest}."
 
 
 def _approver_with_key(name: str) -> str | None:

@@ -86,13 +86,15 @@ def charts_of_bench(path: Path) -> Charts:
 def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override: Override | None) -> First | None:
     """What the record of a run begins with, where a person lets it begin; None where nothing is against it.
 
-    Raises InputError where the check standard is out of control and nobody does. Its own runs always may begin.
+    Raises InputError where the check standard is out of control and nobody does, and where somebody answers for
+    nothing. Its own runs always may begin.
     """
-    config = read_config(path)
-    if config.check_standard is None or (dut or config.dut.serial) == config.check_standard.serial:
-        return None
-    out = {name: why(chart) for name, chart in charts_of_bench(path).out.items()}
-    if not out:
+    config, out = read_config(path), dict[str, str]()
+    own = config.check_standard is None or (dut or config.dut.serial) == config.check_standard.serial
+    if not own:
+        out = {name: why(chart) for name, chart in charts_of_bench(path).out.items()}
+    if config.check_standard is None or not out:
+        _refuse_needless(override, path)
         return None
     said = "; ".join(f"{name}: {reason}" for name, reason in out.items())
     told = f"the check standard {config.check_standard.serial} is out of control ({said})"
@@ -105,6 +107,12 @@ def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override:
     return KIND, f"{told}; {override.who} lets the run begin: {override.because}", _statement(
         override, config.name, config.check_standard.serial, out, procedure, run_id
     )  # fmt: skip
+
+
+def _refuse_needless(override: Override | None, path: Path) -> None:
+    if override is not None:
+        told = "nothing keeps this run from beginning, so that there is nothing to answer for"
+        raise InputError(f"{told}: begin it without --override; nothing was energised", file=path)
 
 
 def why(chart: Chart) -> str:

@@ -14,16 +14,18 @@ from labcal.certificate import register
 from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import read_laboratory
 from labcal.certificate.register import Numbered
+from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
 from labcal.record import RunHeader
-from labcal.session.audited import note
+from labcal.session.audited import note, noted_number
 from labcal.store import Store
 from labcal.store.listing import FILE as STORE
 
 Issue = Callable[[Calibration], Calibration]
 SIMULATED, UNNAMED = "SIM", "LAB"
+WITHOUT = "number: none is stated, and an approval gives one; nothing was written: make the draft again, and approve it"
 
 
 @contextmanager
@@ -39,10 +41,15 @@ def issuing(path: Path) -> Iterator[Issue]:
         if draft.format == "labcal-calibration/1":
             return draft  # it has no field for either
         utc = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
+        if draft.number is None and len(draft.approvers) > 1:
+            raise InputError(WITHOUT, file=path)
         if draft.number is None:
             taken.append(register.take(home(), *_bench_of(draft), draft.run_id, path.name, utc))
+            _refuse_one_given_before(taken[-1])
+        elif len(draft.approvers) == 1:
+            raise InputError(_by_hand(draft.number), file=path)
         else:
-            register.check(home(), draft.number, draft.run_id)
+            _check(draft, draft.number)
         return replace(draft, number=draft.number or taken[-1], issued_utc=utc)
 
     try:
@@ -54,10 +61,39 @@ def issuing(path: Path) -> Iterator[Issue]:
         raise
 
 
-def check_number(calibration: Calibration, content: bytes) -> None:
-    """Raise InputError where what is about to be signed bears a number that is not its own."""
+def check_number(calibration: Calibration, path: Path) -> None:
+    """Raise InputError where what is about to be signed bears a number that is not its own, or lost that it had."""
+    first = not signature_files(path)
     if calibration.number is not None:
-        register.check(home(), calibration.number, calibration.run_id, sha256(content).hexdigest())
+        if first and not calibration.approvers and "sign" not in noted_number(calibration.number):
+            raise InputError(_by_hand(calibration.number), file=path)
+        _check(calibration, calibration.number, sha256(path.read_bytes()).hexdigest())
+    elif first and calibration.approvers and calibration.format != "labcal-calibration/1":
+        raise InputError(WITHOUT, file=path)
+
+
+def _check(draft: Calibration, number: str, digest: str = "") -> None:
+    register.check(home(), number, draft.run_id, digest)
+    if "void" in noted_number(number):
+        raise InputError(f"number: {number} is void, as the audit log says; make the draft again")
+    code = bench = ""
+    with suppress(InputError):  # a laboratory.toml that cannot be read keeps nobody from signing
+        code, bench = _bench_of(draft)
+    series = number.rsplit("-", 2)[0]
+    if bench and series not in (f"{code}-{register.part_of(part)}" for part in (bench, "")):
+        raise InputError(f"number: {number} is none of the bench {bench}, which recorded its run; make the draft again")
+
+
+def _by_hand(number: str) -> str:
+    told = f"number: {number} is stated, and a draft that nobody has approved has none"
+    return f"{told}; nothing was written: make the draft again"
+
+
+def _refuse_one_given_before(number: str) -> None:
+    """A register that was lost, or put back as it was before, begins again with numbers that others have."""
+    if noted_number(number):
+        told = f"{number} was given out before, as the audit log says, and the register has lost it"
+        raise InputError(f"number: {told}: put back the newest {register.FILE} that you have", file=home())
 
 
 def keep_signed(calibration: Calibration, content: bytes) -> None:
@@ -84,7 +120,7 @@ def _bench_of(draft: Calibration) -> tuple[str, str]:
     if stated is None and (home() / LABORATORY).exists():
         stated = read_laboratory(home() / LABORATORY).laboratory
     code = SIMULATED if draft.simulated else UNNAMED if stated is None else stated.code
-    return code, "" if header is None else _name(header.bench)
+    return code, "" if header is None else bench_name(header.bench)
 
 
 def header_of(run_id: str) -> RunHeader | None:
@@ -96,7 +132,7 @@ def header_of(run_id: str) -> RunHeader | None:
     return None
 
 
-def _name(bench: str) -> str:
+def bench_name(bench: str) -> str:
     """The name that a bench file states; empty where its text is none."""
     try:
         return str(tomllib.loads(bench).get("name", ""))

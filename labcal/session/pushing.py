@@ -158,13 +158,19 @@ class Pusher:
         self.tell(f"{kind} {name}")
 
     def _audit_log(self) -> None:
-        """Push the entries that fit and are not there yet; none from the first on that does not fit."""
+        """Push the entries that fit and are not there yet; none from the first on that does not fit.
+
+        Raises InputError where the log here is not the one that was pushed before.
+        """
         stored = audit.stored(home())
         if not stored:
             return
         log = audit.link_of(stored[0][1])
-        last = last_entry(self.archive, self.site, log)
-        if last >= len(stored):
+        last, links = last_entry(self.archive, self.site, log)
+        if last and (last > len(stored) or links != {audit.link_of(stored[last - 1][1])}):
+            told = f"entry {last}, which the archive has, is not here, or is another"
+            raise InputError(f"the audit log was rewritten or put back since it was pushed: {told}", file=home())
+        if last == len(stored):
             return
         found = audit.read(home())
         if found.fault:

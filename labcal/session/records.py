@@ -13,7 +13,9 @@ from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
 from labcal.session import raw_frames
+from labcal.session.approved import keep_approved
 from labcal.session.audited import note
+from labcal.session.of_its_record import deletions
 from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
 from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
@@ -53,6 +55,8 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
         corrected = replace(corrected, chain=bundle.stated_chain)
         write_bytes(path, certificate.calibration_bytes(corrected))
         keep_corrected(draft, corrected)
+        if draft.approvers:
+            keep_approved(corrected)
     note("correct", who, run=run, serial=serial.strip())
 
 
@@ -70,7 +74,8 @@ def import_bundle(path: Path) -> str:
 def check_store(run: str | None = None) -> Checked:
     """Look through the local store, or one run of it, for the first thing that does not fit.
 
-    Where all rows fit, the raw frames are parsed again by the drivers that are here, and held against the samples.
+    Where all rows fit, the raw frames are parsed again by the drivers that are here, and held against the samples;
+    then the heads of the chains against those of the audit log.
     """
     found = store_check(home() / STORE, run)
     if found.fault:
@@ -82,7 +87,8 @@ def check_store(run: str | None = None) -> Checked:
                 parsed += raw_frames.compare(store, run_id)
         except raw_frames.Differs as differs:
             return replace(found, fault=str(differs))
-    return replace(found, parsed=parsed)
+        gone = next((said for said in deletions(store) if run is None or said.startswith(f"run {run}:")), "")
+    return replace(found, parsed=parsed, fault=gone)
 
 
 def export_run(run: str, format_: str, out: Path, *, force: bool = False) -> None:

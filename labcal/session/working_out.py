@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from labcal import certificate, loop
-from labcal.certificate.recomputed import Recomputed, final_fit, whole_way
+from labcal.certificate.recomputed import Recomputed, final_fit, of_its_run, whole_way
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
@@ -24,8 +24,8 @@ from labcal.loop.refit import refit
 from labcal.model import Calibration, EffectRecord
 from labcal.model.effects import find
 from labcal.record import Run
+from labcal.session.of_its_record import of_its_record
 from labcal.store import Bundle, Store
-from labcal.store.listing import FILE as STORE
 from labcal.version import __version__
 
 FOLDER = "worked-out"
@@ -75,42 +75,36 @@ def recomputed(
     """`stated` beside what its run gives, that of `bundle` or else of the local store; from what is kept if it can be.
 
     The whole way by the version that made it, else the final fit with its effects. `only_kept` works nothing out.
-    Before that the run's hash chain has to fit, and to have the head that is stated.
+    Before that nothing in the run's record may speak against it, its hash chain and the audit log among it.
     """
-    if (wrong := _against_its_chain(stated, bundle)) is not None:
-        return Recomputed(False, (f"chain: {wrong}",), holds=False)
+    of_record = of_its_record(stated, bundle)
+    if of_record.against:
+        return Recomputed(False, of_record.against, holds=False)
+    if of_record.fault:
+        return Recomputed(False, (of_record.fault,))
+    if of_record.gone:
+        return Recomputed(None, (of_record.gone,))
+    found = _worked_out(stated, bundle, progress, only_kept=only_kept)
+    return Recomputed(None, of_record.unshown) if found.same and of_record.unshown else found
+
+
+def _worked_out(stated: Calibration, bundle: Bundle | None, progress: Progress, *, only_kept: bool) -> Recomputed:
     for place, compared in ((_whole_place(stated), whole_way), (_final_place(stated), final_fit)):
         if (made := _kept(place)) is not None:
             return compared(stated, made)
     if only_kept:
         return Recomputed(None, (NOT_YET,))
-    if bundle is None and (bundle := _in_store(stated.run_id)) is None:
-        return Recomputed(None, (f"its run {stated.run_id} is not in this store",))
+    if bundle is None:
+        with Store.open() as store:
+            bundle = store.bundle(stated.run_id)
     if bundle.sha256 != stated.run_sha256:
         return Recomputed(False, (f"run_sha256: the run {stated.run_id} of this store is not the one that it states",))
     return _beside(stated, bundle, lambda step: progress(f"working the calibration out again: {step}"))
 
 
-def _against_its_chain(stated: Calibration, bundle: Bundle | None) -> str | None:
-    """What the hash chain of its run, of `bundle` or of the local store, has against it; None where nothing is."""
-    if bundle is not None or not (home() / STORE).exists():
-        return None  # a bundle's chain was walked when it was read, and `verify` compares the heads
-    with suppress(InputError), Store.open() as store:  # one that is damaged shows nothing
-        if store.has(stated.run_id):
-            return _misfit(store, stated)
-    return None
-
-
-def _misfit(store: Store, stated: Calibration) -> str | None:
-    try:
-        if store.has_head(stated.run_id, stated.chain):
-            return None
-    except InputError as misfit:
-        return misfit.what
-    return f"the head that it states is none of the run {stated.run_id} of this store"
-
-
 def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomputed:
+    if false := of_its_run(stated, bundle.run()):
+        return Recomputed(False, false, holds=False)
     how = way_of(stated)
     same = stated.made_by is not None and how["version"] == version()
     if not same and (strange := _stranger(stated, how)) is not None:
@@ -189,15 +183,6 @@ def _stranger(stated: Calibration, how: MadeBy) -> str | None:
         for i, record in enumerate(records):
             if find(record.effect) is None:
                 return f"{place}[{i}]: no installed package describes the effect {record.effect!r}"
-    return None
-
-
-def _in_store(run_id: str) -> Bundle | None:
-    """The run of this id in the local store; a file may name anything, and is never taken for a path."""
-    if not (home() / STORE).exists():
-        return None
-    with suppress(InputError), Store.open() as store:
-        return store.bundle(run_id)
     return None
 
 

@@ -16,8 +16,8 @@ from labcal.store import chain, schema
 from labcal.store.bundle import Bundle
 from labcal.store.database import PATIENCE_S, named_faults
 from labcal.store.items import KINDS, SAMPLES, Row, from_row, header_from_json
+from labcal.store.origin import ends
 
-ENDS = ("finished", "stopped", "imported")  # and "failed: why"; nothing follows these
 ITEM = f"SELECT number, {', '.join(Row._fields)} FROM item WHERE run = ? ORDER BY number"
 
 
@@ -121,17 +121,13 @@ def _of_statuses(statuses: list[tuple[str, str]], imported: bool) -> str:
     if words[:1] != ["imported" if imported else "running"]:
         return f"its first status is {words[0] if words else 'missing'}"
     for word, (_, utc) in zip(words, statuses, strict=True):
-        if word not in ("running", "interrupted") and not _ends(word):
+        if word not in ("running", "interrupted") and not ends(word):
             return f"{word!r} is no status"
         if not _is_time(utc):
             return f"{utc!r} is no time of a status"
-    if ended := [word for word in words[:-1] if _ends(word)]:
+    if ended := [word for word in words[:-1] if ends(word)]:
         return f"it was {ended[0]}, and another status follows"
     return ""
-
-
-def _ends(status: str) -> bool:
-    return status in ENDS or status.startswith("failed: ")
 
 
 def _of_head(run_id: str, header: str, imported: tuple[bytes, bytes] | None) -> str:

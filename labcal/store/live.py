@@ -41,7 +41,7 @@ from labcal.store.listing import (
     true_status,
 )
 from labcal.store.liveness import Alive
-from labcal.store.origin import chain_jsonl, last_link
+from labcal.store.origin import chain_jsonl, ends, last_link
 from labcal.store.place import require_same
 from labcal.store.schema import CORRECTED
 from labcal.store.summary import describe
@@ -202,11 +202,14 @@ class Store:
         return assemble(self.header(run_id), self.items(run_id, raw=False)) if imported is None else imported.run()
 
     def bundle(self, run_id: str, *, with_chain: bool = False) -> Bundle:
-        """The run's exported bundle, with its chain.jsonl where it is asked for; of an imported run what came in."""
+        """The run's exported bundle, with its chain.jsonl where it is asked for; of an imported run what came in.
+
+        A run that has not ended hands out no chain: nobody could tell it from one that was cut off.
+        """
         origin, imported = self.chain_of(run_id), self._imported(run_id)
         if imported is not None:
             return imported
-        lines = chain_jsonl(self._connection, self._number(run_id)) if with_chain else b""
+        lines = chain_jsonl(self._connection, self._number(run_id)) if with_chain and ends(self.status(run_id)) else b""
         return replace(bundle_of(self.run(run_id)), chain=lines, origin=origin)
 
     def chain_of(self, run_id: str) -> chain.Chain | None:
@@ -240,6 +243,11 @@ class Store:
             return imported.stated_chain in (None, dict(stated))
         query = "SELECT 1 FROM chain WHERE run = ? AND place = ? AND sha256 = ?"
         return bool(self._all(query, self._number(run_id), stated["rows"], stated["head"]))
+
+    def has_link(self, run_id: str, sha256: str) -> bool:
+        """Whether the chain of a run has this link, wherever in it."""
+        query = "SELECT 1 FROM chain WHERE run = ? AND sha256 = ?"
+        return bool(self._all(query, self._number(run_id), sha256))
 
     def describe(self, run_id: str) -> dict[str, Any]:
         """What the run is, in one look (see `labcal.store.summary`)."""

@@ -26,9 +26,15 @@ from labcal.store.run_json import read_run_json, write_run_json
 from labcal.store.samples_csv import read_samples, write_samples
 from labcal.store.schema import CORRECTED
 
+ENDS = ("finished", "stopped", "imported")  # and "failed: why"
 BINARY = ("stamps", "samples", "raw")
 RECORDED = ("run", "status", "item")  # the tables that a recorded run has rows in
 ROUNDING = 1e-9  # relative: another machine may round the last bit of an interpolated value otherwise
+
+
+def ends(status: str) -> bool:
+    """Whether a run that stands so is over: nothing that was measured comes after it."""
+    return status in ENDS or status.startswith("failed: ")
 
 
 def chain_jsonl(connection: sqlite3.Connection, run: int) -> bytes:
@@ -52,7 +58,7 @@ def shown(content: bytes, run_json: bytes, samples_csv: bytes, file: object) -> 
 
     Raises InputError naming the first line that does not fit.
     """
-    chain, header, items = Chain(START, 0), None, list[Item]()
+    chain, header, items, ended = Chain(START, 0), None, list[Item](), False
     for number, line in enumerate(content.split(b"\n")[:-1], 1):
         try:
             table, values, stated = _row(line)
@@ -60,11 +66,14 @@ def shown(content: bytes, run_json: bytes, samples_csv: bytes, file: object) -> 
                 raise ValueError("this row is not as it was recorded, or its link is not")
             header = _header(values) if table == "run" else header
             items += [from_row(Row(*values))] if table == "item" else []
+            ended = ended or (table == "status" and ends(str(values[0])))
         except (ValueError, KeyError, TypeError, RecursionError) as error:
             raise InputError(_what(error), file=file, line=number) from None
         chain = Chain(stated, number)
     if header is None or not content.endswith(b"\n"):
         raise InputError("is cut off: it ends inside a line, or has none", file=file)
+    if not ended:
+        raise InputError("is cut off: it does not say how its run ended", file=file)
     _require_made_of(assemble(corrected_header(header, items), items), run_json, samples_csv, file)
     return chain
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.quality.batches import Pooled, pool
-from labcal.years.history import Calibrated
+from labcal.years.history import UNDATED, Calibrated
 
 Array = NDArray[np.float64]
 USUAL_BATCH = r"(.+?)[-_ .]?\d+$"  # the serial without its last number
@@ -68,12 +69,14 @@ class Fleet:
 def fleet_of(found: Sequence[Calibrated], batch: str = USUAL_BATCH) -> Fleet:
     """The fleet of the last calibration of each sensor; its batch is the first group of `batch` in its serial.
 
-    Raises InputError where nothing is there, simulated and real sensors are mixed, or `batch` is no expression.
+    Raises InputError where nothing is there, simulated and real sensors are mixed, nothing tells which of a sensor's
+    several is the last, or `batch` is no expression.
     """
     if not found:
         raise InputError("there is no calibration here")
     if len({one.simulated for one in found}) > 1:
         raise InputError("simulated and real sensors are no fleet: name the files that belong together")
+    _refuse_undated(found)
     last = {(one.model, one.serial): one for one in sorted(found, key=lambda one: one.utc)}
     models: dict[str, dict[str, list[Calibrated]]] = {}
     pattern = _pattern(batch)
@@ -84,6 +87,14 @@ def fleet_of(found: Sequence[Calibrated], batch: str = USUAL_BATCH) -> Fleet:
     effects.sort(key=lambda one: -one.worst)
     counted = {model: {name: len(group) for name, group in sorted(groups.items())} for model, groups in models.items()}
     return Fleet(len(last), len(found), found[0].simulated, counted, tuple(spreads), tuple(effects))
+
+
+def _refuse_undated(found: Sequence[Calibrated]) -> None:
+    count = Counter((one.model, one.serial) for one in found)
+    for one in found:
+        if one.utc == UNDATED and count[one.model, one.serial] > 1:
+            told = f"nothing tells when it was measured, and there are several of {one.serial}: which is last?"
+            raise InputError(f"{told} Its run is not in this store, and it has no date of issue", file=one.where)
 
 
 def _pattern(text: str) -> re.Pattern[str]:

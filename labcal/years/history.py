@@ -17,6 +17,7 @@ from labcal.session.figures import Figure, figures_of_calibration
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING
 
 DAYS_A_YEAR = 365.25
+UNDATED = datetime.min.replace(tzinfo=UTC)  # nothing tells when it was measured
 Tell = Callable[[str], None]
 
 
@@ -42,16 +43,17 @@ class Calibrated:
         return self.utc.timestamp() / 86_400
 
 
-def from_files(paths: Iterable[Path], tell: Tell = lambda one: None) -> list[Calibrated]:
+def from_files(paths: Iterable[Path], tell: Tell = lambda one: None, *, undated: bool = False) -> list[Calibrated]:
     """Those of files and folders, the oldest first; `tell` hears of those in folders that are passed over, and why.
 
-    Raises InputError where a file that is named is none, or nothing tells when it was measured.
+    Raises InputError where a file that is named is none, or nothing tells when it was measured; `undated` ones are
+    taken, as UNDATED, where they are asked for.
     """
     started, found = _started(), dict[str, Calibrated]()
     for path, named in _files(paths):
         try:
             calibration = session.load_calibration(path)
-            found.setdefault(calibration.run_sha256, _calibrated(calibration, path, started))
+            found.setdefault(calibration.run_sha256, _calibrated(calibration, path, started, undated=undated))
         except InputError as fault:
             if named:
                 raise
@@ -59,9 +61,10 @@ def from_files(paths: Iterable[Path], tell: Tell = lambda one: None) -> list[Cal
     return sorted(found.values(), key=lambda one: one.utc)
 
 
-def of_this_lab(tell: Tell = lambda one: None) -> list[Calibrated]:
+def of_this_lab(tell: Tell = lambda one: None, *, undated: bool = False) -> list[Calibrated]:
     """Those of this lab's folder, the oldest first."""
-    return from_files([p for p in (home() / CALIBRATIONS, home() / SUPERSEDING) if p.is_dir()], tell)
+    folders = [p for p in (home() / CALIBRATIONS, home() / SUPERSEDING) if p.is_dir()]
+    return from_files(folders, tell, undated=undated)
 
 
 def from_archive(given: str | None, *, model: str | None = None, serial: str | None = None) -> list[Calibrated]:
@@ -103,9 +106,9 @@ def _started() -> dict[str, str]:
         return {}
 
 
-def _calibrated(calibration: Calibration, path: Path, started: Mapping[str, str]) -> Calibrated:
+def _calibrated(calibration: Calibration, path: Path, started: Mapping[str, str], *, undated: bool) -> Calibrated:
     stated = started.get(calibration.run_id) or calibration.issued_utc
-    if stated is None:
+    if stated is None and not undated:
         raise InputError(
             "nothing tells when it was measured: its run is not in this store, and it has no date of issue", file=path
         )
@@ -114,7 +117,8 @@ def _calibrated(calibration: Calibration, path: Path, started: Mapping[str, str]
     effects = {_named(e.effect, e.channels, p.name): Figure(p.name, p.value, p.u, p.unit)
                for e in calibration.effects for p in e.parameters}  # fmt: skip
     figures = figures_of_calibration(calibration)
-    return Calibrated(path.name, dut.serial, dut.model, moment(stated), calibration.simulated, figures, effects, span)
+    utc = moment(stated) if stated else UNDATED
+    return Calibrated(path.name, dut.serial, dut.model, utc, calibration.simulated, figures, effects, span)
 
 
 def _named(effect: str, channels: Sequence[str], parameter: str) -> str:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import json
 import shutil
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from datetime import UTC, datetime
+from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
@@ -13,14 +16,17 @@ from conftest import Bundle, rows_of
 from postgres import Server
 
 from labcal import audit, session
+from labcal.certificate import calibration_bytes
 from labcal.cli import execute as labcal
 from labcal.errors import InputError, Stopped
 from labcal.files.home import home
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Block
 from labcal.session import archiving
+from labcal.session.in_archive import asking
 from labcal.store import Store, load_bundle
 
+WORDS = "correct horse"
 GOLDEN = Path(__file__).parents[1] / "golden"
 
 
@@ -213,3 +219,54 @@ def test_the_audit_log_goes_along_entry_by_entry_as_it_lies_here(postgres: Serve
         archiving.push(url)
     there = [(row[3], bytes(row[8]), bytes(row[9])) for row in rows_of(postgres, database)["audit"]]
     assert sorted(there) == audit.stored(home())
+
+
+def test_a_log_that_was_cut_or_put_back_since_it_was_pushed_is_told(url: str, tmp_path: Path) -> None:
+    for name in ("a", "b"):
+        audit.append(home(), "run", "ada", {"run": name})
+    shutil.copy(home() / "audit.sqlite", tmp_path / "before")
+    audit.append(home(), "run", "ada", {"run": "c"})
+    assert archiving.push(url).refused == ()
+    shutil.copy(tmp_path / "before", home() / "audit.sqlite")
+    [told] = archiving.push(url).refused
+    assert "the audit log was rewritten or put back since it was pushed: entry 4" in told
+    for name in ("d", "e"):
+        audit.append(home(), "run", "ada", {"run": name})
+        pushed = archiving.push(url)
+        assert (pushed.entries, len(pushed.refused)) == (0, 1)
+
+
+def test_verify_asks_when_a_signature_came_and_what_supersedes_the_file(
+    url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A lab that has neither the log nor the later file: the archive has them both."""
+    old, new = tmp_path / "old.json", tmp_path / "new.json"
+    session.new_key("ada", WORDS)
+    shutil.copy(GOLDEN / "calibration-2.json", old)
+    fresh(old)
+    session.sign(old, "ada", WORDS)
+    stated = session.load_calibration(old)
+    new.write_bytes(calibration_bytes(replace(stated, number=None, supersedes=sha256(old.read_bytes()).hexdigest())))
+    fresh(new)
+    session.sign(new, "ada", WORDS)
+    archiving.push(url, [str(old), str(new)])
+    lab = tmp_path / "signers"
+    lab.write_text("".join(f"{one.line()}\n" for one in session.handed_out()))
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path / "another lab"))
+    assert [session.verify(old, lab).status, session.verify(old, lab).checks[0].shown] == ["provisional", None]
+    found = session.verify(old, lab, in_archive=asking(url, print))
+    assert found.status == "superseded"
+    shown = found.checks[0].shown
+    assert shown is not None
+    assert (shown.by, abs((datetime.now(UTC) - shown.utc).total_seconds()) < 600) == ("archive", True)
+    assert "shown by the archive" in found.signed_at(found.checks[0])
+    told: list[str] = []
+    monkeypatch.setenv("LABCAL_ARCHIVE", "postgresql://nobody@127.0.0.1:9/none")
+    assert session.verify(old, lab, in_archive=asking(None, told.append)).status == "provisional"
+    assert told[0].startswith("the archive was not asked: ")
+
+
+def fresh(path: Path) -> None:
+    """As nobody has approved or numbered it."""
+    draft = replace(session.load_calibration(path), approvers=(), number=None, issued_utc=None)
+    path.write_bytes(calibration_bytes(draft))

@@ -20,7 +20,7 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.runner import Outcome
 from labcal.session.audited import note_run
-from labcal.store import Store, write_bundle
+from labcal.store import Store, chain, write_bundle
 from labcal.testing.made_up_runs import made_up_run
 
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -171,6 +171,39 @@ def test_a_run_is_in_the_log_with_the_head_of_its_chain(capsys: pytest.CaptureFi
     assert entry.about == {"run": outcome.run_id, "status": "finished", "chain": chain.head}
     assert execute(["check-store"]) == 0
     assert "parsed again" in capsys.readouterr().out  # what the instruments sent says what was kept
+
+
+def chained_anew(run: int) -> None:
+    """As who owns the disk can: rows of `run` rewritten, and every link after them worked out again."""
+    with behind_the_guards(home() / "store.sqlite") as store:
+        store.execute("UPDATE item SET content = content || ' ' WHERE run = ?", (run,))
+        before = chain.START
+        for place, (table, row, _) in enumerate(chain.parts(store, run), 1):
+            before = chain.link(before, table, chain.values_of(store, run, table, row) or ())
+            store.execute("UPDATE chain SET sha256 = ? WHERE run = ? AND place = ?", (before, run, place))
+
+
+def test_a_run_that_was_chained_anew_or_taken_out_is_told_by_the_log(capsys: pytest.CaptureFixture[str]) -> None:
+    first, second, third = (
+        session.run("ambient", SIMULATED, {"duration_s": "10"}, operator="Ada").run_id for _ in range(3)
+    )
+    assert execute(["check-store"]) == 0
+    chained_anew(2)
+    capsys.readouterr()
+    assert execute(["check-store"]) == 1
+    said = capsys.readouterr().out
+    assert said.startswith(f"NOT SOUND: run {second}: its chain is another than the one whose head the audit log")
+    assert execute(["check-store", first]) == 0
+    assert execute(["check-store", second]) == 1
+    with behind_the_guards(home() / "store.sqlite") as store:
+        for table, key in (("chain", "run"), ("status", "run"), ("item", "run"), ("run", "number")):
+            store.execute(f"DELETE FROM {table} WHERE {key} = 2")
+    capsys.readouterr()
+    assert execute(["check-store"]) == 1
+    assert f"run {second} is gone" in capsys.readouterr().out
+    assert execute(["check-store", third]) == 0
+    (home() / FILE).unlink()
+    assert execute(["check-store"]) == 0
 
 
 def test_a_run_that_the_log_does_not_take_says_so_and_is_kept() -> None:

@@ -25,5 +25,6 @@ def test_approving_and_signing_are_in_the_audit_log_and_what_was_refused_is_not(
     assert [(e.deed, e.who) for e in found.entries[-2:]] == [("approve", "bob"), ("sign", "ada")]
     one, two = (e.about for e in found.entries[-2:])
     digest = sha256(draft.read_bytes()).hexdigest()
-    assert one == {"file": draft.name, "sha256": digest}
-    assert two == {"file": draft.name, "sha256": digest, "signature": sha256(signature.read_bytes()).hexdigest()}
+    told = {"file": draft.name, "sha256": digest, "number": approved.number}
+    assert one == told
+    assert two == told | {"signature": sha256(signature.read_bytes()).hexdigest()}

@@ -25,6 +25,7 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.record import Channel
 from labcal.session import working_out
+from labcal.session.of_its_record import OfRecord
 from labcal.store import write_bundle
 from labcal.testing.made_up_runs import made_up_run
 
@@ -278,7 +279,8 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
     assert not working_out.recomputed(read_calibration(path)).same
 
 
-def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path):
+def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(working_out, "of_its_record", lambda stated, bundle: OfRecord())  # the run is imported
     stated = read_calibration(draft)
     corrected = replace(stated, dut=replace(stated.dut, serial="S2"), run_sha256="ab" * 32)
     working_out.keep_corrected(stated, corrected)

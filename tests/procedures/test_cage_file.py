@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from unittest.mock import patch
@@ -14,11 +15,13 @@ import pytest
 
 from labcal import certificate, session
 from labcal.bench.coils.cage_file import CageCalibration, Place, read_cage, write_cage
+from labcal.bench.config import read_config
 from labcal.certificate.agent import signed
 from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.record.stream import REMARK
+from labcal.session.audited import note_file
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
@@ -182,6 +185,24 @@ def test_a_signed_cage_that_was_altered_drives_no_coil(bench_file: BenchFile, tm
             session.run("rotate-axis", bench, QUICK)
         a_signed_cage(tmp_path)
     assert session.runs() == []
+
+
+def test_a_signed_cage_of_before_that_is_put_back_is_told(bench_file: BenchFile, tmp_path: Path) -> None:
+    """The older one of two that were approved here, and one from elsewhere that was measured before them."""
+    bench, cage = with_the_file(bench_file(TWIN, REMOTE)), tmp_path / "cage.json"
+    made = a_calibration(np.zeros((3, 3)), np.zeros(3))
+    for day in ("21", "22"):
+        write_cage(made.model_copy(update={"measured_utc": f"2026-11-{day}"}), cage)
+        shutil.copy(cage, tmp_path / f"{day}.json")
+        told = {"cage": read_config(bench).name, "measured_utc": f"2026-11-{day}"}
+        note_file("approve", "R. Roe", cage, **told)
+        assert "not the newest" not in str(session.cage_remark(bench))
+    shutil.copy(tmp_path / "21.json", cage)
+    old = "cage.json, measured 2026-11-21, is not the newest of this bench: R. Roe approved that of 2026-11-22 on "
+    assert old in str(session.cage_remark(bench))
+    for measured, newest in (("2026-11-20", False), ("2026-11-23", True)):
+        write_cage(made.model_copy(update={"run_id": "D", "measured_utc": measured}), cage)
+        assert ("not the newest" in str(session.cage_remark(bench))) is not newest
 
 
 def test_a_cage_that_another_signed_or_whose_signer_is_revoked_or_lacks_the_role_drives_no_coil(

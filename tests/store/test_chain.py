@@ -193,6 +193,7 @@ def test_a_bundle_whose_rows_are_not_those_recorded_is_refused(path: Path, tmp_p
     for spoilt, says in (
         (lines.replace(b"3.5", b"2.5", 1), "line "),
         (lines[: len(lines) // 2], "chain.jsonl"),
+        (b"".join(lines.splitlines(keepends=True)[:-1]), "cut off: it does not say how its run ended"),
         (b"{}\n" + lines, "line 1"),
         (b"\xff\n", "line 1"),
         (b"[" * 100_000 + b"\n", "line 1"),
@@ -201,6 +202,18 @@ def test_a_bundle_whose_rows_are_not_those_recorded_is_refused(path: Path, tmp_p
         assert spoilt != lines
         with pytest.raises(InputError, match=says):
             load_bundle(tmp_path / "b")
+
+
+def test_a_run_that_has_not_ended_hands_out_no_chain(tmp_path: Path) -> None:
+    with Store.open() as store:
+        writer = store.begin(HEADER)
+        for item in timeline():
+            writer.write(item)
+        writer.finish("interrupted")
+        assert store.bundle("r1", with_chain=True).chain == b""
+        with store.resume("r1"):
+            pass
+        assert store.bundle("r1", with_chain=True).chain
 
 
 def test_a_run_that_came_without_a_chain_shows_no_origin(path: Path, capsys: pytest.CaptureFixture[str]) -> None:

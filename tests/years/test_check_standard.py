@@ -97,6 +97,7 @@ def test_the_runs_of_another_bench_do_not_count(bench: Path, tmp_path: Path) -> 
     other.write_text(bench.read_text().replace('name = "simulated cage"', 'name = "another cage"'))
     measured(other, [*steady(), 40.0])
     assert start(bench) == 0
+    assert start(bench, "--override", "Dr. Roe", "--because", "to be safe") == 2  # there is nothing to answer for
     assert start(other) == 2
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -59,6 +60,15 @@ def test_only_the_last_calibration_of_a_sensor_counts(tmp_path: Path, capsys: py
     found = json.loads(capsys.readouterr().out)
     assert (found["sensors"], found["calibrations"]) == (2, 3)
     assert next(f for f in found["figures"] if f["quantity"] == "offset x")["most"] == pytest.approx(70.0)
+
+
+def test_a_date_is_needed_only_to_tell_the_last_of_several(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    kept(tmp_path, *(replace(calibrated(name), issued_utc=None) for name in ("A-1", "A-2")))
+    assert labcal(["fleet", str(tmp_path), "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)["sensors"] == 2
+    kept(tmp_path, calibrated("A-1", day=300))
+    assert labcal(["fleet", str(tmp_path)]) == 2
+    assert "there are several of A-1: which is last?" in capsys.readouterr().err
 
 
 def test_batches_may_be_told_by_an_expression(fleet: Path, capsys: pytest.CaptureFixture[str]) -> None:
