@@ -175,9 +175,9 @@ def close_loop(
     >>> closed.verdict
     'explained'
     >>> [(cause.effect, cause.channels) for cause in closed.accepted]
-    [('offset-current', ('i_radio',)), ('lag', ())]
+    [('offset-current', ('i_radio',))]
     >>> print(f"{closed.before.holdout_rms_nT:.0f} nT -> {closed.after.holdout_rms_nT:.0f} nT")
-    126 nT -> 27 nT
+    126 nT -> 37 nT
     """
     return session.close_loop(run, _path(out), progress, report=_path(report), empirical=empirical, force=force)
 

@@ -36,7 +36,8 @@ KINDS = {
     "size of a sample": (
         "candidates.few_rows:ROWS",
         "data.base_model:MIN_ROWS", "data.gaps:TWO_SAMPLES", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
-        "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
+        "data.saturation:NEIGHBOUR_READINGS",
+        "data.outliers:WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
     ),

@@ -16,6 +16,7 @@ from labcal import session
 from labcal.fit.vector.ml import estimate
 from labcal.fit.vector.observations import AXIS
 from labcal.geometry import rotate, rotation_vector
+from labcal.loop import close_loop
 from labcal.loop.candidates.changepoints import changepoints, explained_by_step
 from labcal.loop.candidates.delay_scan import delay_scan
 from labcal.loop.candidates.library import Candidate
@@ -285,3 +286,14 @@ def test_a_strong_effect_is_no_lack_of_excitation(making: ModuleType, tmp_path: 
     assert strong[1] == pytest.approx(quiet[0], rel=0.05)
     assert strong[0] > 5 * quiet[0]
     assert np.isinf(known("x", 0.0)[1])
+
+
+def test_the_name_of_a_field_that_turns_the_phases_far_is_the_small_one(making: ModuleType, tmp_path: Path) -> None:
+    """The series of finite coil pairs holds what the phases are turned by as well, with 35 parameters for 3."""
+    rows, segments = making.recorded(seconds=30.0)
+    for segment in segments:
+        del segment["body_from_cage"]
+    rows["ref"] = rows["ref"] + np.array([1500.0, -1100.0, 900.0])
+    found = close_loop(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert [one.effect for one in found.accepted] == ["cage-field"]
+    assert len(found.accepted[0].parameters) == 3

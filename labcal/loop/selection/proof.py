@@ -16,7 +16,7 @@ from labcal.loop.data.outliers import hampel_outliers, outlier_distance
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models
 from labcal.loop.selection.heldout_rules import n_reportable
-from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.select import Selection, select, stepwise
 from labcal.loop.selection.stepwise import MAX_EFFECTS
 from labcal.loop.selection.surrogates import null_distribution
@@ -107,12 +107,28 @@ def relinearised(pool: CandidateSet) -> CandidateSet:
     A magnitude is not: fitted without a strong effect, K and k are so far off that what is left of them looks like an
     effect of the field. Vectors are, but for the phases and the field that an effect follows.
     """
-    accepted, _ = stepwise(pool)
+    accepted, rankings = stepwise(pool)
     if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
         return pool
-    around = joint_fit(pool.whole, [c.term for c in accepted], pool.valid)
+    tried = [accepted, *_smaller(pool, rankings[0], accepted)]
+    around = min((joint_fit(pool.whole, [c.term for c in some], pool.valid) for some in tried), key=_information)
     again = CandidateSet.of(around.uncorrected(), pool.min_noise_level, pool.tell)
     return without_outliers(again, None if pool.valid.all() else ~pool.valid)
+
+
+def _smaller(pool: CandidateSet, ranking: Sequence[Scored], accepted: Sequence[Candidate]) -> list[list[Candidate]]:
+    """The smallest form of each cause that has the evidence of a name: far from its own map it may fit worse."""
+    size = sum(c.size for c in accepted)
+    causes = [one.candidate.cause for one in ranking if one.evidence >= policy.POLICY.min_evidence]
+    forms = ([c for c in pool.candidates if c.cause == cause] for cause in causes)
+    smallest = (min(some, key=lambda c: c.size) for some in forms if some)
+    return [[one] for one in smallest if one.size < size]
+
+
+def _information(fitted: JointFit) -> float:
+    """Schwarz' criterion of a joint fit whose noise level is open [nats]."""
+    y = fitted.problem.y[fitted.used]
+    return float(y.size * np.log(np.mean(y**2)) + sum(map(len, fitted.beta)) * np.log(y.size)) / 2
 
 
 def _is_nonlinear(pool: CandidateSet, accepted: Sequence[Candidate]) -> bool:
