@@ -23,7 +23,6 @@ TOLERANCE = 1e-3  # a smaller number in a comparison is arithmetic's
 KINDS = {
     "budget of a search": (
         "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS BELOW_NYQUIST",
-        "candidates.few_rows:ROUNDS HALVINGS NEARLY",
         "data.checks:OFFSETS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED",
         "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
@@ -34,7 +33,6 @@ KINDS = {
         "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
     ),
     "size of a sample": (
-        "candidates.few_rows:ROWS",
         "data.base_model:MIN_ROWS", "data.gaps:TWO_SAMPLES", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.saturation:NEIGHBOUR_READINGS",
         "data.outliers:WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
@@ -45,14 +43,14 @@ KINDS = {
         "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST",
         "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS ELSEWHERE KEPT",
+        "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "noise.marginal:RATIOS",
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
         "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "telling:QUIET_s", "closures:SHARE SETTLED_S",
-        "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY", "candidates.few_rows:SETTLED SLOPE_STEP",
+        "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from labcal.model.effects.field_gradient import kernel
-from labcal.model.effects.off_centre import SYMMETRIC
+from labcal.model.effects.field_gradient import SYMMETRIC, kernel
 from labcal.model.effects.protocol import Rig, Scene, Term
 
 

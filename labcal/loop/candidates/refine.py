@@ -31,7 +31,7 @@ def has_own_secant(candidate: Candidate) -> bool:
 def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     if has_own_secant(candidate):
         return _on_own_secant(pool, candidate, accepted)
-    searched = [s.name for s in candidate.term.shape if s.grid and s.kind.found_by != "few rows"]
+    searched = [shape.name for shape in candidate.term.shape if shape.grid]
     for name in searched if len(searched) > 1 else ():
         candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
     null_model = pool.null_model(accepted)

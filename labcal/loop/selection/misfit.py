@@ -9,8 +9,6 @@ of the other's inputs does not; of two forms in the same inputs the likelier one
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +30,6 @@ RESPONSES: tuple[tuple[Callable[[Array, NDArray[np.intp], Array, float], Array],
     *((delayed, k) for k in (-LATE_ROWS, LATE_ROWS)),
     *((low_passed, k) for k in SMEARED_ROWS),
 )
-ELSEWHERE = 0.1  # of the range that a parameter is searched in, from the place that was found
 KEPT = 1e-6  # of the squares of the largest direction: smaller ones are no part of a misfit
 
 
@@ -63,9 +60,6 @@ def evidence_beside_misfit(
 
 def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
     def made() -> Span:
-        if chosen.term.found_by("few rows") is not None:  # a series in the field and the place: it may stand elsewhere
-            beta = pool.coefficients([chosen])[-len(chosen.term.parameters) :]
-            return Span(principal_span(_transformed(pool, chosen, partial(_elsewhere, beta)), tolerance=KEPT))
         driven, carried = (_transformed(pool, chosen, forms) for forms in (_otherwise_driven, _otherwise_carried))
         own = orthogonal_complement(pool.base, pool.transformed_columns(chosen))
         driven = orthogonal_complement(np.concatenate([pool.base, own], axis=2), driven)
@@ -121,16 +115,6 @@ def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
     """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p)."""
     own = np.nan_to_num(chosen.term.columns(scene))
     yield from (own * drive[:, None, None] for drive in _surroundings(scene, chosen))
-
-
-def _elsewhere(beta: Array, scene: Scene, chosen: Candidate) -> Iterator[Array]:
-    """How an effect of these parameters changes with each of those that say where it stands, each (n, 3, 1)."""
-    term = chosen.term
-    own = term.columns(scene) @ beta
-    for shape in term.shape:
-        low, high = shape.bracket(scene.t_s)
-        moved = replace(shape, value=shape.value + ELSEWHERE * (high - low))
-        yield (term.with_shape(moved).columns(scene) @ beta - own)[:, :, None]
 
 
 def _channels(scene: Scene, chosen: Candidate) -> Iterator[Array]:

@@ -9,8 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.field_gradient import MOMENT_OR_GRADIENT
-from labcal.model.effects.off_centre import SYMMETRIC, traceless
+from labcal.model.effects.field_gradient import MOMENT_OR_GRADIENT, SYMMETRIC, traceless
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES
 from labcal.model.effects.shape import GIVEN, Shape

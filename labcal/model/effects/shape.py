@@ -18,16 +18,15 @@ BEYOND = 3.0  # times the last point of a grid, beyond which it is not searched
 RESOLUTION = 0.6  # of 1 / (the run's length), either way of a line's frequency
 FINE = 1e-3  # of a value: over so much an effect is straight in it
 FINE_ROW = 0.05  # of a row, the same for a delay
-FoundBy = Literal["grid", "few rows", "delay scan", "changepoints", "spectral lines", "own secant"]
+FoundBy = Literal["grid", "delay scan", "changepoints", "spectral lines", "own secant"]
 
 
 @dataclass(frozen=True, slots=True)
 class Kind:
     """What a nonlinear parameter is. Its functions are given the parameter and the times of the rows t_s (n,).
 
-    `found_by` says where candidates come from. "grid": every point of the parameter's grid. "few rows": the same on a
-    few rows, and from the best point on by least squares. "delay scan": the delay of its first channel, which it
-    follows with one parameter for each axis, that takes most off the residual.
+    `found_by` says where candidates come from. "grid": every point of the parameter's grid. "delay scan": the delay of
+    its first channel, which it follows with one parameter for each axis, that takes most off the residual.
     "changepoints": the moments of which that is true, its columns being zero before. "spectral lines": the residual's
     own frequencies. "own secant": the value of the linear parameter in its place.
     """
@@ -100,7 +99,6 @@ TIME_CONSTANT = Kind("time constant", _scale, _of_its_value)  # of a response (n
 THRESHOLD = Kind("threshold", _not_narrower, _of_its_value)  # none below the grid: ripple and noise would drive it
 LEVEL = Kind("level", _one_grid_step, _of_the_grid)  # may be zero or of either sign: searched by grid steps
 ANGLE = Kind("angle", _one_grid_step, _of_its_value)
-PLACE = Kind("place", _one_grid_step, _of_the_grid, "few rows")  # where a form of many columns stands
 DELAY = Kind("delay", _one_delay, _of_a_row, "delay scan")
 FREQUENCY = Kind("frequency", _one_line, _of_a_line, "spectral lines")
 MOMENT = Kind("moment", _scale, _of_its_value, "changepoints", _between_two_rows)
