@@ -100,16 +100,8 @@ def _waves(most: int, before: str = "", unit: str = "nT", least: int = 1) -> Nam
 
 
 def _on_table(run: Run) -> list[Names]:
-    """Iron on the table, where mountings tell it from the device's own soft iron.
-
-    Without one zero of the angle nobody knows how the table stood in each: only what is along its axis is common.
-    """
-    if len(mountings(run)) < 2:
-        return []
-    if _one_zero(run):
-        return [iron.ON_TABLE]
-    each = (tuple((f"m{n}{name}", unit) for name, unit in iron.ACROSS) for n in mountings(run))
-    return [tuple(name for part in (iron.ALONG, *each) for name in part)]
+    """Iron on the table, where mountings with one zero of the angle tell it from the device's own soft iron."""
+    return [iron.ON_TABLE] if len(mountings(run)) > 1 and _one_zero(run) else []
 
 
 def _one_zero(run: Run) -> bool:

@@ -20,8 +20,6 @@ TABLE = ("u", "v", "w")  # axes that turn with the table, w along the platform's
 REMANENT = tuple((f"t_{a}", "nT") for a in TABLE)
 BESIDE: Names = tuple((f"b{driven}_{a}", "1") for driven, a in product(AXES, AXES))
 ON_TABLE: Names = (*REMANENT, *((f"t{driven}_{a}", "1") for driven, a in product(TABLE, TABLE)))
-ALONG: Names = tuple((name, unit) for name, unit in ON_TABLE if not {*name.removeprefix("t")} & {*"uv"})
-ACROSS: Names = tuple(one for one in ON_TABLE if one not in ALONG)  # turns with the table's zero
 
 
 def table_axes(rig: Rig) -> Array:
