@@ -120,3 +120,13 @@ def test_coarse_readings_that_pile_up_where_a_field_turns_back_stay(plain: Run) 
 def test_coarse_readings_of_a_field_that_goes_beyond_are_set_aside(plain: Run) -> None:
     far_beyond = int((np.abs(plain.reading) > 36.2e3).any(axis=1).sum())
     assert prepare(_coarse(plain, 400.0, 36e3))[2] >= far_beyond > 100
+
+
+def test_an_end_that_few_rows_reach_is_a_limit_where_another_as_far_from_zero_is_one(plain: Run) -> None:
+    read = plain.reading.copy()
+    read[:, 0] *= 0.93  # it just reaches what the others go far beyond
+    cut = np.clip(read, -38e3, 38e3)
+    clipped = (cut != read).any(axis=1)
+    few = int((cut[:, 0] == 38e3).sum())
+    assert 0 < few < 12
+    assert np.array_equal(at_saturation_limit(replace(plain, reading=cut)), clipped)

@@ -17,13 +17,16 @@ NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compa
 def at_saturation_limit(run: Run) -> Mask:
     """Rows (n,) with an axis at its saturation limit: a reading that it reaches often and never exceeds.
 
-    Where chance piles up no extreme of the run as high, the others of the same device may be low.
+    Where chance piles up no extreme of the run as high, the others of the same device may be low; an end of any axis
+    as far from zero as one that is a limit is one, however few rows reach it.
     """
     ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
-    found = [(values == extreme, _chance_of_pile_up(values, float(extreme))) for values, extreme in ends]
-    if min(chance for _, chance in found) > policy.POLICY.saturation_significance:
+    chances = [_chance_of_pile_up(values, float(extreme)) for values, extreme in ends]
+    if min(chances) > policy.POLICY.saturation_significance:
         return np.zeros(len(run), dtype=bool)
-    return np.asarray(np.any([stuck for stuck, chance in found if chance < policy.POLICY.significance], axis=0))
+    pairs = zip(ends, chances, strict=True)
+    limits = {abs(float(extreme)) for (_, extreme), chance in pairs if chance < policy.POLICY.significance}
+    return np.asarray(np.any([values == extreme for values, extreme in ends if abs(float(extreme)) in limits], axis=0))
 
 
 def _chance_of_pile_up(values: Array, extreme: float) -> float:
