@@ -112,7 +112,7 @@ def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override:
 def _refuse_needless(override: Override | None, path: Path) -> None:
     if override is not None:
         told = "nothing keeps this run from beginning, so that there is nothing to answer for"
-        raise InputError(f"{told}: begin it without --override; nothing was energised", file=path)
+        raise InputError(f"{told}: begin it without --override; nothing was begun", file=path)
 
 
 def why(chart: Chart) -> str:

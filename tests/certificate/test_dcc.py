@@ -248,7 +248,8 @@ def test_the_command_needs_run_laboratory_and_signature(
     bare = bundle_of(replace(run, reference=Reference("none")))
     save_bundle(bare, tmp_path / "bundle")
     path = tmp_path / "cal.json"
-    path.write_bytes(calibration_bytes(replace(calibration, run_id=run.run_id, run_sha256=bare.sha256)))
+    of_it = replace(calibration, dut=run.dut, operator="", span_s=(5.0, 1205.0))
+    path.write_bytes(calibration_bytes(replace(of_it, run_id=run.run_id, run_sha256=bare.sha256)))
     command = ["report", str(path), "--out", str(tmp_path / "cal.xml"), "--allowed-signers", str(tmp_path / "trust")]
     (tmp_path / "trust").write_text("")
     assert execute(command) == 2
