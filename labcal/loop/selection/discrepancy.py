@@ -20,7 +20,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
-from labcal.loop.selection.misfit import misfits
+from labcal.loop.selection.misfit import evidence_beside_misfit, misfits
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
@@ -54,7 +54,7 @@ def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate],
 def _leads_beside_both(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, rival: Candidate) -> bool:
     """Whether `chosen` still leads where neither it nor the rival may explain what the other's form misses."""
     beside = [discrepancy(pool, chosen), *misfits(pool, [chosen, rival])]
-    own, other = (pool.score(c, pool.null_model(others, beside)).evidence for c in (chosen, rival))
+    own, other = (evidence_beside_misfit(pool, others, c, beside) for c in (chosen, rival))
     return own >= max(other, 0.0) + policy.POLICY.equivalent_nats
 
 
