@@ -16,7 +16,7 @@ from labcal.loop.noise.periodogram import periodogram, running_median
 Array = NDArray[np.float64]
 Waves = NDArray[np.complex128]
 HIGHEST_Hz = 65.0  # the mains of any country, and what is slower
-MOST_ORDERS = 65  # of the sampling rate: a slower recorder is not looked at so high
+MOST_ORDERS = 650  # of the sampling rate: a recorder slower than 10 s is not looked at so high
 CONTRAST = 3.0  # times its neighbourhood: a lower peak of all segments is not looked at
 BETTER = 1.5  # times what the image itself takes off, else it is no better known than its image
 PER_RESOLUTION = 4  # frequencies tried for each 1 / (the run's length)
