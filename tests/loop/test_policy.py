@@ -29,7 +29,7 @@ KINDS = {
         "selection.discrepancy:NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
         "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
-        "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST BETTER PER_RESOLUTION",
+        "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION",
         "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
     ),
     "size of a sample": (

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.loop.noise.periodogram import periodogram, running_median
 
 Array = NDArray[np.float64]
@@ -18,7 +19,7 @@ Waves = NDArray[np.complex128]
 HIGHEST_Hz = 65.0  # the mains of any country, and what is slower
 MOST_ORDERS = 650  # of the sampling rate: a recorder slower than 10 s is not looked at so high
 CONTRAST = 3.0  # times its neighbourhood: a lower peak of all segments is not looked at
-BETTER = 1.5  # times what the image itself takes off, else it is no better known than its image
+EXACT = 1e-6  # of the scores' squares: a line leaves no less, for the powers are approximate
 PER_RESOLUTION = 4  # frequencies tried for each 1 / (the run's length)
 
 
@@ -26,7 +27,7 @@ def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: 
     """The frequency [Hz] of the highest line that keeps its phase over all segments, and how many were tried.
 
     For scores (n, axes) at times t_s (n,) in these segments. None where no line shows above `lowest_Hz`, or where its
-    image below the Nyquist frequency keeps its phase as well.
+    image below the Nyquist frequency is as likely.
     """
     image = _image(t_s, scores, parts, lowest_Hz)
     if image is None or len(parts) < 2:
@@ -38,11 +39,18 @@ def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: 
     between = np.exp(-2j * np.pi * np.outer(shifts, middles))
     powers = np.array([_in_phase(t_s, scores, parts, f, between) for f in folds])  # (folds, shifts)
     best, at = np.unravel_index(np.argmax(powers), powers.shape)
-    if best == 0 or powers[best, at] < BETTER * powers[0].max():
+    if best == 0 or not _leads(scores, powers[best, at], powers[0].max(), len(folds)):
         return None
     near = folds[best] + shifts
     exact = [float(np.sum(np.abs(np.exp(-2j * np.pi * f * t_s) @ scores) ** 2)) for f in near]
     return float(near[int(np.argmax(exact))]), int(powers.size)
+
+
+def _leads(scores: Array, power: float, of_image: float, tried: int) -> bool:
+    """Whether the likeliest of the `tried` frequencies is likelier than the image, by what each leaves of the scores."""
+    total = float(np.sum(scores**2))
+    left, by_image = (max(total - 2 * one / len(scores), EXACT * total) for one in (power, of_image))
+    return 0.5 * scores.size * np.log(by_image / left) > policy.POLICY.equivalent_nats + np.log(tried)
 
 
 def _image(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) -> float | None:
