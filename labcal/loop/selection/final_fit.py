@@ -15,9 +15,9 @@ from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
 from labcal.loop.candidates.library import Cause
 from labcal.loop.data.linear_problem import LinearProblem, linearise
-from labcal.loop.selection.crossval import rms
-from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.proof import Evidence, prove
+from labcal.loop.selection.second_order import in_full
 from labcal.loop.selection.select import Selection, contribution
 
 Chances = Callable[[JointFit], Sequence[float]]
@@ -32,7 +32,7 @@ def final_fit(
     """
     astray, nought = dict[Cause, float](), dict[Cause, float]()
     while found.accepted:
-        fitted = _nearest(problem, found)
+        found, fitted = in_full(problem, found, _nearest(problem, found))
         left = in_sample_rms(fitted)
         if not arrives(left, found):
             place = len(found.accepted) - 1
@@ -70,11 +70,6 @@ def _as_told(found: Evidence, left_nT: float) -> Evidence:
         return found
     told = replace(last, after_nT=last.after_nT * (left_nT / max(last.after, 1e-300)))
     return replace(found, contributions=(*found.contributions[:-1], told))
-
-
-def in_sample_rms(fitted: JointFit) -> float:
-    """What a fit leaves on its own rows [nT]."""
-    return rms(fitted.problem.length_nT(fitted.problem.residual_nT)[fitted.used])
 
 
 def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:

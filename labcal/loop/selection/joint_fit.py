@@ -103,6 +103,18 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
     return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
 
 
+def in_sample_rms(fitted: JointFit) -> float:
+    """What a fit leaves on its own rows [nT]."""
+    lengths = fitted.problem.length_nT(fitted.problem.residual_nT)[fitted.used]
+    return float(np.sqrt(np.mean(lengths**2)))
+
+
+def information(fitted: JointFit) -> float:
+    """Schwarz' criterion of a joint fit whose noise level is open [nats]."""
+    y = fitted.problem.y[fitted.used]
+    return float(y.size * np.log(np.mean(y**2)) + sum(map(len, fitted.beta)) * np.log(y.size)) / 2
+
+
 def _line_search(
     here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
 ) -> Point | None:

@@ -16,7 +16,7 @@ from labcal.loop.data.outliers import hampel_outliers, outlier_distance
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models
 from labcal.loop.selection.heldout_rules import n_reportable
-from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.joint_fit import information, joint_fit
 from labcal.loop.selection.select import Selection, select, stepwise
 from labcal.loop.selection.stepwise import MAX_EFFECTS
 from labcal.loop.selection.surrogates import null_distribution
@@ -111,7 +111,7 @@ def relinearised(pool: CandidateSet) -> CandidateSet:
     if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
         return pool
     tried = [accepted, *_smaller(pool, rankings[0], accepted)]
-    around = min((joint_fit(pool.whole, [c.term for c in some], pool.valid) for some in tried), key=_information)
+    around = min((joint_fit(pool.whole, [c.term for c in some], pool.valid) for some in tried), key=information)
     again = CandidateSet.of(around.uncorrected(), pool.min_noise_level, pool.tell)
     return without_outliers(again, None if pool.valid.all() else ~pool.valid)
 
@@ -123,12 +123,6 @@ def _smaller(pool: CandidateSet, ranking: Sequence[Scored], accepted: Sequence[C
     forms = ([c for c in pool.candidates if c.cause == cause] for cause in causes)
     smallest = (min(some, key=lambda c: c.size) for some in forms if some)
     return [[one] for one in smallest if one.size < size]
-
-
-def _information(fitted: JointFit) -> float:
-    """Schwarz' criterion of a joint fit whose noise level is open [nats]."""
-    y = fitted.problem.y[fitted.used]
-    return float(y.size * np.log(np.mean(y**2)) + sum(map(len, fitted.beta)) * np.log(y.size)) / 2
 
 
 def _is_nonlinear(pool: CandidateSet, accepted: Sequence[Candidate]) -> bool:

@@ -153,13 +153,11 @@ def prefer_computable(
 ) -> list[Candidate]:
     """Of equivalent causes, on held-out data too, the one that can be computed from readings alone.
 
-    A channel without a physical mechanism goes last.
+    A channel without a physical mechanism goes last; what extends a cause goes after it.
     """
     for place, one in enumerate(accepted):
         equals = [w.candidate for w in equally_likely(pool, accepted, one) if w.candidate.cause not in refused]
-        for other in sorted(equals, key=_preference):
-            if _preference(other) >= _preference(one):
-                break
+        for other in sorted((c for c in equals if _goes_before(c, one)), key=_preference):
             others = [c for c in accepted if c is not one]
             swapped = [*accepted[:place], refined(pool, other, others), *accepted[place + 1 :]]
             if not_worse(cross_validate(pool, blocks, fixed_choice(swapped), accepted)):
@@ -190,6 +188,12 @@ def _simpler_candidates(pool: CandidateSet, chosen: Candidate, others: Sequence[
         best = max(pool.score_each([c for c in smaller if c.size == size], null_model), key=lambda w: w.evidence)
         if best.likelihood.rss < enough:
             yield refined(pool, best.candidate, others)
+
+
+def _goes_before(other: Candidate, one: Candidate) -> bool:
+    """Whether `other` is preferred to `one`: also the special case of it, which needs less of the run's past."""
+    by_kind, own = _preference(other), _preference(one)
+    return by_kind < own or (by_kind == own and other.family.id in one.family.extends)
 
 
 def _preference(candidate: Candidate) -> tuple[int, bool]:
