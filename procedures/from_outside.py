@@ -88,7 +88,7 @@ def follow(bench: Bench, url: str, duration_s: float, silent_s: float, max_age_s
         with watched(bench, source.look):
             yield from recorded(bench, Segment("play", "free"), _followed(bench, source, followed, duration_s))
         yield from coils_off(bench)
-    yield from _told(bench, source, followed, limit_nT)
+    yield from _report(bench, source, followed, limit_nT)
 
 
 def ramp_s(bench: Bench, step_nT: Array) -> float:
@@ -155,7 +155,7 @@ def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: Wanted) 
     yield Event(bench.clock.now(), "field-source", text, data)
 
 
-def _told(bench: Bench, source: FieldSource, followed: Followed, limit_nT: float) -> Work[None]:
+def _report(bench: Bench, source: FieldSource, followed: Followed, limit_nT: float) -> Work[None]:
     """Error, latency and jitter into the record, and what was lost on the way."""
     latency, n = np.array(followed.latencies_s), len(followed.latencies_s)
     rms, u_rms = followed.rms_nT

@@ -76,7 +76,7 @@ def locate_sensors(
             opposed[AXES.index(axis)] = yield from _with_a_half_reversed(bench, axis, field_nT, dwell_s)
         yield from coils_off(bench)
     found: dict[str, Found] = {name: _place(bench, name, normal, opposed) for name in SENSORS}
-    yield from _told(bench, found, apart_mm, misfit_mm)
+    yield from _report(bench, found, apart_mm, misfit_mm)
 
 
 def _geometry(bench: Bench) -> GeometryConfig:
@@ -162,7 +162,7 @@ def _place(bench: Bench, name: str, normal: Sequence[Response], opposed: dict[in
         raise InputError(f"{name}: {error}") from error
 
 
-def _told(bench: Bench, found: dict[str, Found], apart_mm: float, misfit_mm: float) -> Work[None]:
+def _report(bench: Bench, found: dict[str, Found], apart_mm: float, misfit_mm: float) -> Work[None]:
     """Both places, the reference's against the one stated, and the distance of the two; an event with all of it."""
     for name, one in found.items():
         for axis, value, u in zip(AXES, one.place.place_m, one.u_m, strict=True):

@@ -257,10 +257,10 @@ def read_mapping(path: Path) -> Mapping:
     try:
         return Mapping.model_validate(stated)
     except ValidationError as error:
-        raise _told(error, text, path) from None
+        raise _input_error(error, text, path) from None
 
 
-def _told(error: ValidationError, text: str, path: Path) -> InputError:
+def _input_error(error: ValidationError, text: str, path: Path) -> InputError:
     found = error.errors(include_url=False)
     first = next((one for one in found if one["type"] == "extra_forbidden"), found[0])  # more often than not misspelt
     place = [part for part in first["loc"] if not str(part).startswith(("function-", "union", "constrained"))]

@@ -51,7 +51,7 @@ def check_store(path: Path, run_id: str | None = None) -> Checked:
     except chain.Misfit as misfit:
         return Checked(looked.runs, looked.items, str(misfit))
     except sqlite3.Error as error:
-        return Checked(looked.runs, looked.items, _told(error, path))
+        return Checked(looked.runs, looked.items, _fault_in_words(error, path))
     return Checked(looked.runs, looked.items)
 
 
@@ -61,7 +61,7 @@ class _Look:
     items: int = 0
 
 
-def _told(error: sqlite3.Error, path: Path) -> str:
+def _fault_in_words(error: sqlite3.Error, path: Path) -> str:
     """What SQLite met, in words. Raises InstrumentError where it could not look at all."""
     try:
         with named_faults(path):
