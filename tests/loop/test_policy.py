@@ -49,7 +49,8 @@ KINDS = {
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
-        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "telling:QUIET_s", "closures:SHARE SETTLED_S",
+        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "closures:SHARE SETTLED_S",
+        "progress_report:SILENT_s",
         "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "findings.run_findings:ONE_SIGNAL",

@@ -23,7 +23,7 @@ from labcal.model.effects.inputs import channels_of, values
 from labcal.model.effects.regressors import per_axis
 
 Array = NDArray[np.float64]
-SHORTLIST = 3  # sets of inputs that are weighed under every noise
+SHORTLIST = 3  # sets of inputs that are scored under every noise
 HYPERPARAMETERS = 2  # of a smooth function: its size and its length
 
 
@@ -36,7 +36,7 @@ class _Ranked:
 
 @dataclass(frozen=True, slots=True)
 class Shortlist:
-    """The sets of inputs that are worth weighing, and how many there were."""
+    """The sets of inputs that are worth scoring, and how many there were."""
 
     sets: tuple[Inputs, ...]
     trials: int
