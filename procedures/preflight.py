@@ -39,7 +39,7 @@ from labcal.errors import LimitNotMet
 from labcal.record.closure import Standstill
 from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes
-from procedures.so_far import SoFar
+from procedures.running_estimate import RunningEstimate
 from procedures.sync_check import check_sync
 
 NEEDS, LASTS_MIN = "the DUT on the platform, remounted three times; a vector reference", 48
@@ -68,7 +68,7 @@ class Setting:
     zero_s: float
     closure_nT: float
     u_mounting_deg: float
-    so_far: SoFar
+    estimate: RunningEstimate
 
     def at_rate_of(self, bench: Bench) -> Setting:
         """The same at the fastest rate that is allowed, unless one was asked for."""
@@ -144,7 +144,7 @@ def preflight(
     fields = (*magnitudes_nT, *((-magnitudes_nT[-1],) if reverse else ()))
     wanted = Setting(
         axes, fields, modes, inclination_deg, rate_deg_per_s > 0, rate_deg_per_s, timing_nT, u_time_s, step_deg,
-        dwell_s, zero_s, closure_nT, u_mounting_deg, SoFar(bench),
+        dwell_s, zero_s, closure_nT, u_mounting_deg, RunningEstimate(bench),
     )  # fmt: skip
     refuse_too_fast(bench, rate_deg_per_s)
     setting, done = wanted.at_rate_of(bench), resume.done if resume else frozenset()
@@ -215,7 +215,7 @@ def _mount_or_redo(bench: Bench, setting: Setting, key: str, axis: str, last: st
         asked = f"Why is axis {last.upper()} redone? What was measured stays in the record, marked as not used."
         reason = yield Prompt(bench.clock.now(), f"redo-{last}", asked, ())
         yield not_used(bench, [name for name, _, _ in setting.turns(last)], reason or "")
-        setting.so_far.forget()
+        setting.estimate.forget()
         yield from switch_mode(bench, setting.modes[0])
         yield from _turns(bench, setting, last, frozenset())
 
@@ -232,7 +232,7 @@ def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> W
         blocks = yield from attempt(bench, name, work)
         seen += [look_at_turn(bench, AXES[axis], blocks)] if blocks else []
         if blocks and mode == setting.modes[0]:  # another mode may have another offset
-            yield from setting.so_far.take(blocks)
+            yield from setting.estimate.take(blocks)
     if (late := delay_of(seen)) is not None:
         yield from measured(bench, f"delay {axis}", *late, "s", LONGEST_DELAY_S)
     yield plan.begin(bench, f"closure-{axis}")

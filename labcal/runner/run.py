@@ -150,7 +150,7 @@ def resume_run(
     header = store.header(run_id)
     refuse_overdue(bench)
     _refuse_another(bench, procedure, header, dut_serial)
-    done, at_s = so_far(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
+    done, at_s = resume_state(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id, lambda: iso(bench.clock.utc()))
     offset = at_s - bench.clock.now()
@@ -292,7 +292,7 @@ def _said(ending: Ending) -> str:
     return f"{INTERRUPTED}: {why.removesuffix('.')}"
 
 
-def so_far(items: Iterable[Item]) -> Resume:
+def resume_state(items: Iterable[Item]) -> Resume:
     """What an interrupted run had finished, and the first value of every measurement.
 
     A step is finished where another followed it before the run broke off, or broke off again.
