@@ -44,8 +44,8 @@ GAP_S = 1.0  # at least so much time lies between what was recorded before an in
 class Outcome:
     """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
 
-    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `told` says
-    how it ended and what the store had to do with it; `resumable`, whether it can be gone on with.
+    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `ending`: how
+    it ended and what the store had to do with it; `resumable`, whether it can be gone on with.
     """
 
     run_id: str
@@ -53,7 +53,7 @@ class Outcome:
     fault: BaseException | None
     failed: tuple[Measurement, ...] = ()
     lab: LabState | None = None
-    told: str = ""
+    ending: str = ""
     resumable: bool = False
 
     @property
@@ -122,7 +122,7 @@ def run_procedure(
         administrative=stated_administrative(bench),
     )
     writer = store.begin(header, lambda: iso(bench.clock.utc()))
-    _tell_lifted(bench, writer, bench.clock.now())
+    _report_lifted(bench, writer, bench.clock.now())
     if first is not None:
         writer.write(Event(bench.clock.now(), *first))
     _remark(remark, writer, bench.clock.now(), tell)
@@ -156,14 +156,14 @@ def resume_run(
     offset = at_s - bench.clock.now()
     software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
-    _tell_lifted(bench, writer, at_s)
+    _report_lifted(bench, writer, at_s)
     _remark(remark, writer, at_s, tell)
     return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)
 
 
-def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
+def _report_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
     """Who lifted the doubt that the coils were at zero, and what was measured, into the first record after it."""
-    if (doubt := bench.cage.latch.told()) is not None:
+    if (doubt := bench.cage.latch.take_lifted()) is not None:
         writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
 
 
@@ -215,12 +215,12 @@ def _drive(
         ending = Ending(INTERRUPTED, ending.fault)
     lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
     writer.waits = lambda fault: seen.not_kept(bench.clock.now() + offset_s, fault)
-    status, fault, told = _written(writer, ending)
+    status, fault, words = _written(writer, ending)
     lost = getattr(fault, "fault", "") == "store gone"
     resumable = status == INTERRUPTED and procedure.resumable and not lost
     if status == INTERRUPTED and not procedure.resumable:
-        told = f"{told}; {procedure.name} cannot be gone on with: start it anew"
-    return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, told, resumable)
+        words = f"{words}; {procedure.name} cannot be gone on with: start it anew"
+    return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, words, resumable)
 
 
 def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
@@ -242,11 +242,11 @@ class _Seen:
     tell: Tell
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
-    store_told: bool = False
+    fault_reported: bool = False
 
     def not_kept(self, t_s: float, fault: InstrumentError) -> None:
-        """Tell that the end of the run waits for the store, unless it was told that the store ended it."""
-        if not self.store_told:
+        """Tell that the end of the run waits for the store, unless it was reported that the store ended it."""
+        if not self.fault_reported:
             self.notice(Event(t_s, NOT_KEPT, f"the end of the run waits: {fault.what}"))
 
     def notice(self, item: Item) -> None:
@@ -256,7 +256,7 @@ class _Seen:
                 self.failed[item.name] = item
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
-            self.store_told |= item.kind == NOT_KEPT
+            self.fault_reported |= item.kind == NOT_KEPT
         self.tell(item)
 
 
@@ -275,8 +275,8 @@ def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | No
         missing = f"{what.removesuffix('.')}; what was not committed is lost"
         if ending.by_store:
             return INTERRUPTED, fault, f"{BY_STORE}: {missing}"
-        told = f"{said}, but the store has not kept its end and shows it as interrupted: {missing}"
-        return INTERRUPTED, fault if first else ending.fault, told
+        words = f"{said}, but the store has not kept its end and shows it as interrupted: {missing}"
+        return INTERRUPTED, fault if first else ending.fault, words
     waited_s = time.monotonic() - begun_s
     late = f", kept by the store {waited_s:.0f} s later" if waited_s > LONG_S and not ending.by_store else ""
     return ending.status, ending.fault, f"{said}{late}"

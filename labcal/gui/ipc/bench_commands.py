@@ -157,7 +157,7 @@ def _on_bench(
     fault = None
     if ended.fault is not None:
         fault = fault_of(ended.fault, "".join(traceback.format_exception(ended.fault)))
-    return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.told)
+    return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.ending)
 
 
 def _going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
