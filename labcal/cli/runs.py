@@ -149,7 +149,7 @@ def import_(
             raise typer.BadParameter("--map and --guess are for recordings, not for a calibration")
         return say(session.import_calibration(path, kind, out, force=force))
     taken = session.import_foreign(session.Asked(path, kind, map_, guess, out, force))
-    say_lines(taken.told, err=True)
+    say_lines(taken.remarks, err=True)
     return say_lines(taken.result.splitlines())
 
 

@@ -31,7 +31,7 @@ def watch(
 
     A mail server that asks for a name and a password is given LABCAL_SMTP_USER and LABCAL_SMTP_PASSWORD.
     """
-    from labcal.years.told import Mail, Webhook
+    from labcal.years.notify import Mail, Webhook
     from labcal.years.watch import Source, document, look
     from labcal.years.watch import watch as watching
 

@@ -32,7 +32,7 @@ class Imported:
     """A recording as a run, and what was noticed in it."""
 
     run: Run
-    told: tuple[str, ...]  # to be known before anything is fitted
+    remarks: tuple[str, ...]  # to be known before anything is fitted
 
 
 def take_in(path: Path, format_: str, mapping: Mapping) -> Imported:

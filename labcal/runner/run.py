@@ -44,8 +44,8 @@ GAP_S = 1.0  # at least so much time lies between what was recorded before an in
 class Outcome:
     """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
 
-    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `ending`: how
-    it ended and what the store had to do with it; `resumable`, whether it can be gone on with.
+    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `ending`:
+    how it ended and what the store had to do with it; `resumable`, whether it can be gone on with.
     """
 
     run_id: str

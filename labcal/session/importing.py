@@ -30,10 +30,10 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Taken:
-    """What is said of it: `told` while it was read, and `result`, the run id, the file, or a mapping's text."""
+    """What is said of it: `remarks` while it was read, and `result`, the run id, the file, or a mapping's text."""
 
     result: str
-    told: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 def import_foreign(asked: Asked) -> Taken:
@@ -58,10 +58,10 @@ def _recording(asked: Asked) -> Taken:
     found = importers.take_in(asked.path, asked.kind, mapping)
     bundle = _checked(bundle_of(found.run), asked.path)
     if asked.out is None:
-        return Taken(_into_the_store(bundle), found.told)
+        return Taken(_into_the_store(bundle), found.remarks)
     with writing(outputs):
         save_bundle(bundle, asked.out)
-    return Taken(str(asked.out), found.told)
+    return Taken(str(asked.out), found.remarks)
 
 
 def _guessed(asked: Asked) -> Taken:

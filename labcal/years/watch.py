@@ -17,7 +17,7 @@ from labcal import session
 from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.session import archiving
-from labcal.years.told import Way, tell
+from labcal.years.notify import Way, notify
 
 STATE, FORMAT = "watched.json", "labcal-watch/1"
 SETTLED_S = 5.0  # a file that was written to since may not be whole yet
@@ -143,7 +143,7 @@ def _tell(ways: Sequence[Way], found: Sequence[Watched]) -> None:
     order = [*eyes, *(one for one in found if not one.needs)]
     drafts = "Drafts only: nothing is signed until a person approves and signs it."
     text = "\n\n".join([*(one.in_words() for one in order), drafts]) + "\n"
-    tell(ways, subject, text, {"format": FORMAT, "runs": [document(one) for one in order]})
+    notify(ways, subject, text, {"format": FORMAT, "runs": [document(one) for one in order]})
 
 
 def _subject(one: Watched) -> str:
