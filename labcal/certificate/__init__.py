@@ -14,7 +14,7 @@ from labcal.certificate.keys import Entry
 from labcal.certificate.predecessor import changed_from, changed_since
 from labcal.certificate.roles import check_approver, check_roles
 from labcal.certificate.signing import (
-    Check,
+    SignatureCheck,
     Verification,
     approve,
     check_approvers,
@@ -28,8 +28,8 @@ from labcal.certificate.superseding import keep_superseding, superseded_by
 
 __all__ = [
     "AppliedFile",
-    "Check",
     "Entry",
+    "SignatureCheck",
     "Signer",
     "Stated",
     "Verification",
