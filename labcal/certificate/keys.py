@@ -52,7 +52,7 @@ SIMULATED = "simulated"  # the principal of keys made in memory: good for files 
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class KeyEntry:
     """One line of `labcal keys list`."""
 
     signer: Signer
@@ -251,14 +251,14 @@ def revoked(home: Path) -> frozenset[bytes]:
     return frozenset(keys)
 
 
-def entries(home: Path, *, only_listed: bool = False) -> tuple[Entry, ...]:
+def entries(home: Path, *, only_listed: bool = False) -> tuple[KeyEntry, ...]:
     """Everybody in the trust list, whether their private key is here, and whether they are revoked.
 
     `only_listed`: to be looked at, whoever signed the list.
     """
     gone = revoked(home)
     known = listed(home) if only_listed else trusted(home)
-    return tuple(Entry(s, _private(home, s.principal).exists(), s.revoked or s.key in gone) for s in known)
+    return tuple(KeyEntry(s, _private(home, s.principal).exists(), s.revoked or s.key in gone) for s in known)
 
 
 def names(home: Path) -> frozenset[str]:
