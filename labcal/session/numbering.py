@@ -13,7 +13,7 @@ from pathlib import Path
 from labcal.certificate import register
 from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import read_laboratory
-from labcal.certificate.register import Numbered
+from labcal.certificate.register import NumberEntry
 from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
 from labcal.files.home import home
@@ -102,7 +102,7 @@ def keep_signed(calibration: Calibration, content: bytes) -> None:
         register.signed(home(), calibration.number, calibration.run_id, sha256(content).hexdigest())
 
 
-def numbers() -> tuple[Numbered, ...]:
+def numbers() -> tuple[NumberEntry, ...]:
     """Every certificate number that this lab has given out, void ones too."""
     return register.listed(home())
 
