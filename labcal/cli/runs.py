@@ -148,7 +148,7 @@ def import_(
         if map_ is not None or guess:
             raise typer.BadParameter("--map and --guess are for recordings, not for a calibration")
         return say(session.import_calibration(path, kind, out, force=force))
-    taken = session.import_foreign(session.Asked(path, kind, map_, guess, out, force))
+    taken = session.import_foreign(session.ImportRequest(path, kind, map_, guess, out, force))
     say_lines(taken.remarks, err=True)
     return say_lines(taken.result.splitlines())
 

@@ -17,7 +17,7 @@ from labcal.store.limits import LARGEST
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class ImportRequest:
     """The words of one `labcal import --from`."""
 
     path: Path
@@ -36,7 +36,7 @@ class Taken:
     remarks: tuple[str, ...] = ()
 
 
-def import_foreign(asked: Asked) -> Taken:
+def import_foreign(asked: ImportRequest) -> Taken:
     """Take in what others wrote. Raises InputError where that is nothing labcal knows."""
     if asked.kind not in IMPORTS:
         raise InputError(
@@ -45,7 +45,7 @@ def import_foreign(asked: Asked) -> Taken:
     return IMPORTS[asked.kind](asked)
 
 
-def _recording(asked: Asked) -> Taken:
+def _recording(asked: ImportRequest) -> Taken:
     """A recording by its mapping: into the store, or to `out` as a bundle; with `guess` the mapping alone."""
     if asked.guess:
         return _guessed(asked)
@@ -64,7 +64,7 @@ def _recording(asked: Asked) -> Taken:
     return Taken(str(asked.out), found.remarks)
 
 
-def _guessed(asked: Asked) -> Taken:
+def _guessed(asked: ImportRequest) -> Taken:
     from labcal.importers.guess import guess
 
     if asked.out is not None:
@@ -105,4 +105,4 @@ def _into_the_store(bundle: Bundle) -> str:
         return import_bundle(Path(folder))
 
 
-IMPORTS: Mapping[str, Callable[[Asked], Taken]] = dict.fromkeys(importers.READERS, _recording)
+IMPORTS: Mapping[str, Callable[[ImportRequest], Taken]] = dict.fromkeys(importers.READERS, _recording)
