@@ -17,7 +17,7 @@ from labcal.certificate.agent import signed
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.quality.control_chart import Chart, control_chart
-from labcal.session.figures import Figure, figures_of_run
+from labcal.session.figures import SensorFigure, figures_of_run
 from labcal.store import RunSummary, Store
 from labcal.store.listing import FILE as STORE
 
@@ -62,7 +62,7 @@ def charts(stated: CheckStandardConfig, *, bench: str | None = None, simulated: 
 
     Raises InputError where the store cannot be read, or simulated runs stand among real ones.
     """
-    measured, values, left_out = list[RunSummary](), list[Mapping[str, Figure]](), list[str]()
+    measured, values, left_out = list[RunSummary](), list[Mapping[str, SensorFigure]](), list[str]()
     for run in _runs(stated, bench, simulated):
         try:
             values.append(figures_of_run(run.run_id))
@@ -165,7 +165,7 @@ def _bench_of(store: Store, run: RunSummary) -> str:
         return ""
 
 
-def _chart(stated: CheckStandardConfig, name: str, values: list[Mapping[str, Figure]]) -> Chart | str:
+def _chart(stated: CheckStandardConfig, name: str, values: list[Mapping[str, SensorFigure]]) -> Chart | str:
     """The chart of one quantity, or why there is none yet."""
     of = [one[name].value for one in values]
     groups = [of[i : i + stated.repeats] for i in range(0, len(of), stated.repeats)]
