@@ -17,7 +17,7 @@ if TYPE_CHECKING:
         write_bundle,
         zipped,
     )
-    from labcal.store.check import Checked, check_store
+    from labcal.store.check import StoreCheck, check_store
     from labcal.store.listing import RunSummary, list_runs
     from labcal.store.live import Store
     from labcal.store.summary import describe
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Bundle",
-    "Checked",
     "RunSummary",
     "RunWriter",
     "Store",
+    "StoreCheck",
     "Table",
     "bundle_files",
     "bundle_of",
@@ -45,7 +45,7 @@ __all__ = [
     "zipped",
 ]
 _OF_OTHERS = {
-    **dict.fromkeys(("Checked", "check_store"), "check"),
+    **dict.fromkeys(("StoreCheck", "check_store"), "check"),
     **dict.fromkeys(("RunSummary", "list_runs"), "listing"),
     **dict.fromkeys(("Table", "read_table"), "table"),
     "Store": "live",

@@ -22,7 +22,7 @@ ITEM = f"SELECT number, {', '.join(Row._fields)} FROM item WHERE run = ? ORDER B
 
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class StoreCheck:
     """What was looked through, up to the first `fault`; "" where everything fits.
 
     `parsed`: how many rows' raw frames were parsed again.
@@ -34,7 +34,7 @@ class Checked:
     parsed: int = 0
 
 
-def check_store(path: Path, run_id: str | None = None) -> Checked:
+def check_store(path: Path, run_id: str | None = None) -> StoreCheck:
     """Look through the file, then every row of the run `run_id`, or of all runs.
 
     Raises InputError where there is no such file or run, InstrumentError where another program keeps it locked.
@@ -49,10 +49,10 @@ def check_store(path: Path, run_id: str | None = None) -> Checked:
             for number, name in _runs(store, path, run_id):
                 _check_run(store, number, name, looked)
     except chain.Misfit as misfit:
-        return Checked(looked.runs, looked.items, str(misfit))
+        return StoreCheck(looked.runs, looked.items, str(misfit))
     except sqlite3.Error as error:
-        return Checked(looked.runs, looked.items, _fault_in_words(error, path))
-    return Checked(looked.runs, looked.items)
+        return StoreCheck(looked.runs, looked.items, _fault_in_words(error, path))
+    return StoreCheck(looked.runs, looked.items)
 
 
 @dataclass
