@@ -21,16 +21,16 @@ if TYPE_CHECKING:
     from labcal.store.listing import RunSummary, list_runs
     from labcal.store.live import Store
     from labcal.store.summary import describe
-    from labcal.store.table import Table, read_table
+    from labcal.store.table import ColumnTable, read_table
     from labcal.store.writer import RunWriter
 
 __all__ = [
     "Bundle",
+    "ColumnTable",
     "RunSummary",
     "RunWriter",
     "Store",
     "StoreCheck",
-    "Table",
     "bundle_files",
     "bundle_of",
     "bundle_sha256",
@@ -47,7 +47,7 @@ __all__ = [
 _OF_OTHERS = {
     **dict.fromkeys(("StoreCheck", "check_store"), "check"),
     **dict.fromkeys(("RunSummary", "list_runs"), "listing"),
-    **dict.fromkeys(("Table", "read_table"), "table"),
+    **dict.fromkeys(("ColumnTable", "read_table"), "table"),
     "Store": "live",
     "describe": "summary",
     "RunWriter": "writer",
