@@ -43,7 +43,7 @@ class Finding:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Clock:
+class StampStatistics:
     """The stamps of one group: first and last [s], period [s], how many, how many without a value, and the steps."""
 
     first_s: float
@@ -54,24 +54,24 @@ class Clock:
     steps: Array
 
 
-def doubts(run: Run, clocks: Mapping[str, Clock], attitude: Array | None = None) -> list[Finding]:
+def doubts(run: Run, clocks: Mapping[str, StampStatistics], attitude: Array | None = None) -> list[Finding]:
     """What no fit should see, the most fundamental first; `attitude` (n, 3, 3) turned the reference into the body."""
     return [*_times(clocks), *_apart(clocks), *_constant(run), *_units(run), *_axes(run, attitude)]
 
 
-def findings(run: Run, clocks: Mapping[str, Clock]) -> list[Finding]:
+def findings(run: Run, clocks: Mapping[str, StampStatistics]) -> list[Finding]:
     """What a person should know, and may be as it is."""
     return [*_gaps(clocks), *_missing(run, clocks), *_still(run), *_delay(run, clocks)]
 
 
-def _times(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _times(clocks: Mapping[str, StampStatistics]) -> Iterator[Finding]:
     for name, clock in clocks.items():
         if clock.n > 1 and not SHORTEST_S <= clock.period_s <= LONGEST_S:
             what = f"the samples of {name} would be {clock.period_s:.3g} s apart: is the unit of its time right?"
             yield Finding(what, "time")
 
 
-def _apart(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _apart(clocks: Mapping[str, StampStatistics]) -> Iterator[Finding]:
     """Streams whose spans share less than half of the reading's: two clocks, or two recordings."""
     for name, clock in clocks.items():
         own = clocks.get(name.replace(name.partition(" of ")[0], "reading", 1)) or clocks.get("reading")
@@ -168,7 +168,7 @@ def _left(predicted: Array, read: Array) -> float:
     return float(np.sqrt(np.mean(np.sum((r - gain * p) ** 2, axis=1)))) + 1e-9
 
 
-def _gaps(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _gaps(clocks: Mapping[str, StampStatistics]) -> Iterator[Finding]:
     of_one_table: set[tuple[float, float, int]] = set()
     for name, clock in clocks.items():
         long = clock.steps[clock.steps > GAP * clock.period_s]
@@ -178,7 +178,7 @@ def _gaps(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
             yield Finding(f"{name}: {long.size} gap{'s' * (long.size > 1)}, the longest {long.max():.4g} s")
 
 
-def _missing(run: Run, clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _missing(run: Run, clocks: Mapping[str, StampStatistics]) -> Iterator[Finding]:
     for name, clock in clocks.items():
         if clock.missing:
             yield Finding(f"{name}: {clock.missing} of {clock.n} rows have no value (NaN or empty)")
@@ -195,7 +195,7 @@ def _still(run: Run) -> Iterator[Finding]:
             yield Finding(f"channel {channel.name} is {known[0]:g} {channel.unit} throughout: it can explain nothing")
 
 
-def _delay(run: Run, clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _delay(run: Run, clocks: Mapping[str, StampStatistics]) -> Iterator[Finding]:
     """A reference that fits far better at other times: an offset between two clocks, and a drift between the halves."""
     if "reading" not in clocks or "reference" not in clocks:
         return

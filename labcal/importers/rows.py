@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.importers import attitude
 from labcal.importers.clock import Stamps, is_date, stamps_of, utc
-from labcal.importers.doubts import Clock, Finding, doubts, findings
+from labcal.importers.doubts import Finding, StampStatistics, doubts, findings
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import Recording, Request, Stream, Wanted
@@ -162,7 +162,7 @@ class _Readings:
 
     def __init__(self, opened: _Opened, part: SegmentPart | None) -> None:
         self._opened, self._part, self._mapping = opened, part, opened.mapping
-        self.clocks: dict[str, Clock] = {}
+        self.clocks: dict[str, StampStatistics] = {}
         self.stream, self.at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
         self.values = values[self.at.rows]
 
@@ -192,10 +192,10 @@ def _same_clock(group: Source, mapping: Mapping) -> bool:
     return all(getattr(group, name) == getattr(mapping.reading, name) for name in names)
 
 
-def _clock(at: Stamps, values: Array) -> Clock:
+def _clock(at: Stamps, values: Array) -> StampStatistics:
     steps = np.diff(at.t_s)
     missing = int(np.isnan(values[at.rows]).any(axis=1).sum())
-    return Clock(float(at.t_s[0]), float(at.t_s[-1]), period_s(at.t_s), len(at.t_s), missing, steps)
+    return StampStatistics(float(at.t_s[0]), float(at.t_s[-1]), period_s(at.t_s), len(at.t_s), missing, steps)
 
 
 def _reference(mapping: Mapping, own: _Readings) -> Array | None:

@@ -14,7 +14,7 @@ from labcal.earth.igrf import igrf_nT
 from labcal.earth.wmm import wmm
 from labcal.errors import InputError
 from labcal.importers.attitude import one_attitude
-from labcal.importers.doubts import Clock
+from labcal.importers.doubts import StampStatistics
 from labcal.importers.mapping import Mapping, SegmentPart
 from labcal.importers.model_field import day_of
 from labcal.record import Channel, Dut, Reference, Run, Segment
@@ -36,7 +36,7 @@ class Rows:
     labels: Sequence[str] | None
     modes: Sequence[str] | None
     part: SegmentPart | None
-    clocks: Mapped[str, Clock]
+    clocks: Mapped[str, StampStatistics]
     lengths: tuple[int, ...] = ()  # rows of each file, where several were joined
 
     def since(self, origin_s: float) -> Rows:
