@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.importers import attitude
 from labcal.importers.clock import Stamps, is_date, stamps_of, utc
-from labcal.importers.doubts import Finding, StampStatistics, doubts, findings
+from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import Recording, Request, Stream, Wanted
@@ -71,7 +71,7 @@ def _beside(path: Path, name: str) -> Path:
     return (path if path.is_dir() else path.parent) / name
 
 
-def _refuse(seen: Sequence[Finding], mapping: Mapping, path: Path) -> None:
+def _refuse(seen: Sequence[ImportFinding], mapping: Mapping, path: Path) -> None:
     """Raise InputError for the first doubt that the mapping does not accept."""
     for finding in seen:
         if finding.doubt is not None and finding.doubt not in mapping.accept:
