@@ -12,7 +12,7 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.importers import looks
-from labcal.importers.looks import Looks
+from labcal.importers.looks import Resemblance
 from labcal.importers.mapping import FORMAT
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import Recording, Request, Stream
@@ -32,8 +32,8 @@ CALLED_DUT = re.compile(r"dut|test|raw", re.IGNORECASE)
 @dataclass(frozen=True, slots=True)
 class _Sensor:
     stream: Stream
-    clock: Looks
-    looks: Looks
+    clock: Resemblance
+    looks: Resemblance
 
 
 def guess(path: Path, format_: str) -> str:
@@ -66,7 +66,7 @@ def _sensors(streams: Sequence[Stream], own_unit: str | None) -> Iterator[_Senso
             yield from (_Sensor(stream, clock, found) for found in looks.magnetometers(stream, own_unit))
 
 
-def _one_length(stream: Stream, clock: Looks) -> bool:
+def _one_length(stream: Stream, clock: Resemblance) -> bool:
     return clock.unit == "iso" or len({len(v) for v in stream.numbers.values()}) == 1 or stream.name == ""
 
 
@@ -202,7 +202,7 @@ def _channels(streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | 
                 yield from (f"time = {_quoted(clock.columns[0])}", f'time_unit = "{clock.unit}"')
 
 
-def _channel_name(stream: Stream, found: Looks, names: set[str]) -> str:
+def _channel_name(stream: Stream, found: Resemblance, names: set[str]) -> str:
     column = f"channel_{found.columns[0]}" if found.columns[0].isdigit() else found.columns[0]
     short = re.sub(r"\W+", "_", column).strip("_").lower()
     return short if short not in names else re.sub(r"\W+", "_", f"{stream.name}_{short}").strip("_").lower()
