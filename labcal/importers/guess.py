@@ -15,7 +15,7 @@ from labcal.importers import looks
 from labcal.importers.looks import Resemblance
 from labcal.importers.mapping import FORMAT
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import Recording, Request, Stream
+from labcal.importers.recording import ForeignRecording, Request, Stream
 from labcal.store.limits import listed
 
 LOOKED_AT = 20_000  # rows of each stream
@@ -54,7 +54,7 @@ def guess(path: Path, format_: str) -> str:
     return "\n".join([*head, *_lines(recording, streams, reading, reference)]) + "\n"
 
 
-def _once(recording: Recording) -> list[Stream]:
+def _once(recording: ForeignRecording) -> list[Stream]:
     """Each stream once, whatever names it goes by."""
     return list({id(stream): stream for stream in recording.streams.values()}.values())
 
@@ -92,7 +92,7 @@ def _chosen(sensors: Sequence[_Sensor]) -> tuple[_Sensor, _Sensor | None]:
 
 
 def _lines(
-    recording: Recording, streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | None
+    recording: ForeignRecording, streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | None
 ) -> Iterator[str]:
     yield f'format = "{FORMAT}"'
     if recording.started_utc is None and reading.clock.unit != "iso" and not _is_date(reading):

@@ -100,7 +100,7 @@ class Stream:
 
 
 @dataclass(frozen=True, slots=True)
-class Recording:
+class ForeignRecording:
     """One foreign file: its streams by name, when it began (UTC, where it says so), and what belongs in the notes."""
 
     file: Path

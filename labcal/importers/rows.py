@@ -17,7 +17,7 @@ from labcal.importers.clock import Stamps, is_date, stamps_of, utc
 from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import Recording, Request, Stream, Wanted
+from labcal.importers.recording import ForeignRecording, Request, Stream, Wanted
 from labcal.importers.run_of import Rows, run_of
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
@@ -86,7 +86,7 @@ class _Opened:
     path: Path
     format: str
     mapping: Mapping
-    read: dict[Path, Recording] = field(default_factory=dict)
+    read: dict[Path, ForeignRecording] = field(default_factory=dict)
 
     def stream(self, group: Source, part: SegmentPart | None) -> Stream:
         file = self._file(group, part)
