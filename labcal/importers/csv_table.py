@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import CsvForm, ForeignRecording, Request, Stream, Wanted
+from labcal.importers.recording import CsvForm, ForeignRecording, ReadRequest, Stream, Wanted
 from labcal.record.physical import LARGEST_NUMBER
 from labcal.store.limits import MOST_CELLS, MOST_COLUMNS, shortened
 from labcal.store.table import line_blocks
@@ -25,7 +25,7 @@ AT_ONCE = 20_000  # rows
 LOOKED_AT = 20  # lines, to see how the table is written
 
 
-def read(path: Path, request: Request) -> ForeignRecording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The table as the stream "". Columns of a table without a header are called 1, 2, 3 and so on."""
     with path.open("rb") as source:
         lines = _lines(line_blocks(source, str(path)), request.form)

@@ -15,7 +15,7 @@ from labcal.importers import looks
 from labcal.importers.looks import Resemblance
 from labcal.importers.mapping import FORMAT
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import ForeignRecording, Request, Stream
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream
 from labcal.store.limits import listed
 
 LOOKED_AT = 20_000  # rows of each stream
@@ -38,7 +38,7 @@ class _Sensor:
 
 def guess(path: Path, format_: str) -> str:
     """The text of a mapping. Raises InputError where nothing looks like a magnetometer with a clock."""
-    recording = read_recording(path, format_, Request(None, most_rows=LOOKED_AT))
+    recording = read_recording(path, format_, ReadRequest(None, most_rows=LOOKED_AT))
     streams = _once(recording)
     sensors = sorted(_sensors(streams, OWN_UNIT.get(format_)), key=_preference)
     if not sensors:

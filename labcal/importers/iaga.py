@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import ForeignRecording, Request, Stream
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream
 from labcal.store.table import line_blocks
 
 Array = NDArray[np.float64]
@@ -23,7 +23,7 @@ KEPT = ("Station Name", "IAGA CODE", "Geodetic Latitude", "Geodetic Longitude", 
 VALUES = 4
 
 
-def read(path: Path, request: Request) -> ForeignRecording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The stream "" with `time` [s since 1970, UTC] and the elements that are reported, X Y Z F among them [nT]."""
     head: dict[str, str] = {}
     columns: list[str] = []

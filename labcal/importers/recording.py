@@ -40,7 +40,7 @@ class CsvForm:
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class ReadRequest:
     """What a reader is asked for: columns by stream, or all of them (None), from at most `most_rows` rows."""
 
     wanted: Mapping[str, Wanted] | None = None

@@ -17,7 +17,7 @@ from labcal.importers.clock import Stamps, is_date, stamps_of, utc
 from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import ForeignRecording, Request, Stream, Wanted
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, Wanted
 from labcal.importers.run_of import Rows, run_of
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
@@ -92,7 +92,7 @@ class _Opened:
         file = self._file(group, part)
         if file not in self.read:
             same = [g for g in self.mapping.groups() if self._file(g, part) == file]
-            request = Request(_wanted(same, self.mapping), self.mapping.csv.form())
+            request = ReadRequest(_wanted(same, self.mapping), self.mapping.csv.form())
             self.read[file] = read_recording(file, group.format or self.format, request)
         return self.read[file].stream(group.stream)
 

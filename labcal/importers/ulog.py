@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import ForeignRecording, Request, Stream, unreadable
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, unreadable
 
 GPS = ("vehicle_gps_position", "sensor_gps")
 FIRST_YEAR = 2000  # a receiver without a fix tells 1970 or 1980
 
 
-def read(path: Path, request: Request) -> ForeignRecording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The topics that are wanted; `timestamp` is in µs since the autopilot began. Raises InputError."""
     from pyulog import ULog
 
@@ -34,7 +34,7 @@ def read(path: Path, request: Request) -> ForeignRecording:
     return ForeignRecording(path, streams, _started(log), _on_board(log))
 
 
-def _stream(data: Any, path: Path, request: Request) -> Stream:
+def _stream(data: Any, path: Path, request: ReadRequest) -> Stream:
     names = data.data.keys()
     wanted = [request.of(key) for key in (f"{data.name}:{data.multi_id}", data.name)]
     if all(one is not None for one in wanted):
