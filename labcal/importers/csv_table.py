@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import CsvForm, ForeignRecording, ReadRequest, Stream, Wanted
+from labcal.importers.recording import CsvForm, ForeignRecording, ReadRequest, Stream, WantedColumns
 from labcal.record.physical import LARGEST_NUMBER
 from labcal.store.limits import MOST_CELLS, MOST_COLUMNS, shortened
 from labcal.store.table import line_blocks
@@ -129,7 +129,7 @@ def _blocks(first: Numbered | None, rows: Iterator[Numbered], most: int | None) 
 class _Table:
     """The wanted columns, growing block by block; of all, those are numbers whose first cells are."""
 
-    def __init__(self, names: list[str], wanted: Wanted | None, form: CsvForm, path: Path) -> None:
+    def __init__(self, names: list[str], wanted: WantedColumns | None, form: CsvForm, path: Path) -> None:
         self._names, self._form, self._path = names, form, path
         self._wanted = wanted
         self._numbers: dict[str, list[Array]] = {}

@@ -17,7 +17,7 @@ from labcal.importers.clock import Stamps, is_date, stamps_of, utc
 from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, Wanted
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, WantedColumns
 from labcal.importers.run_of import Rows, run_of
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
@@ -124,9 +124,9 @@ def _sha256(file: Path) -> str:
         return file_digest(source, "sha256").hexdigest()
 
 
-def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, Wanted]:
+def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, WantedColumns]:
     """The columns of each stream of one file."""
-    found: dict[str, Wanted] = {}
+    found: dict[str, WantedColumns] = {}
     for group in groups:
         is_text = (group.time_unit or mapping.time.unit) == "iso"
         clock = frozenset([group.time or mapping.time.column])
@@ -135,8 +135,8 @@ def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, Wanted]:
         texts = clock if is_text else frozenset[str]()
         if group is mapping.reading:
             texts |= frozenset(name for name in (mapping.segment_column, mapping.mode_column) if name)
-        one = Wanted(numbers | (frozenset() if is_text else clock), texts)
-        found[group.stream] = found.get(group.stream, Wanted()) | one
+        one = WantedColumns(numbers | (frozenset() if is_text else clock), texts)
+        found[group.stream] = found.get(group.stream, WantedColumns()) | one
     return found
 
 
