@@ -18,7 +18,7 @@ from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, find
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, WantedColumns
-from labcal.importers.run_of import Rows, run_of
+from labcal.importers.run_of import FileRows, run_of
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
 from labcal.record.assemble import interpolated
@@ -140,10 +140,10 @@ def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, WantedColum
     return found
 
 
-def _rows(opened: _Opened, part: SegmentPart | None) -> Rows:
+def _rows(opened: _Opened, part: SegmentPart | None) -> FileRows:
     """The rows of one file, at the readings' stamps."""
     mapping, own = opened.mapping, _Readings(opened, part)
-    return Rows(
+    return FileRows(
         t_s=own.at.t_s,
         reading=attitude.turned(own.values, mapping.reading.axes) * nT_OF[mapping.reading.unit],
         reference=_reference(mapping, own),
@@ -243,11 +243,11 @@ def _labels(stream: Stream, own: Stamps, column: str | None) -> list[str] | None
     return [cells[row] for row in own.rows]
 
 
-def _together(parts: Sequence[Rows]) -> Rows:
+def _together(parts: Sequence[FileRows]) -> FileRows:
     """The rows of all files, one after the other. Raises InputError where one begins before the one before it ends."""
     for before, after in pairwise(parts):
         if after.t_s[0] <= before.t_s[-1]:
             here = after.part.id if after.part else ""
             what = f"segment {here!r} begins at {after.t_s[0]:.9g} s, before the one before it ends"
             raise InputError(f"{what} ({before.t_s[-1]:.9g} s): time must grow through all files")
-    return parts[0] if len(parts) == 1 else Rows.joined(parts)
+    return parts[0] if len(parts) == 1 else FileRows.joined(parts)
