@@ -15,7 +15,7 @@ from labcal.errors import InputError
 from labcal.importers import attitude
 from labcal.importers.clock import Stamps, is_date, stamps_of, utc
 from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
-from labcal.importers.mapping import Mapping, SegmentPart, Source
+from labcal.importers.mapping import ColumnSource, Mapping, SegmentPart
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, WantedColumns
 from labcal.importers.run_of import FileRows, run_of
@@ -88,7 +88,7 @@ class _Opened:
     mapping: Mapping
     read: dict[Path, ForeignRecording] = field(default_factory=dict)
 
-    def stream(self, group: Source, part: SegmentPart | None) -> Stream:
+    def stream(self, group: ColumnSource, part: SegmentPart | None) -> Stream:
         file = self._file(group, part)
         if file not in self.read:
             same = [g for g in self.mapping.groups() if self._file(g, part) == file]
@@ -114,7 +114,7 @@ class _Opened:
         accepted = f"; accepted: {', '.join(self.mapping.accept)}" if self.mapping.accept else ""
         return f"imported from {'; '.join(told) or self.path.name}{accepted}"[:9_000]
 
-    def _file(self, group: Source, part: SegmentPart | None) -> Path:
+    def _file(self, group: ColumnSource, part: SegmentPart | None) -> Path:
         name = group.file or (part.file if part is not None else None)
         return self.path if name is None else _beside(self.path, name)
 
@@ -124,7 +124,7 @@ def _sha256(file: Path) -> str:
         return file_digest(source, "sha256").hexdigest()
 
 
-def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, WantedColumns]:
+def _wanted(groups: Sequence[ColumnSource], mapping: Mapping) -> dict[str, WantedColumns]:
     """The columns of each stream of one file."""
     found: dict[str, WantedColumns] = {}
     for group in groups:
@@ -166,7 +166,7 @@ class _Readings:
         self.stream, self.at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
         self.values = values[self.at.rows]
 
-    def sampled(self, group: Source, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
+    def sampled(self, group: ColumnSource, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
         """A group's stream, its stamps, and its columns (n, k) of all rows."""
         stream = self._opened.stream(group, self._part)
         at = stamps_of(stream, group, self._mapping.time)
@@ -174,7 +174,7 @@ class _Readings:
         self.clocks[name] = _clock(at, values)
         return stream, at, values
 
-    def bring(self, group: Source, name: str, columns: Sequence[str], change: Change = lambda v: v) -> Array:
+    def bring(self, group: ColumnSource, name: str, columns: Sequence[str], change: Change = lambda v: v) -> Array:
         """A group's columns (n, k), through `change`, at the readings' stamps."""
         stream, at, values = self.sampled(group, name, columns)
         if stream is self.stream and _same_clock(group, self._mapping):
@@ -182,12 +182,12 @@ class _Readings:
         return interpolated(self.at.t_s, at.t_s, change(values[at.rows]))
 
 
-def _clock_columns(group: Source, mapping: Mapping) -> list[str]:
+def _clock_columns(group: ColumnSource, mapping: Mapping) -> list[str]:
     """The column of the group's clock where it holds numbers: it has to be as long as the others."""
     return [] if (group.time_unit or mapping.time.unit) == "iso" else [group.time or mapping.time.column]
 
 
-def _same_clock(group: Source, mapping: Mapping) -> bool:
+def _same_clock(group: ColumnSource, mapping: Mapping) -> bool:
     names = ("time", "time_unit", "clock_offset_s", "clock_rate_ppm")
     return all(getattr(group, name) == getattr(mapping.reading, name) for name in names)
 
