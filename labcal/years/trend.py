@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.quality.drift import Drift, drift
-from labcal.quality.intercomparison import Comparison, compare_benches
+from labcal.quality.intercomparison import Intercomparison, compare_benches
 from labcal.quality.recalibration import Proposal, proposals
 from labcal.years.history import DAYS_A_YEAR, Calibrated
 
@@ -96,7 +96,7 @@ def shortest(found: Sequence[Trend]) -> dict[str, tuple[float, str]]:
 
 def compared(
     benches: Sequence[str], found: Sequence[Calibrated], pilot: str | None = None
-) -> dict[str, tuple[str, Comparison]]:
+) -> dict[str, tuple[str, Intercomparison]]:
     """Of each figure its unit and the comparison of `benches`, each of whom measured the calibration in its place.
 
     Raises InputError where they are of several sensors, or cannot be compared.
@@ -104,7 +104,7 @@ def compared(
     if len({one.serial for one in found}) > 1:
         raise InputError(f"these are several sensors: {', '.join(sorted({one.serial for one in found}))}")
     when = np.array([one.days for one in found]) / DAYS_A_YEAR
-    made: dict[str, tuple[str, Comparison]] = {}
+    made: dict[str, tuple[str, Intercomparison]] = {}
     for name, figure in found[0].figures.items():
         values, u = columns(found, name)
         try:
