@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.quality.drift import Drift, drift
 from labcal.quality.intercomparison import Intercomparison, compare_benches
-from labcal.quality.recalibration import Proposal, proposals
+from labcal.quality.recalibration import IntervalProposal, proposals
 from labcal.years.history import DAYS_A_YEAR, Calibrated
 
 Array = NDArray[np.float64]
@@ -34,7 +34,7 @@ class Trend:
     values: Array
     u: Array
     drift: Drift | str
-    proposals: tuple[Proposal, ...] = ()
+    proposals: tuple[IntervalProposal, ...] = ()
 
 
 def trends(
@@ -68,7 +68,7 @@ def _trend(
     except ValueError as few:
         line = str(few)
     limit = permitted.get(name) or permitted.get(name.split()[0])
-    proposed: tuple[Proposal, ...] = ()
+    proposed: tuple[IntervalProposal, ...] = ()
     if limit is not None:
         try:
             proposed = proposals(days, values, u, limit[0], interval_d, hours)
