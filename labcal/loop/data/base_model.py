@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.fit.vector.identify import Identified, identify
+from labcal.fit.vector.identify import Identifiability, identify
 from labcal.fit.vector.ml import MaximumLikelihood, estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve
@@ -115,7 +115,7 @@ def _is_determined(found: MaximumLikelihood, base: Base) -> bool:
     return found.identified.why_not is None and (base == "offset" or not loose)
 
 
-def determined_by_geometry(found: MaximumLikelihood) -> Identified:
+def determined_by_geometry(found: MaximumLikelihood) -> Identifiability:
     """What these readings would determine if the fitted map were true: a strong effect is no lack of excitation."""
     start = found.solution
     field = evaluate(found.observations, found.noise, start.theta, start.phase).field
