@@ -16,7 +16,7 @@ from labcal.bench.parameters import Limits
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, note, ready, record
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
-from labcal.fit.locate import ROUND, SQUARE, CoilResponses, Coils, Place, locate, shifts
+from labcal.fit.locate import ROUND, SQUARE, CoilResponses, Coils, LocatedSensor, locate, shifts
 from labcal.record.stream import Event, Prompt, Stream
 
 NEEDS, LASTS_MIN = "[cage.geometry] with halves that a person can reverse; a vector reference", 5
@@ -42,7 +42,7 @@ class Response:
 class Found:
     """A sensor's place, and how it moves (4, 3) [m] with the coils' size and the balance of halves, by their u."""
 
-    place: Place
+    place: LocatedSensor
     shifts_m: Array
 
     @property
