@@ -24,7 +24,7 @@ from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
 from labcal.record.stream import NOT_KEPT, REMARK, Event, Item, Measurement, Step
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
 from labcal.runner.prompts import Answer
@@ -72,7 +72,7 @@ class Outcome:
 
 def run_procedure(
     bench: Bench,
-    procedure: Found,
+    procedure: FoundProcedure,
     given: Mapping[str, str],
     *,
     store: Store,
@@ -131,7 +131,7 @@ def run_procedure(
 
 def resume_run(
     bench: Bench,
-    procedure: Found,
+    procedure: FoundProcedure,
     run_id: str,
     *,
     store: Store,
@@ -193,7 +193,7 @@ def run_id_at(utc: datetime) -> str:
 
 def _drive(
     bench: Bench,
-    procedure: Found,
+    procedure: FoundProcedure,
     values: Mapping[str, Any],
     writer: RunWriter,
     answer: Answer,
@@ -223,7 +223,7 @@ def _drive(
     return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, words, resumable)
 
 
-def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
+def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
     """A mistake in a procedure of one's own is told with its line, as any other wrong input."""
     if not procedure.own or ending.fault is None or isinstance(ending.fault, KNOWN):
         return ending
@@ -309,7 +309,7 @@ def resume_state(items: Iterable[Item]) -> Resume:
     return Resume(frozenset(done), measured)
 
 
-def _refuse_another(bench: Bench, procedure: Found, header: RunHeader, dut_serial: str | None) -> None:
+def _refuse_another(bench: Bench, procedure: FoundProcedure, header: RunHeader, dut_serial: str | None) -> None:
     if procedure.name != header.procedure:
         raise InputError(f"run {header.run_id} is of {header.procedure}, not of {procedure.name}")
     if not procedure.resumable:

@@ -15,7 +15,7 @@ from labcal.errors import InputError
 from labcal.files.toml_file import named_files, read_toml
 from labcal.fit.registry import methods
 from labcal.runner import find
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.session.working_out import version
 from labcal.study.fleet import fleet_jobs
 from labcal.study.grid import Point, merged, points
@@ -68,7 +68,7 @@ def _asked(study: Simulated) -> list[dict[str, Cell]]:
     return [{"accuracy_deg": deg} for deg in study.accuracies_deg] if isinstance(study, Design) else [{}]
 
 
-def _common(study: Simulated, procedure: Found, bench: Table, point: Point) -> dict[str, Any]:
+def _common(study: Simulated, procedure: FoundProcedure, bench: Table, point: Point) -> dict[str, Any]:
     """What all seeds at one point share, checked."""
     stated = merged({"lab": study.lab, "settings": study.settings}, point.changes)
     table, given = merged(bench, stated["lab"]), texts(stated["settings"])

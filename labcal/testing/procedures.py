@@ -18,7 +18,7 @@ from labcal.bench.steps import Procedure
 from labcal.demo import simulated_bench
 from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened, Step
 from labcal.runner import Control, find, run_procedure
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.drive import Drive, Ending
 from labcal.runner.prompts import Answer, first_choice
 from labcal.store import Store
@@ -37,7 +37,7 @@ class PutIn(Exception):
 class Trial:
     """One run of a procedure on a bench of its own, to which `happens` is done when item `at` has been kept."""
 
-    found: Found
+    found: FoundProcedure
     given: Mapping[str, str]
     bench_file: Path
     answer: Answer
@@ -134,7 +134,7 @@ def check_procedure(
             check_way_out(trial, way, at, items[at])
 
 
-def _found(procedure: str | Callable[..., Procedure]) -> Found:
+def _found(procedure: str | Callable[..., Procedure]) -> FoundProcedure:
     if isinstance(procedure, str):
         with answered("Register it in labcal.procedures, or name its file."):
             return find(procedure)
@@ -142,10 +142,10 @@ def _found(procedure: str | Callable[..., Procedure]) -> Found:
     told = f"{name} is no generator function: it yields what it measures, and is given the bench."
     require(inspect.isgeneratorfunction(procedure), told)
     source = Path(inspect.getsourcefile(procedure) or "")
-    return Found(name.replace("_", "-"), procedure, parameters_of(procedure), source)
+    return FoundProcedure(name.replace("_", "-"), procedure, parameters_of(procedure), source)
 
 
-def check_words(found: Found) -> None:
+def check_words(found: FoundProcedure) -> None:
     """It says what it does, and each setting its meaning."""
     require(inspect.getdoc(found.function), f"{found.name} has no docstring: its first line is its title.")
     for spec in found.parameters:
