@@ -18,7 +18,7 @@ from labcal.runner import find
 from labcal.runner.catalogue import FoundProcedure
 from labcal.session.working_out import version
 from labcal.study.fleet import fleet_jobs
-from labcal.study.grid import Point, merged, points
+from labcal.study.grid import GridPoint, merged, points
 from labcal.study.job import Cell, Job, canonical
 from labcal.study.optimal import MOST
 from labcal.study.specification import MOST_JOBS, Blind, Design, Fleet, MonteCarlo, Simulated, texts
@@ -68,7 +68,7 @@ def _asked(study: Simulated) -> list[dict[str, Cell]]:
     return [{"accuracy_deg": deg} for deg in study.accuracies_deg] if isinstance(study, Design) else [{}]
 
 
-def _common(study: Simulated, procedure: FoundProcedure, bench: Table, point: Point) -> dict[str, Any]:
+def _common(study: Simulated, procedure: FoundProcedure, bench: Table, point: GridPoint) -> dict[str, Any]:
     """What all seeds at one point share, checked."""
     stated = merged({"lab": study.lab, "settings": study.settings}, point.changes)
     table, given = merged(bench, stated["lab"]), texts(stated["settings"])
