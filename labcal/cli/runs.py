@@ -24,7 +24,7 @@ HEADS = ("run", "started", "status", "DUT", "procedure", "operator")
 RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
 
 
-class Format(StrEnum):
+class ExportFormat(StrEnum):
     """What a run, or a calibration, can be exported as."""
 
     bundle = "bundle"
@@ -37,8 +37,8 @@ class Format(StrEnum):
     ardupilot = "ardupilot"
 
 
-OF_A_RUN = (Format.bundle, Format.csv, Format.hdf5, Format.mat)
-OF_A_CALIBRATION = (Format.c, Format.json, Format.mat, Format.px4, Format.ardupilot)
+OF_A_RUN = (ExportFormat.bundle, ExportFormat.csv, ExportFormat.hdf5, ExportFormat.mat)
+OF_A_CALIBRATION = (ExportFormat.c, ExportFormat.json, ExportFormat.mat, ExportFormat.px4, ExportFormat.ardupilot)
 
 
 @app.command(rich_help_panel="Runs")
@@ -156,7 +156,7 @@ def import_(
 @app.command(rich_help_panel="Runs")
 def export(
     source: str = typer.Argument(..., metavar="RUN|CAL", help="A run id, a bundle's path, or a calibration file."),
-    format_: Format = typer.Option(
+    format_: ExportFormat = typer.Option(
         ...,
         "--format",
         help="Of a run: bundle, csv (its samples), hdf5, mat. Of a calibration: c, json, mat, px4, ardupilot.",
@@ -186,7 +186,7 @@ def export(
     say(out)
 
 
-def _check_format(format_: Format, there: tuple[Format, ...], what: str) -> None:
+def _check_format(format_: ExportFormat, there: tuple[ExportFormat, ...], what: str) -> None:
     if format_ not in there:
         raise InputError(f"{what}, and {format_} is no format of one; there are {', '.join(there)}")
 
