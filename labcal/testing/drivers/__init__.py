@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from labcal.testing.drivers import every, interlocks, nonsense, stages, streams, supplies
-from labcal.testing.drivers.rig import DriverCase, Rig, installed
+from labcal.testing.drivers.rig import DriverCase, DriverRig, installed
 
 Promise = Callable[[DriverCase], None]
 
-__all__ = ["DriverCase", "Promise", "Rig", "check_driver", "installed", "keep", "promises"]
+__all__ = ["DriverCase", "DriverRig", "Promise", "check_driver", "installed", "keep", "promises"]
 
 
 def check_driver(

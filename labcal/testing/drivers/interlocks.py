@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from labcal.errors import InstrumentError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import near, refused, require
 
 OPEN_A = 0.001
 
 
-def armed(case: DriverCase) -> Rig:
+def armed(case: DriverCase) -> DriverRig:
     """An interlock that is closed, with 1 A through coil x."""
     rig = case.rig()
     rig.driver.identify()

@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import Any
 
 from labcal.errors import InstrumentError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import require
 
 NUMBERS = (b"", b"?", b"-", b".", b"1.2.3", b"-7", b"1e999", b"999999999999", b"\xc2\xb2", b"nan")
@@ -47,7 +47,7 @@ def whatever_it_is_told_its_emulator_goes_on(case: DriverCase) -> None:
     require(not rig.sent or rig.driver.identify().model, told)
 
 
-def _tell(rig: Rig, nonsense: bytes) -> None:
+def _tell(rig: DriverRig, nonsense: bytes) -> None:
     rig.wait(0.2)
     try:
         rig.emulator.take(rig.clock.now(), nonsense)
@@ -57,7 +57,7 @@ def _tell(rig: Rig, nonsense: bytes) -> None:
         raise AssertionError(f"{told}: answer as the instrument would, with an error or not at all.") from error
 
 
-def _use(rig: Rig) -> None:
+def _use(rig: DriverRig) -> None:
     """Have the driver say most of what it can."""
     for number, step in enumerate(STEPS):
         with suppress(AttributeError, InstrumentError):

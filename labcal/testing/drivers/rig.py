@@ -47,9 +47,9 @@ class DriverCase:
         """Whether it speaks registers instead of bytes."""
         return self.types["link"] is ModbusLink
 
-    def rig(self, **stated: Any) -> Rig:
+    def rig(self, **stated: Any) -> DriverRig:
         """It on a line of its own; `stated` are settings beside the case's own."""
-        return Rig(self, self.types["settings"](**{**self.settings, **stated}))
+        return DriverRig(self, self.types["settings"](**{**self.settings, **stated}))
 
 
 def installed(name: str, **stated: Any) -> DriverCase:
@@ -80,7 +80,7 @@ class Foretold:
         return list(pieces)
 
 
-class Rig:
+class DriverRig:
     """One driver on its emulator, and what went over the line."""
 
     def __init__(self, case: DriverCase, settings: Any) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import suppress
 
 from labcal.errors import InstrumentError, LimitError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import near, refused, require
 
 HOMING_LIMITS = (25.0, 4.0)  # deg/s that the DUT may turn
@@ -13,7 +13,7 @@ TRUE_WITHIN_DEG = 0.02
 LONGEST_S = 600.0  # for any move here
 
 
-def until_still(rig: Rig) -> None:
+def until_still(rig: DriverRig) -> None:
     """Wait until it says that it does not move."""
     begun_s = rig.clock.now()
     while rig.driver.moving():
@@ -21,7 +21,7 @@ def until_still(rig: Rig) -> None:
         require(rig.clock.now() - begun_s < LONGEST_S, f"{rig.name}.moving() is True for {LONGEST_S:.0f} s.")
 
 
-def homed(case: DriverCase) -> Rig:
+def homed(case: DriverCase) -> DriverRig:
     """A stage that knows where it is."""
     rig = case.rig()
     rig.driver.identify()
@@ -49,7 +49,7 @@ def it_homes_no_faster_than_the_dut_may_turn_or_refuses(case: DriverCase) -> Non
         require(fastest > 0 or may_rest, told)
 
 
-def _fastest(rig: Rig) -> float:
+def _fastest(rig: DriverRig) -> float:
     fastest = 0.0
     for _ in range(20):
         before = rig.angle_deg()

@@ -9,7 +9,7 @@ from typing import Any
 
 from labcal.bench.driver_kit.roles import Unacknowledged, Watched
 from labcal.errors import LimitError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import near, refused, require
 
 SETTLES_S = 0.5
@@ -18,7 +18,7 @@ WATCHED_S = 4
 RAMPS_IN_S = 1.5  # from full current to zero
 
 
-def greeted(case: DriverCase, **stated: Any) -> Rig:
+def greeted(case: DriverCase, **stated: Any) -> DriverRig:
     """A supply that has said who it is."""
     rig = case.rig(**stated)
     require(hasattr(rig.settings, "max_current_A"), f"The Settings of {rig.name} lack max_current_A: a supply has one.")
@@ -26,17 +26,17 @@ def greeted(case: DriverCase, **stated: Any) -> Rig:
     return rig
 
 
-def too_much_A(rig: Rig) -> float:
+def too_much_A(rig: DriverRig) -> float:
     """More than it may be set to."""
     return max(99.0, 2.0 * float(rig.settings.max_current_A))
 
 
-def some_A(rig: Rig, most_A: float) -> float:
+def some_A(rig: DriverRig, most_A: float) -> float:
     """A current that it can carry, `most_A` where it can."""
     return float(min(most_A, rig.settings.max_current_A / 2))
 
 
-def on_at(rig: Rig, current_A: float) -> None:
+def on_at(rig: DriverRig, current_A: float) -> None:
     """The output closed and a current set that has settled."""
     rig.driver.output(True)
     rig.driver.set_current(current_A)
@@ -88,7 +88,7 @@ def with_all_its_answers_lost_it_hears_zero_and_off_at_once(case: DriverCase) ->
 
 
 @contextmanager
-def answers_lost(rig: Rig) -> Iterator[None]:
+def answers_lost(rig: DriverRig) -> Iterator[None]:
     """All that the emulator says is lost on the line."""
     end: Any = rig.line._emulator
     emit = end.emit
