@@ -19,6 +19,7 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 MIN_ROWS = 30  # fewer usable rows than this are refused
+ITERATIONS = 30  # of the fit without robust weights, at most
 
 
 def select_rows(run: Run) -> tuple[Run, Observations]:
@@ -127,4 +128,4 @@ def determined_by_geometry(found: MaximumLikelihood) -> Identifiability:
 def least_squares(seen: Observations, noise: Noise, near: MaximumLikelihood) -> Solution:
     """The base fit without robust weights, once outliers are set aside."""
     start = near.solution
-    return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=30)
+    return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=ITERATIONS)

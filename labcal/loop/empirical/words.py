@@ -16,7 +16,8 @@ from labcal.model.smooth import Basis, curve
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-POINTS = 200  # of a curve
+POINTS = 200  # of a curve,
+GRID = 24  # and along each input of a map
 NEARLY_ALL = 0.97  # of a curve's square, that a simpler curve may stand for it
 SHORT = 0.15  # of the range, within which a step is over
 LEVEL = 0.1  # of the height: nearer to an end's value than this is at it
@@ -104,9 +105,9 @@ def of_one(y: Array) -> tuple[str, int | None]:
 
 def _of_two(basis: Basis, hull: Array) -> str:
     """A product where, sums of functions of one input taken off, one pair of functions is left."""
-    grid = [np.linspace(low, high, 24) for low, high in zip(hull.min(axis=0), hull.max(axis=0), strict=True)]
+    grid = [np.linspace(low, high, GRID) for low, high in zip(hull.min(axis=0), hull.max(axis=0), strict=True)]
     x = np.array([(a, b) for a in grid[0] for b in grid[1]])
-    f = _main(curve(basis, x)[0]).reshape(24, 24)
+    f = _main(curve(basis, x)[0]).reshape(GRID, GRID)
     both = f - f.mean(axis=0) - f.mean(axis=1)[:, None] + f.mean()
     size = np.linalg.svd(both, compute_uv=False) ** 2
     return "a product" if size[0] > NEARLY_ALL * size.sum() else "a map"
