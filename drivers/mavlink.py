@@ -65,7 +65,7 @@ class Mavlink(Listener):
             return []
         self._reported = True
         said = ", ".join(f"{name} {value:g}" for name, value in self._on_board.items())
-        text = f"{self.name}: its own calibration, which its readings may have applied: {said or 'not told'}"
+        text = f"{self.name}: its own calibration, which its readings may have applied: {said or 'not stated'}"
         return [Event(self._clock.now(), "on-board-calibration", text, dict(self._on_board))]
 
     def _asked(self, parser: Parser) -> dict[str, float]:

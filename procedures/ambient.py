@@ -91,7 +91,7 @@ def _mains(bench: Bench, mains_hz: float, harmonics: int, seconds: float, limit_
             same = [f"{k * mains_hz:g} Hz" for k, at in told.items() if abs(at - folded) < (k + n) * MAINS_OFF_HZ]
             if seen is None or same:
                 other = same[0] if same else "a steady field"
-                yield note(bench, f"{n * mains_hz:g} Hz is not told from {other} at {rate:.4g}/s")
+                yield note(bench, f"{n * mains_hz:g} Hz is not distinguishable from {other} at {rate:.4g}/s")
                 continue
             told[n] = folded
             found = yield from measured(bench, f"amplitude of {n * mains_hz:g} Hz", *seen, "nT", limit_nT)

@@ -207,7 +207,7 @@ def _report(bench: Bench, fit: SphereFit, seen: Visits, found: Sequence[Shell], 
         for degree, (rms, noise) in enumerate(zip(shell.rms_nT, shell.noise_nT, strict=True)):
             yield from measured(bench, f"{shell.magnitude_nT / 1000:.3g} µT, degree {degree}", rms, noise, "nT")
     if not found:
-        yield note(bench, "too few directions for harmonics: what K and k do not hold is not told by degree")
+        yield note(bench, "too few directions for harmonics: what K and k do not hold is not reported by degree")
     text = "K and k in the cage's frame, k in the middle of the run"
     yield Event(bench.clock.now(), "field-sphere", text, _data(fit, found))
 

@@ -50,7 +50,7 @@ def trends(
     days = np.array([one.days for one in found])
     days = days - days[0]
     if len(days) > 1 and np.diff(days).min() <= 0:
-        raise InputError("two calibrations began at the same moment: which was first cannot be told")
+        raise InputError("two calibrations began at the same moment: which was first is not known")
     if interval_d is None:
         interval_d = float(days[-1] - days[-2]) if len(days) > 1 else USUAL_D
     hours = np.cumsum([one.hours for one in found])

@@ -91,7 +91,7 @@ class Late(TtiEmulator):
         (WaitsForZero, TtiEmulator, r"raised InstrumentError .* The orders of zero and off wait for no answer"),
         (Clips, TtiEmulator, r"set_current\(99\) must raise LimitError that says '99 A' and 'nothing was sent'"),
         (AllowsReset, TtiEmulator, r"could send b'\*RST\\n': add a pattern that matches it to `never`"),
-        (TtiSupply, Talks, r"fails when it is told .*: answer as the instrument would"),
+        (TtiSupply, Talks, r"fails when it is sent .*: answer as the instrument would"),
         (TtiSupply, Late, r"due_s\(\) of the emulator says"),
     ],
 )

@@ -127,7 +127,7 @@ def _verdict_of(test: ResidualTest) -> str:
 
 def _twins(result: ClosedLoop) -> list[Block]:
     rows = tuple((pair.one, pair.other, pair.separated_by) for pair in result.twins)
-    return [Table(("This", "and this", "are told apart by"), rows)] if rows else []
+    return [Table(("This", "and this", "are separated by"), rows)] if rows else []
 
 
 WEIGHED = (

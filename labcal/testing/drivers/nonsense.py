@@ -43,7 +43,7 @@ def whatever_it_is_told_its_emulator_goes_on(case: DriverCase) -> None:
     rig.emulator.take(rig.clock.now(), b"\x1b\r\n")  # ends a stream, and what was cut
     rig.wait(1.0)
     rig.line.flush()
-    told = f"{rig.name} cannot greet its emulator after nonsense: the emulator must drop what it does not know."
+    told = f"{rig.name} cannot identify its emulator after nonsense: the emulator must drop what it does not know."
     require(not rig.sent or rig.driver.identify().model, told)
 
 
@@ -53,7 +53,7 @@ def _tell(rig: DriverRig, nonsense: bytes) -> None:
         rig.emulator.take(rig.clock.now(), nonsense)
         rig.emulator.emit(rig.clock.now() + 0.1)
     except Exception as error:
-        told = f"The emulator of {rig.name} fails when it is told {nonsense!r} ({type(error).__name__}: {error})"
+        told = f"The emulator of {rig.name} fails when it is sent {nonsense!r} ({type(error).__name__}: {error})"
         raise AssertionError(f"{told}: answer as the instrument would, with an error or not at all.") from error
 
 
