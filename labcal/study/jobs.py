@@ -21,15 +21,15 @@ from labcal.study.fleet import fleet_jobs
 from labcal.study.grid import GridPoint, merged, points
 from labcal.study.job import Cell, Job, canonical
 from labcal.study.optimal import MOST
-from labcal.study.specification import MOST_JOBS, Blind, Design, Fleet, MonteCarlo, Simulated, texts
+from labcal.study.specification import MOST_JOBS, Blind, Design, FleetStudy, MonteCarlo, Simulated, texts
 from labcal.twin import open_twin
 
 Table = Mapping[str, Any]
 
 
-def jobs_of(study: Simulated | Fleet, file: Path) -> tuple[list[Job], list[str]]:
+def jobs_of(study: Simulated | FleetStudy, file: Path) -> tuple[list[Job], list[str]]:
     """All jobs in the order of the table, and remarks on what makes none. Raises InputError naming `file`."""
-    if isinstance(study, Fleet):
+    if isinstance(study, FleetStudy):
         return fleet_jobs(study)
     try:
         return list(_simulated(study, file)), []

@@ -17,7 +17,7 @@ from labcal.study.engine import on_processes
 from labcal.study.job import Job, Row
 from labcal.study.jobs import jobs_of
 from labcal.study.page import study_page
-from labcal.study.specification import Fleet, Simulated, read_study
+from labcal.study.specification import FleetStudy, Simulated, read_study
 from labcal.study.summary import Summary, summarise
 from labcal.study.table import csv_text, has_parquet, write_parquet
 
@@ -87,7 +87,7 @@ def _engine(
 
 
 def _write(
-    study: Simulated | Fleet,
+    study: Simulated | FleetStudy,
     file: Path,
     jobs: Sequence[Job],
     rows: Sequence[Row],
