@@ -23,7 +23,7 @@ from labcal.bench.steps import (
     ready,
     recorded,
 )
-from labcal.bench.streams.field_datagrams import Wanted
+from labcal.bench.streams.field_datagrams import WantedField
 from labcal.bench.streams.field_source import FieldSource, open_line
 from labcal.errors import InstrumentError
 from labcal.record.run import Segment
@@ -40,10 +40,10 @@ class Followed:
 
     def __init__(self) -> None:
         self.latencies_s: list[float] = []  # from a field's arrival until it stood
-        self._wanted: list[Wanted] = []  # the one that held at the last sample, and those after it
+        self._wanted: list[WantedField] = []  # the one that held at the last sample, and those after it
         self._n, self._squares = 0, 0.0
 
-    def want(self, wanted: Sequence[Wanted]) -> None:
+    def want(self, wanted: Sequence[WantedField]) -> None:
         """Fields as they came."""
         self._wanted += wanted
 
@@ -143,7 +143,7 @@ def _heard(bench: Bench, seconds: float, followed: Followed) -> Work[None]:
     yield from blocks
 
 
-def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: Wanted) -> Work[None]:
+def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: WantedField) -> Work[None]:
     yield from energise(bench, wanted.b_nT)
     if not followed.latencies_s:  # what came in the first ramp is no error
         yield from bench.stream_until(bench.clock.now())

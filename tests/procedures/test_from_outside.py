@@ -17,7 +17,7 @@ from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.links import EmulatedLink, Link
-from labcal.bench.streams.field_datagrams import Ended, Wanted, answer, parse
+from labcal.bench.streams.field_datagrams import Ended, WantedField, answer, parse
 from labcal.bench.streams.field_source import FieldSource, open_line
 from labcal.errors import InputError, InstrumentError, LimitError
 from labcal.record.stream import Event, Measurement, Prompt
@@ -135,7 +135,7 @@ def is_told_what_stands(done: Played, n: int) -> None:
     for words in told:
         assert words[:2] == ["labcal-field/1", "set"]
         wanted = parse(good(int(words[2])), 0.0)
-        assert isinstance(wanted, Wanted)
+        assert isinstance(wanted, WantedField)
         assert np.array(words[4:], float) == pytest.approx(wanted.b_nT, abs=200)  # a milliampere is 50 nT
 
 
@@ -242,7 +242,7 @@ def test_nobody_sends_and_nothing_is_energised(bench_file: BenchFile, monkeypatc
 )
 def test_numbers_as_programs_write_them(data: bytes, number: int) -> None:
     wanted = parse(data, 3.0)
-    assert isinstance(wanted, Wanted)
+    assert isinstance(wanted, WantedField)
     assert (wanted.number, wanted.t_s, wanted.b_nT.tolist(), wanted.arrived_s) == (number, 1.5, [-1e3, 2.5, 0], 3.0)
 
 

@@ -19,7 +19,7 @@ REMEDY = "Look at the simulator; nothing it sends is taken until play-field is b
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Wanted:
+class WantedField:
     """One field `b_nT` (3,) in C, of the source's own time `t_s`; it came at `arrived_s` of the bench's clock."""
 
     number: int
@@ -35,7 +35,7 @@ class Ended:
     number: int
 
 
-def parse(data: bytes, arrived_s: float) -> Wanted | Ended | None:
+def parse(data: bytes, arrived_s: float) -> WantedField | Ended | None:
     """What a datagram says; None for one that does not begin as ours do. Raises InstrumentError (wrong reply)."""
     if not data.startswith(NAME):
         return None
@@ -49,7 +49,7 @@ def parse(data: bytes, arrived_s: float) -> Wanted | Ended | None:
     t_s, *b_nT = map(float, words[1:])
     if max(map(abs, b_nT)) > LARGEST_FIELD_nT or abs(t_s) > 1e12:
         raise _no_field(data)
-    return Wanted(int(words[0]), t_s, np.array(b_nT), arrived_s)
+    return WantedField(int(words[0]), t_s, np.array(b_nT), arrived_s)
 
 
 def answer(number: int, latency_s: float, b_nT: Array) -> bytes:
