@@ -17,7 +17,7 @@ from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.links import EmulatedLink, Link
-from labcal.bench.streams.field_datagrams import Ended, WantedField, answer, parse
+from labcal.bench.streams.field_datagrams import EndOfSource, WantedField, answer, parse
 from labcal.bench.streams.field_source import FieldSource, open_line
 from labcal.errors import InputError, InstrumentError, LimitError
 from labcal.record.stream import Event, Measurement, Prompt
@@ -247,7 +247,7 @@ def test_numbers_as_programs_write_them(data: bytes, number: int) -> None:
 
 
 def test_words_of_the_protocol() -> None:
-    assert parse(b"labcal-field/1,8,end\n", 0.0) == Ended(8)
+    assert parse(b"labcal-field/1,8,end\n", 0.0) == EndOfSource(8)
     assert parse(b"labcal-field/2,8,end\n", 0.0) is None
     assert answer(8, 0.4567, np.array([1.0, -2.04, 0.0])) == b"labcal-field/1,set,8,0.4567,1.0,-2.0,0.0\n"
 

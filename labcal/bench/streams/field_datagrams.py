@@ -29,13 +29,13 @@ class WantedField:
 
 
 @dataclass(frozen=True, slots=True)
-class Ended:
+class EndOfSource:
     """The source says that it has no more."""
 
     number: int
 
 
-def parse(data: bytes, arrived_s: float) -> WantedField | Ended | None:
+def parse(data: bytes, arrived_s: float) -> WantedField | EndOfSource | None:
     """What a datagram says; None for one that does not begin as ours do. Raises InstrumentError (wrong reply)."""
     if not data.startswith(NAME):
         return None
@@ -43,7 +43,7 @@ def parse(data: bytes, arrived_s: float) -> WantedField | Ended | None:
     if len(data) > LONGEST or not re.fullmatch("[0-9]{1,15}", words[0]):
         raise _no_field(data)
     if words[1:] == ["end"]:
-        return Ended(int(words[0]))
+        return EndOfSource(int(words[0]))
     if len(words) != 5 or not all(NUMBER.fullmatch(word) for word in words[1:]):
         raise _no_field(data)
     t_s, *b_nT = map(float, words[1:])

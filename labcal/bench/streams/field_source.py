@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link, open_link
-from labcal.bench.streams.field_datagrams import REMEDY, Ended, WantedField, answer, parse
+from labcal.bench.streams.field_datagrams import REMEDY, EndOfSource, WantedField, answer, parse
 from labcal.errors import InputError, InstrumentError
 
 Array = NDArray[np.float64]
@@ -107,12 +107,12 @@ class FieldSource:
         """Let go of the port."""
         self._link.close()
 
-    def _take(self, said: WantedField | Ended | None) -> None:
+    def _take(self, said: WantedField | EndOfSource | None) -> None:
         if said is None:
             self.counts.foreign += 1
         elif self._last is not None and said.number <= self._last.number:
             self.counts.repeated += 1
-        elif isinstance(said, Ended):
+        elif isinstance(said, EndOfSource):
             self.ended = True
         elif not self.ended:
             self._believe(said)
