@@ -31,7 +31,7 @@ SHA256 = "0" * 64
 
 
 @dataclass(frozen=True)
-class Trial:
+class EffectTrial:
     """An effect, a run without it, what it would be there, and the same by a formula of its author's."""
 
     family: Family
@@ -107,7 +107,7 @@ def _trial(
     channels: Callable[[Array], Sequence[Channel]] | Sequence[Channel],
     rows: int,
     noise_nT: float,
-) -> Trial:
+) -> EffectTrial:
     try:
         found = family(effect)
     except InputError as error:
@@ -115,7 +115,7 @@ def _trial(
         raise AssertionError(told) from error
     times = made_up_run(rows=rows).run.t_s
     recorded = channels(times) if callable(channels) else channels
-    return Trial(found, made_up_run(rows=rows, noise_nT=noise_nT, channels=recorded), truth, formula)
+    return EffectTrial(found, made_up_run(rows=rows, noise_nT=noise_nT, channels=recorded), truth, formula)
 
 
 def check_family(found: Family) -> None:
@@ -124,7 +124,7 @@ def check_family(found: Family) -> None:
     require(found.experiment, told)
 
 
-def check_derivative(trial: Trial) -> None:
+def check_derivative(trial: EffectTrial) -> None:
     """Each column is the formula's derivative, also beside the truth of each nonlinear parameter."""
     term = trial.term()
     _check_columns(trial, term, trial.truth)
@@ -134,7 +134,7 @@ def check_derivative(trial: Trial) -> None:
             _check_columns(trial, term.with_values(**{shape.name: beside[shape.name]}), beside)
 
 
-def _check_columns(trial: Trial, term: Term, values: Mapping[str, float]) -> None:
+def _check_columns(trial: EffectTrial, term: Term, values: Mapping[str, float]) -> None:
     columns, counted = term.columns(trial.scene), _counted(trial.scene, term)
     wanted = (len(trial.scene), 3, len(term.parameters))
     told = f"the kernel of {trial.id} gives columns of shape {columns.shape}, not (rows, 3, parameters) = {wanted}."
@@ -161,7 +161,7 @@ def _counted(scene: Scene, term: Term) -> Scene:
     return replace(scene, channels=counted)
 
 
-def check_left_where_it_is_not(trial: Trial) -> None:
+def check_left_where_it_is_not(trial: EffectTrial) -> None:
     """The run without it is clean."""
     closed = close_loop(trial.made.run)
     named = [e.effect for e in closed.accepted]
@@ -170,7 +170,7 @@ def check_left_where_it_is_not(trial: Trial) -> None:
     require(closed.verdict == "clean", f"The run without {trial.id} is {closed.verdict}, not clean: {closed.summary}")
 
 
-def check_found(trial: Trial) -> ClosedLoop:
+def check_found(trial: EffectTrial) -> ClosedLoop:
     """The run with it is explained by it alone, with the parameters of the truth."""
     closed = close_loop(trial.run())
     named = [e.effect for e in closed.accepted]
@@ -181,7 +181,7 @@ def check_found(trial: Trial) -> ClosedLoop:
     return closed
 
 
-def _check_values(trial: Trial, record: EffectRecord) -> None:
+def _check_values(trial: EffectTrial, record: EffectRecord) -> None:
     found = {p.name: p for p in record.parameters}
     told = f"{trial.id} is found with the parameters {', '.join(found)}, not with those of `truth`."
     require(set(found) == set(trial.truth), told)
@@ -193,7 +193,7 @@ def _check_values(trial: Trial, record: EffectRecord) -> None:
         require(off <= WITHIN_u * p.u + SHARE * abs(true), told)
 
 
-def check_round_trip(trial: Trial, closed: ClosedLoop) -> None:
+def check_round_trip(trial: EffectTrial, closed: ClosedLoop) -> None:
     """From a calibration file it is the same effect, and `apply` takes it off."""
     run = trial.run()
     made = draft_calibration(run, closed.fit(), SHA256, metrics=closed.metrics())
@@ -212,7 +212,7 @@ def check_round_trip(trial: Trial, closed: ClosedLoop) -> None:
     _check_applied(trial, run, back)
 
 
-def _check_applied(trial: Trial, run: Run, calibration: Calibration) -> None:
+def _check_applied(trial: EffectTrial, run: Run, calibration: Calibration) -> None:
     channels = {c.name: c.values for c in run.channels}
     applied = apply(calibration, Readings(run.reading, run.t_s, run.segment_index, run.mode, channels))
     error = applied.field_nT - trial.made.field_nT
