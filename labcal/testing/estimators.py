@@ -48,7 +48,7 @@ def check_estimator(
     as much as that says, over `seeds` runs. It must refuse a run that determines nothing. Raises AssertionError.
     """
     name, function = _named(estimator)
-    tried = Trial(name, partial(function, **options))
+    tried = EstimatorTrial(name, partial(function, **options))
     check_refusals(tried)
     for kind in offers:
         check_pure(tried, kind)
@@ -57,7 +57,7 @@ def check_estimator(
         check_covariance(tried, kind, seeds)
 
 
-class Trial:
+class EstimatorTrial:
     """An estimator and how it is spoken of."""
 
     def __init__(self, name: str, function: Callable[[Run], Fit]) -> None:
@@ -89,7 +89,7 @@ def _named(estimator: str | Estimator) -> tuple[str, Estimator]:
         return estimator, load_method(estimator)
 
 
-def check_refusals(tried: Trial) -> None:
+def check_refusals(tried: EstimatorTrial) -> None:
     """A run without a reference, and one turned about one axis in one field, get `ok=False` and a reason."""
     run = made_up_run(offers="scalar", rows=ROWS).run
     nothing = replace(run, reference=replace(run.reference, kind="none"), reference_magnitude=None)
@@ -102,7 +102,7 @@ def check_refusals(tried: Trial) -> None:
         require(found.why_not, f"{tried.name} refuses a run {what} without a word: say in why_not what is missing.")
 
 
-def check_pure(tried: Trial, kind: Offers) -> None:
+def check_pure(tried: EstimatorTrial, kind: Offers) -> None:
     """The same run gives the same answer, and is left as it was."""
     run = made_up_run(offers=kind, rows=ROWS, noise_nT=NOISE_nT).run
     before = copy.deepcopy(run.reading)
@@ -113,7 +113,7 @@ def check_pure(tried: Trial, kind: Offers) -> None:
     require(np.array_equal(first.parameters, again.parameters), told)
 
 
-def check_without_noise(tried: Trial, kind: Offers, exact: float) -> None:
+def check_without_noise(tried: EstimatorTrial, kind: Offers, exact: float) -> None:
     """Readings without noise give the map that they were made with."""
     made = made_up_run(offers=kind, rows=ROWS, noise_nT=0.0)
     run = replace(made.run, dut=replace(made.run.dut, noise_nT=1.0))
@@ -133,7 +133,7 @@ def truth(true: AffineMap, frame_known: bool) -> AffineMap:
     return AffineMap(K, K @ np.linalg.solve(true.K, true.k_nT))
 
 
-def check_equivariance(tried: Trial, kind: Offers) -> None:
+def check_equivariance(tried: EstimatorTrial, kind: Offers) -> None:
     """Readings that are turned turn the answer back; readings in another unit scale K and leave k."""
     run = made_up_run(offers=kind, rows=ROWS, noise_nT=NOISE_nT).run
     found, fit = tried.map_of(run, f"a {kind} run")
@@ -164,7 +164,7 @@ def _allowed(fit: Fit, found: AffineMap, unit: float) -> tuple[Array, str]:
     return SAME_u * np.r_[np.full(9, u[:9].max()), np.full(3, u[9:].max())] * per, f"{SAME_u:g} of its uncertainty"
 
 
-def check_covariance(tried: Trial, kind: Offers, seeds: int) -> None:
+def check_covariance(tried: EstimatorTrial, kind: Offers, seeds: int) -> None:
     """Over many runs the squared error is what the covariance says, from both sides."""
     squares = list[float]()
     for seed in range(seeds):
