@@ -34,7 +34,7 @@ class PutIn(Exception):
 
 
 @dataclass
-class Trial:
+class ProcedureTrial:
     """One run of a procedure on a bench of its own, to which `happens` is done when item `at` has been kept."""
 
     found: FoundProcedure
@@ -42,7 +42,7 @@ class Trial:
     bench_file: Path
     answer: Answer
     at: int = -1
-    happens: Callable[[Trial], None] = lambda trial: None
+    happens: Callable[[ProcedureTrial], None] = lambda trial: None
     control: Control = field(default_factory=Control)
     items: list[Item] = field(default_factory=list)
     left_A: float = 0.0  # the largest true current as the procedure itself was over, before the runner zeroes anything
@@ -77,22 +77,22 @@ def largest_A(bench: Bench) -> float:
     return max(abs(float(coil.at(now)[0])) for coil in lab._lab.coils.values())
 
 
-def stop(trial: Trial) -> None:
+def stop(trial: ProcedureTrial) -> None:
     """The operator stops."""
     trial.control.stop()
 
 
-def abort(trial: Trial) -> None:
+def abort(trial: ProcedureTrial) -> None:
     """The operator aborts: the runner zeroes the coils first."""
     trial.control.abort()
 
 
-def ctrl_c(trial: Trial) -> None:
+def ctrl_c(trial: ProcedureTrial) -> None:
     """In a script, where nobody turns it into a stop."""
     raise KeyboardInterrupt
 
 
-def exception(trial: Trial) -> None:
+def exception(trial: ProcedureTrial) -> None:
     """A fault where the procedure next listens or sets a current."""
 
     def faulty(*_: Any, **__: Any) -> Any:
@@ -103,7 +103,7 @@ def exception(trial: Trial) -> None:
     trial.bench.cage.set_currents = faulty  # type: ignore[method-assign]
 
 
-WAYS_OUT: dict[Callable[[Trial], None], tuple[str, str]] = {
+WAYS_OUT: dict[Callable[[ProcedureTrial], None], tuple[str, str]] = {
     stop: ("a stop", "stopped"),
     abort: ("an abort", "failed: aborted by the operator"),
     ctrl_c: ("Ctrl-C", "stopped"),
@@ -125,7 +125,7 @@ def check_procedure(
     is over, by its own undo: at its end and after a stop, an abort, Ctrl-C and an exception at each moment. `bench` is
     a bench file with emulated links, the simulated bench where it is not stated. Raises AssertionError.
     """
-    trial = Trial(_found(procedure), given or {}, bench or simulated_bench(), answer)
+    trial = ProcedureTrial(_found(procedure), given or {}, bench or simulated_bench(), answer)
     check_words(trial.found)
     check_record(trial)
     items = check_normal_end(trial)
@@ -153,7 +153,7 @@ def check_words(found: FoundProcedure) -> None:
         require(spec.help, told)
 
 
-def check_record(trial: Trial) -> None:
+def check_record(trial: ProcedureTrial) -> None:
     """It finishes through the runner, and its record can be read back."""
     with (
         tempfile.TemporaryDirectory() as folder,
@@ -166,7 +166,7 @@ def check_record(trial: Trial) -> None:
         require(list(store.items(outcome.run_id)), f"{trial.found.name} records nothing: yield what is measured.")
 
 
-def check_normal_end(trial: Trial) -> list[Item]:
+def check_normal_end(trial: ProcedureTrial) -> list[Item]:
     """It leaves zero at its end and asked before it energised; what it yielded."""
     ending = trial.run()
     require(ending.status == "finished", f"{trial.found.name} ends as {ending.status!r} when it is run a second time.")
@@ -178,9 +178,9 @@ def check_normal_end(trial: Trial) -> list[Item]:
     return trial.items
 
 
-def check_way_out(trial: Trial, way: Callable[[Trial], None], at: int, item: Item) -> None:
+def check_way_out(trial: ProcedureTrial, way: Callable[[ProcedureTrial], None], at: int, item: Item) -> None:
     """It is at zero after this way out at item number `at`, and the status says how it ended."""
-    again = Trial(trial.found, trial.given, trial.bench_file, trial.answer, at, way)
+    again = ProcedureTrial(trial.found, trial.given, trial.bench_file, trial.answer, at, way)
     ending, (words, status) = again.run(), WAYS_OUT[way]
     when = f"after {words} at {_named(item)}"
     _at_zero(again, when)
@@ -190,7 +190,7 @@ def check_way_out(trial: Trial, way: Callable[[Trial], None], at: int, item: Ite
     require(ending.status.startswith(status), told)
 
 
-def _at_zero(trial: Trial, when: str) -> None:
+def _at_zero(trial: ProcedureTrial, when: str) -> None:
     told = f"{trial.found.name} leaves {trial.left_A:.3g} A in a coil {when}: {UNDO}."
     require(trial.left_A <= ZERO_A, told)
 

@@ -24,7 +24,7 @@ from labcal.record.stream import Event, Measurement, Prompt
 from labcal.runner import find
 from labcal.runner.drive import Ending
 from labcal.runner.prompts import first_choice
-from labcal.testing.procedures import Trial
+from labcal.testing.procedures import ProcedureTrial
 from procedures.play_field import play_field
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "field-source.md"
@@ -85,7 +85,7 @@ class Played:
         said = {"source": "udp://127.0.0.1:5700", "duration_s": "10", "limit_nT": "5000"}
         said |= {key: str(value) for key, value in given.items()}
         self.simulator = simulator
-        self._trial = Trial(find("play-field"), said, bench, first_choice)
+        self._trial = ProcedureTrial(find("play-field"), said, bench, first_choice)
         self.ending: Ending = self._trial.run()
         self.left_A = self._trial.left_A
         self.events = [i for i in self._trial.items if isinstance(i, Event)]
