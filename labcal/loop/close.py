@@ -30,7 +30,7 @@ from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.members import told_apart
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
-from labcal.loop.uncertainty import chances_of_nought
+from labcal.loop.uncertainty import wald_p_values
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
@@ -74,7 +74,7 @@ def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
     report.known = accepted_in_words(pool, selection.accepted)
     report.step("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
-    found, after = final_fit(problem, found, selection, chances_of_nought)
+    found, after = final_fit(problem, found, selection, wald_p_values)
     found = told_apart(found)
     before = base_fit(problem, found) if found.accepted else after
     aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}

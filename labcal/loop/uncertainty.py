@@ -83,7 +83,7 @@ def uncertainty_of(found: JointFit) -> Sources:
     return Sources(_of_noise(found, A, inverse, D), tuple(contributions))
 
 
-def chances_of_nought(found: JointFit) -> list[float]:
+def wald_p_values(found: JointFit) -> list[float]:
     """How often an effect that is not there would seem as large, of each term: all its parameters together (Wald)."""
     from scipy.special import chdtrc
 
