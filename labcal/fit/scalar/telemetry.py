@@ -103,7 +103,7 @@ def settle_currents(seen: Scalars, current: Array) -> tuple[Scalars, TelemetryEs
     for _ in range(ROUNDS):
         r = residual(seen, current, found)
         scale = float(np.sqrt(r @ r / (len(r) - len(found.covariance))))
-        seen = seen.louder(scale)
+        seen = seen.with_noise_times(scale)
         found = estimate(seen.reading, seen.magnitude, current, seen.noise, seen.reference_noise, near=found)
         if abs(scale - 1) < 0.002:
             break
