@@ -20,7 +20,7 @@ from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
 from labcal.loop.data.saturation import at_saturation_limit, beyond_limit
-from labcal.loop.nameless import with_empirical
+from labcal.loop.empirical_term import with_empirical
 from labcal.loop.narrative import of_faulty_data
 from labcal.loop.progress_report import NOTHING, Progress, ProgressReport
 from labcal.loop.result import ClosedLoop, Finding

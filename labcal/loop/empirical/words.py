@@ -45,7 +45,7 @@ EXPERIMENTS = {  # of what varies: what to do, and the procedure
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
+class FunctionShape:
     """What a function looks like: one of PHYSICS, where, and whether it differs on the way back."""
 
     kind: str
@@ -60,7 +60,9 @@ class Looks:
         return f"Over {of} it is {self.kind}{where}: {PHYSICS[self.kind]}.{back}"
 
 
-def looks_like(basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: tuple[str, ...]) -> Looks:
+def describe_function(
+    basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: tuple[str, ...]
+) -> FunctionShape:
     """The shape of a function over its domain; `left_nT` (n, 3) is what remains of the rows of `scene`."""
     looks = shape_of(basis, hull, inputs)
     if len(inputs) == 2:
@@ -68,13 +70,13 @@ def looks_like(basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: 
     return replace(looks, both_ways=not _differs_on_the_way_back(values(inputs, scene)[:, 0], left_nT, scene))
 
 
-def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> Looks:
+def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> FunctionShape:
     """The same of the function alone."""
     if len(inputs) == 2:
-        return Looks(_of_two(basis, hull))
+        return FunctionShape(_of_two(basis, hull))
     x = np.linspace(hull.min(), hull.max(), POINTS)
     kind, place = of_one(_main(curve(basis, x[:, None])[0]))
-    return Looks(kind, None if place is None else float(x[place]))
+    return FunctionShape(kind, None if place is None else float(x[place]))
 
 
 def _main(f: Array) -> Array:
@@ -126,7 +128,7 @@ def _differs_on_the_way_back(x: Array, left: Array, scene: Scene) -> bool:
     return bool(np.sum(took**2) > (OTHER_WAY + 2 * chance) * np.sum(left**2))
 
 
-def experiment(run: Run, record: EffectRecord, looks: Looks) -> NextExperiment:
+def experiment(run: Run, record: EffectRecord, looks: FunctionShape) -> NextExperiment:
     """The one that would show what a term without a name is."""
     name = record.inputs[0]
     channel = name.removeprefix(CHANNEL)
