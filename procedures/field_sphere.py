@@ -187,8 +187,8 @@ def _means(bench: Bench, found: Sequence[Blocks]) -> Visits:
 
 
 def _fitted(bench: Bench, seen: Visits) -> SphereFit:
-    told = as_positions(bench, seen.field_nT)
-    others = [(error, reference_field_nT(error.change(told))) for error in declared_errors(told)]
+    positions = as_positions(bench, seen.field_nT)
+    others = [(error, reference_field_nT(error.change(positions))) for error in declared_errors(positions)]
     try:
         return fit_sphere(seen.reading, seen.field_nT, seen.t_s, others)
     except ValueError as error:
@@ -239,12 +239,12 @@ def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_
     late = fit.drift_nT_per_s * (unseen.t_s - seen.t_s.mean())[:, None]
     calibrated = fit.affine.apply(unseen.reading) - late
 
-    def rms(told: Run) -> float:
-        return float(np.sqrt(np.mean(np.sum((calibrated - reference_field_nT(told)) ** 2, axis=1))))
+    def rms(positions: Run) -> float:
+        return float(np.sqrt(np.mean(np.sum((calibrated - reference_field_nT(positions)) ** 2, axis=1))))
 
-    told = as_positions(bench, unseen.field_nT)
-    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(told, rms)))
-    yield from measured(bench, "verify: rms error", rms(told), u, "nT", error_nT)
+    positions = as_positions(bench, unseen.field_nT)
+    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(positions, rms)))
+    yield from measured(bench, "verify: rms error", rms(positions), u, "nT", error_nT)
     U = 2 * np.sqrt(_variance(fit, unseen.reading) + unseen.u_nT**2)
     largest = float(np.abs((calibrated - unseen.field_nT) / U).max())
     yield from measured(bench, "verify: largest error in units of U by noise", largest, 0.0, "1")

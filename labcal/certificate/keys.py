@@ -76,8 +76,8 @@ def new_key(home: Path, name: str, passphrase: str) -> Signer:
     own = [signer for signer in known if signer.principal == name]
     keys, gone = {signer.key for signer in own}, gone | {signer.key for signer in own if signer.revoked}
     if path.exists() and not (keys and keys <= gone):
-        told = f"{name} has a key already; a second one would replace it (`labcal keys revoke {name}` where it is lost)"
-        raise InputError(told, file=path)
+        text = f"{name} has a key already; a second one would replace it (`labcal keys revoke {name}` where it is lost)"
+        raise InputError(text, file=path)
     if keys - gone:
         raise InputError(f"{name} is trusted already with a key made elsewhere", file=trust_list(home))
     key = Ed25519PrivateKey.generate()
@@ -279,8 +279,8 @@ def _check_spelling(name: str, known: Iterable[Signer], file: Path) -> None:
     """Refuse a name that another person's differs from by its spelling alone: it would pass one person off as two."""
     for other in known:
         if other.principal != name and same_person(other.principal, name):
-            told = f"{name} and {other.principal}, who is trusted, are two spellings of one name; name them apart"
-            raise InputError(told, file=file)
+            text = f"{name} and {other.principal}, who is trusted, are two spellings of one name; name them apart"
+            raise InputError(text, file=file)
 
 
 def _private(home: Path, name: str) -> Path:

@@ -67,8 +67,8 @@ def void(home: Path, number: str, reason: str) -> None:
     with _opened(home) as register:
         found = _require(register, number, home)
         if found.state != "taken":
-            told = ": withdraw the file by another that supersedes it" if found.state == "signed" else " already"
-            raise InputError(f"{number} is {found.state}{told}")
+            text = ": withdraw the file by another that supersedes it" if found.state == "signed" else " already"
+            raise InputError(f"{number} is {found.state}{text}")
         _change(register, number, ("void", said, ""))
 
 

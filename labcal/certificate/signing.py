@@ -198,11 +198,11 @@ def check_approvers(calibration: Calibration, path: Path, known: Collection[str]
     for i, name in enumerate(calibration.approvers):
         others = [calibration.operator, *calibration.approvers[:i]]
         if twin := next((other for other in others if same_person(name, other)), None):
-            told = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
-            raise InputError(f"{told}; nothing was written", file=path)
+            text = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
+            raise InputError(f"{text}; nothing was written", file=path)
         if name not in known:
-            told = f"approvers[{i}]: {name} is nobody of the trust list, whose signatures count; nothing was written"
-            raise InputError(f"{told} (`labcal keys new` makes a key, in the window New key)", file=path)
+            text = f"approvers[{i}]: {name} is nobody of the trust list, whose signatures count; nothing was written"
+            raise InputError(f"{text} (`labcal keys new` makes a key, in the window New key)", file=path)
 
 
 def sign(

@@ -86,11 +86,11 @@ def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
     """Show what a run is: DUT, reference, segments and what each offers, channels, measurements."""
     from labcal import session
 
-    told = session.describe_run(run)
+    described = session.describe_run(run)
     if json is not None:
-        return write_json(told, json, "show", inputs=session.paths(run), force=force)
+        return write_json(described, json, "show", inputs=session.paths(run), force=force)
     screen = _console()
-    for table in (_head(told), _segments(told), _channels(told), _measurements(told)):
+    for table in (_head(described), _segments(described), _channels(described), _measurements(described)):
         if table.row_count:
             screen.print(table)
     return None
@@ -202,28 +202,28 @@ def _table(*heads: str, **options: Any) -> Table:
     return Table(*heads, **options)
 
 
-def _head(told: Mapping[str, Any]) -> Table:
+def _head(described: Mapping[str, Any]) -> Table:
     table = _table(show_header=False, box=None)
-    dut, reference = told["dut"], told["reference"]
+    dut, reference = described["dut"], described["reference"]
     noise = "not stated" if dut["noise_nT"] is None else f"{dut['noise_nT']:g} nT"
     lines = {
-        "run": f"{told['run_id']}{' (SIMULATED)' if told['simulated'] else ''}",
-        "status": told["status"],
-        "started": told["started_utc"],
-        "operator": told["operator"],
+        "run": f"{described['run_id']}{' (SIMULATED)' if described['simulated'] else ''}",
+        "status": described["status"],
+        "started": described["started_utc"],
+        "operator": described["operator"],
         "DUT": f"{dut['serial']} {dut['model']}, {dut['nominal_nT_per_unit']:g} nT per {dut['unit']}, noise {noise}",
         "reference": ", ".join(f"{key} {value}" for key, value in reference.items() if value != ""),
-        "origin": _origin(told["chain"]),
-        "samples": f"{told['n_samples']}, {_between(told['span_s'], 'g')} s",
+        "origin": _origin(described["chain"]),
+        "samples": f"{described['n_samples']}, {_between(described['span_s'], 'g')} s",
     }
-    if "procedure" in told:
-        procedure = told["procedure"]
+    if "procedure" in described:
+        procedure = described["procedure"]
         chosen = ", ".join(f"{key}={value}" for key, value in procedure["parameters"].items())
         lines["procedure"] = f"{procedure['name']} {chosen}".strip()
         lines["software"] = procedure["software"]
-        lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in told["instruments"])
-    if "specification" in told:
-        lines["specification"] = _asked(told["specification"])
+        lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in described["instruments"])
+    if "specification" in described:
+        lines["specification"] = _asked(described["specification"])
     for name, text in lines.items():
         if text:
             table.add_row(name, text)
@@ -240,9 +240,9 @@ def _origin(chain: Mapping[str, Any] | None) -> str:
     return f"chain of {chain['rows']} rows, head {chain['head']}" if chain else "not shown: there is no hash chain"
 
 
-def _segments(told: Mapping[str, Any]) -> Table:
+def _segments(described: Mapping[str, Any]) -> Table:
     table = _table("segment", "kind", "offers", "modes", "samples", "missing", "s", "Hz", "|reference| nT", "note")
-    for one in told["segments"]:
+    for one in described["segments"]:
         rate = "" if one["rate_Hz"] is None else f"{one['rate_Hz']:.3g}"
         counts = (str(one["n_samples"]), str(one["missing"] or ""), f"{one['duration_s']:.1f}", rate)
         names = (one["id"], one["kind"], one["offers"], " ".join(one["modes"]))
@@ -250,16 +250,16 @@ def _segments(told: Mapping[str, Any]) -> Table:
     return table
 
 
-def _channels(told: Mapping[str, Any]) -> Table:
+def _channels(described: Mapping[str, Any]) -> Table:
     table = _table("channel", "unit", "quantity", "role", "range")
-    for one in told["channels"]:
+    for one in described["channels"]:
         table.add_row(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g"))
     return table
 
 
-def _measurements(told: Mapping[str, Any]) -> Table:
+def _measurements(described: Mapping[str, Any]) -> Table:
     table = _table("measurement", "value", "U (k = 2)", "unit", "limit", "verdict")
-    for one in told.get("measurements", ()):
+    for one in described.get("measurements", ()):
         numbers = ("" if x is None else f"{x:.4g}" for x in (one["value"], one["u"] and 2 * one["u"]))
         limit = "" if one["limit"] is None else f"{one['limit']:g}"
         table.add_row(one["name"], *numbers, one["unit"], limit, one["verdict"])

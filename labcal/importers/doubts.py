@@ -80,9 +80,9 @@ def _apart(clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
         shared = min(own.last_s, clock.last_s) - max(own.first_s, clock.first_s)
         if shared < 0.5 * (own.last_s - own.first_s):
             spans = (f"{c.first_s:.10g} to {c.last_s:.10g} s" for c in (own, clock))
-            told = f"two clocks: the reading runs from {next(spans)}, {name} from {next(spans)}"
+            message = f"two clocks: the reading runs from {next(spans)}, {name} from {next(spans)}"
             yield ImportFinding(
-                f"{told}; clock_offset_s = {own.first_s - clock.first_s:.6g} lets both begin together", "clocks"
+                f"{message}; clock_offset_s = {own.first_s - clock.first_s:.6g} lets both begin together", "clocks"
             )
 
 
@@ -208,13 +208,13 @@ def _delay(run: Run, clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFi
     first, second = (_best_delay(run, half, period) for half in halves)
     if first is None or second is None or max(abs(first), abs(second)) <= DELAY * period:
         return
-    told = f"two clocks: the reference fits best with {(first + second) / 2:.3g} s more in its clock_offset_s"
+    message = f"two clocks: the reference fits best with {(first + second) / 2:.3g} s more in its clock_offset_s"
     if abs(first - second) > DELAY * period:
         drift = 1e6 * (second - first) / float(run.t_s[halves[1]].mean() - run.t_s[halves[0]].mean())
-        told += (
+        message += (
             f" ({first:.3g} in the first half, {second:.3g} in the second), and {drift:.0f} more in its clock_rate_ppm"
         )
-    yield ImportFinding(told)
+    yield ImportFinding(message)
 
 
 def _best_delay(run: Run, rows: NDArray[np.intp], period: float) -> float | None:

@@ -109,10 +109,10 @@ class _Opened:
 
     def note(self) -> str:
         """Where the run is from, for its record."""
-        told = [f"{file.name} (SHA-256 {_sha256(file)})" for file in self.read if file.is_file()]
-        told += dict.fromkeys(note for recording in self.read.values() for note in recording.notes)
+        sources = [f"{file.name} (SHA-256 {_sha256(file)})" for file in self.read if file.is_file()]
+        sources += dict.fromkeys(note for recording in self.read.values() for note in recording.notes)
         accepted = f"; accepted: {', '.join(self.mapping.accept)}" if self.mapping.accept else ""
-        return f"imported from {'; '.join(told) or self.path.name}{accepted}"[:9_000]
+        return f"imported from {'; '.join(sources) or self.path.name}{accepted}"[:9_000]
 
     def _file(self, group: ColumnSource, part: SegmentPart | None) -> Path:
         name = group.file or (part.file if part is not None else None)

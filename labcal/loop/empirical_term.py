@@ -43,8 +43,8 @@ def with_empirical(
     if not ship:
         return replace(closed, proposed=(record,), next_experiment=proposal)
     of = "a function of " + " and ".join(record.inputs)
-    told = built.summary.replace(more.accepted[-1].label, of)
-    says = f"{told} This cause has no name: it is an empirical term, and holds only where it has been seen."
+    summary = built.summary.replace(more.accepted[-1].label, of)
+    says = f"{summary} This cause has no name: it is an empirical term, and holds only where it has been seen."
     accepted = (*built.accepted[:-1], record)
     return replace(built, accepted=accepted, summary=says, next_experiment=proposal)
 

@@ -123,8 +123,8 @@ def _imported(path: Path) -> ModuleType:
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # it may even exit
-        told = f"cannot be loaded: {plugin_loading.said(error)}"
-        raise InputError(told, file=path, line=plugin_loading.line_in(error, path)) from error
+        text = f"cannot be loaded: {plugin_loading.said(error)}"
+        raise InputError(text, file=path, line=plugin_loading.line_in(error, path)) from error
     return module
 
 

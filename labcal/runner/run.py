@@ -231,8 +231,8 @@ def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
     lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == procedure.source]
     if not lines:
         return ending
-    told = InputError(f"{type(ending.fault).__name__}: {ending.fault}", file=procedure.source, line=lines[-1])
-    return Ending(f"failed: {told}", told)
+    error = InputError(f"{type(ending.fault).__name__}: {ending.fault}", file=procedure.source, line=lines[-1])
+    return Ending(f"failed: {error}", error)
 
 
 @dataclass

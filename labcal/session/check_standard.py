@@ -97,22 +97,22 @@ def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override:
         _refuse_needless(override, path)
         return None
     said = "; ".join(f"{name}: {reason}" for name, reason in out.items())
-    told = f"the check standard {config.check_standard.serial} is out of control ({said})"
+    words = f"the check standard {config.check_standard.serial} is out of control ({said})"
     if override is None:
         raise InputError(
-            f"{told}. No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
+            f"{words}. No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
             "let a person answer for it: --override NAME --because TEXT",
             file=path,
         )
-    return KIND, f"{told}; {override.who} lets the run begin: {override.because}", _statement(
+    return KIND, f"{words}; {override.who} lets the run begin: {override.because}", _statement(
         override, config.name, config.check_standard.serial, out, procedure, run_id
     )  # fmt: skip
 
 
 def _refuse_needless(override: Override | None, path: Path) -> None:
     if override is not None:
-        told = "nothing keeps this run from beginning, so that there is nothing to answer for"
-        raise InputError(f"{told}: begin it without --override; nothing was begun", file=path)
+        words = "nothing keeps this run from beginning, so that there is nothing to answer for"
+        raise InputError(f"{words}: begin it without --override; nothing was begun", file=path)
 
 
 def why(chart: Chart) -> str:

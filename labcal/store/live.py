@@ -222,8 +222,8 @@ class Store:
             try:
                 return chain.walk(self._connection, number)
             except chain.Misfit as misfit:
-                told = f"run {run_id} does not fit its hash chain: {misfit}; {NOT_USED}"
-                raise InputError(told, file=self.path) from None
+                words = f"run {run_id} does not fit its hash chain: {misfit}; {NOT_USED}"
+                raise InputError(words, file=self.path) from None
 
     def head_of(self, run_id: str) -> str | None:
         """The head of a run's chain as it stands, its rows not looked at; None where it has none."""

@@ -146,10 +146,10 @@ class RunWriter:
             with transaction(self._connection, self._path):
                 chain.append(self._connection, self._run, "status", (status, self._utc()))
         except InstrumentError as fault:
-            told = self._with_wait(fault)
+            error = self._with_wait(fault)
             if fault.fault not in PASSING or time.monotonic() > deadline:
-                raise told from None
-            return told
+                raise error from None
+            return error
         require_same(self._path, self._connection.files)
         return None
 

@@ -139,8 +139,8 @@ def _found(procedure: str | Callable[..., Procedure]) -> FoundProcedure:
         with answered("Register it in labcal.procedures, or name its file."):
             return find(procedure)
     name = getattr(procedure, "__name__", "?")
-    told = f"{name} is no generator function: it yields what it measures, and is given the bench."
-    require(inspect.isgeneratorfunction(procedure), told)
+    text = f"{name} is no generator function: it yields what it measures, and is given the bench."
+    require(inspect.isgeneratorfunction(procedure), text)
     source = Path(inspect.getsourcefile(procedure) or "")
     return FoundProcedure(name.replace("_", "-"), procedure, parameters_of(procedure), source)
 
@@ -149,8 +149,8 @@ def check_words(found: FoundProcedure) -> None:
     """It says what it does, and each setting its meaning."""
     require(inspect.getdoc(found.function), f"{found.name} has no docstring: its first line is its title.")
     for spec in found.parameters:
-        told = f"setting {spec.name} of {found.name} has no words: Annotated[…, Limits(…), 'what it is']"
-        require(spec.help, told)
+        text = f"setting {spec.name} of {found.name} has no words: Annotated[…, Limits(…), 'what it is']"
+        require(spec.help, text)
 
 
 def check_record(trial: ProcedureTrial) -> None:
@@ -161,8 +161,8 @@ def check_record(trial: ProcedureTrial) -> None:
         Store.open(Path(folder) / "store.sqlite") as store,
     ):
         outcome = run_procedure(bench, trial.found, trial.given, store=store, answer=trial.answer, dut_serial="T-1")
-        told = f"{trial.found.name} ends as {outcome.status!r} on the simulated bench, not as 'finished'."
-        require(outcome.status == "finished", told)
+        text = f"{trial.found.name} ends as {outcome.status!r} on the simulated bench, not as 'finished'."
+        require(outcome.status == "finished", text)
         require(list(store.items(outcome.run_id)), f"{trial.found.name} records nothing: yield what is measured.")
 
 
@@ -173,8 +173,8 @@ def check_normal_end(trial: ProcedureTrial) -> list[Item]:
     _at_zero(trial, "at its end")
     energised = next((n for n, item in enumerate(trial.items) if _energises(item)), len(trial.items))
     asked = any(isinstance(item, Prompt) and item.acts for item in trial.items[:energised])
-    told = f"{trial.found.name} energises before it has asked: yield from ready(bench, 'The coils go on. Hands off?')."
-    require(asked or energised == len(trial.items), told)
+    text = f"{trial.found.name} energises before it has asked: yield from ready(bench, 'The coils go on. Hands off?')."
+    require(asked or energised == len(trial.items), text)
     return trial.items
 
 
@@ -186,13 +186,13 @@ def check_way_out(trial: ProcedureTrial, way: Callable[[ProcedureTrial], None], 
     _at_zero(again, when)
     if way is exception and not again.raised:
         return  # it neither listened nor set a current any more
-    told = f"{again.found.name} ends as {ending.status!r} {when}, not as {status!r}: let what it does not know pass."
-    require(ending.status.startswith(status), told)
+    text = f"{again.found.name} ends as {ending.status!r} {when}, not as {status!r}: let what it does not know pass."
+    require(ending.status.startswith(status), text)
 
 
 def _at_zero(trial: ProcedureTrial, when: str) -> None:
-    told = f"{trial.found.name} leaves {trial.left_A:.3g} A in a coil {when}: {UNDO}."
-    require(trial.left_A <= ZERO_A, told)
+    text = f"{trial.found.name} leaves {trial.left_A:.3g} A in a coil {when}: {UNDO}."
+    require(trial.left_A <= ZERO_A, text)
 
 
 def chosen(items: Sequence[Item], most: int) -> list[int]:

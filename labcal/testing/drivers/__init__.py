@@ -48,8 +48,8 @@ def keep(promise: Promise, case: DriverCase) -> None:
         raise
     except Exception as error:
         title = (promise.__doc__ or promise.__name__).splitlines()[0]
-        told = f"{case.driver.__name__} raised {type(error).__name__} ({error}) where this is tried: {title}"
-        raise AssertionError(f"{told} Find the cause at the end of the traceback.") from error
+        text = f"{case.driver.__name__} raised {type(error).__name__} ({error}) where this is tried: {title}"
+        raise AssertionError(f"{text} Find the cause at the end of the traceback.") from error
 
 
 def promises(case: DriverCase) -> list[Promise]:

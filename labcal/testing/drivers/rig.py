@@ -59,8 +59,8 @@ def installed(name: str, **stated: Any) -> DriverCase:
 
 def _entry(group: str, name: str) -> Any:
     found = list(entry_points(group=group, name=name))
-    told = f'Declare {name} = "module:Class" in [project.entry-points."{group}"] of pyproject.toml and install again'
-    require(found, f"No installed package has {name!r} in {group}. {told}.")
+    text = f'Declare {name} = "module:Class" in [project.entry-points."{group}"] of pyproject.toml and install again'
+    require(found, f"No installed package has {name!r} in {group}. {text}.")
     require(len(found) == 1, f"{name!r} is there twice in {group}: two packages bring one name. Rename yours.")
     return found[0].load()
 
