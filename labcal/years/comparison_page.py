@@ -30,7 +30,7 @@ def comparison_page(serial: str, found: Mapping[str, tuple[str, Intercomparison]
     )
     heads = ("Figure", "Reference", "χ²", "dof", "p")
     return Page(
-        kind="Intercomparison",
+        kind="Comparison",
         title=f"Benches compared by {serial}",
         subtitle=", ".join(sorted({d.bench for _, one in found.values() for d in one.degrees})),
         simulated=simulated,
