@@ -229,9 +229,9 @@ def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
     term, step = w.candidate.term, found.refused.get(w.candidate.cause)
     before, after, said = (step.before, step.after, why_rejected(w, step)) if step else (None, None, why_rejected(w))
     gain = step.improvement() if step else None
-    if step and (left := found.astray.get(w.candidate.cause)) is not None:
+    if step and (left := found.not_carried.get(w.candidate.cause)) is not None:
         said = why_final_fit_differs(step, left)
-    if step and (chance := found.nought.get(w.candidate.cause)) is not None:
+    if step and (chance := found.insignificant.get(w.candidate.cause)) is not None:
         said = why_insignificant(step, chance)
     for chosen, proof, rivals in zip(found.accepted, found.contributions, found.equivalents, strict=True):
         for rival in rivals[1:]:

@@ -27,14 +27,14 @@ from labcal.loop.result import ClosedLoop, Finding
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice, rms
 from labcal.loop.selection.final_fit import base_fit, final_fit
 from labcal.loop.selection.joint_fit import joint_fit
-from labcal.loop.selection.members import told_apart
+from labcal.loop.selection.members import members_in_place
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
 from labcal.loop.uncertainty import wald_p_values
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
-LONG_s = 20.0  # still to go: a person is told
+LONG_s = 20.0  # still to go: the person who waits is informed
 STILL = 1.5  # times what the first selection took, the rest takes
 
 
@@ -75,7 +75,7 @@ def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
     report.step("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
     found, after = final_fit(problem, found, selection, wald_p_values)
-    found = told_apart(found)
+    found = members_in_place(found)
     before = base_fit(problem, found) if found.accepted else after
     aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}
     closed = assemble(run, found, before, after, aside)
