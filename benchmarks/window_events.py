@@ -33,7 +33,7 @@ def record() -> None:
         session.run("preflight", BENCH, SHORT, dut="EM-07", operator="J. Doe", clock=clock, seed=3)
 
 
-class Drive:
+class UserActions:
     """Does what a person does, one kind after another, and lets the window live meanwhile."""
 
     def __init__(self, application: Any, window: Any) -> None:
@@ -82,7 +82,7 @@ def main() -> int:
     settings = QSettings(str(Path(os.environ["LABCAL_HOME"]) / "events.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
     window = window_module.Window(AppState(settings))
-    drive = Drive(application, window)
+    drive = UserActions(application, window)
     application.kind = "window comes up"
     window.show()
     drive_all(drive)
@@ -91,7 +91,7 @@ def main() -> int:
     return int(any(worked > LONGEST_MS for _, worked, _ in application.kinds.values()))
 
 
-def drive_all(drive: Drive) -> None:
+def drive_all(drive: UserActions) -> None:
     """The acts of a day."""
     from labcal.gui.theming.theme import DARK, LIGHT
 
@@ -115,7 +115,7 @@ def drive_all(drive: Drive) -> None:
         drive.do(f"resized on {name}", lambda: window.resize(1360, 860))
 
 
-def run(drive: Drive) -> None:
+def run(drive: UserActions) -> None:
     """A run with its questions, notes and end."""
     window, app_state = drive.window, drive.window.app_state
     vm, live = app_state.run, window.page("Run").live
@@ -133,7 +133,7 @@ def run(drive: Drive) -> None:
     drive.do("put away", live.close_run.click)
 
 
-def study(drive: Drive) -> None:
+def study(drive: UserActions) -> None:
     """Open, fit, trace, look at a cause, at drafts."""
     window, app_state = drive.window, drive.window.app_state
     vm, history, fit, loop = app_state.study_vm, window.page("History"), window.page("Fit"), window.page("Loop")

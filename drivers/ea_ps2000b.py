@@ -95,12 +95,12 @@ class EaPs2000B(CurrentSource):
         held, self._remote = self._remote, False
         if not held:
             self._line.exchange(self._control(REMOTE, True))
-        self._line.exchange(self._told(text))
+        self._line.exchange(self._set_telegram(text))
         self._remote = True
 
     def write(self, text: str) -> None:
         """Tell, under remote control, and wait for nothing."""
-        for one in (self._control(REMOTE, True), self._told(text)):
+        for one in (self._control(REMOTE, True), self._set_telegram(text)):
             self._line.send(one)
 
     def trip(self) -> str:
@@ -117,7 +117,7 @@ class EaPs2000B(CurrentSource):
         """Let go of the link."""
         self._link.close()
 
-    def _told(self, text: str) -> bytes:
+    def _set_telegram(self, text: str) -> bytes:
         number, value = text.split()
         if int(number) == ea.CONTROL:
             return self._control(OUTPUT, value == "1")

@@ -31,7 +31,7 @@ class Mavlink(Listener):
         self.settings, self.channels = settings, tuple(map(_channel, settings.channels))
         self._dialect = mavlink.dialect()
         self._on_board: dict[str, float] | None = None
-        self._told = True
+        self._reported = True
         super().__init__(
             name, link, clock, Identity("", "", settings.serial), lambda mishaps: Parser(name, settings, mishaps)
         )
@@ -54,18 +54,18 @@ class Mavlink(Listener):
     def start(self) -> None:
         """Begin: what arrived before is dropped."""
         super().start()
-        self._told = False
+        self._reported = False
 
     def events(self) -> list[Event]:
         """What was lost or no good since this was asked last; first of all, the calibration on board."""
         return [*self._calibration(), *super().events()]
 
     def _calibration(self) -> list[Event]:
-        if self._told or self._on_board is None:
+        if self._reported or self._on_board is None:
             return []
-        self._told = True
+        self._reported = True
         said = ", ".join(f"{name} {value:g}" for name, value in self._on_board.items())
-        text = f"{self.name}: its own calibration, which its readings may have applied: {said or 'not told'}"
+        text = f"{self.name}: its own calibration, which its readings may have applied: {said or 'not stated'}"
         return [Event(self._clock.now(), "on-board-calibration", text, dict(self._on_board))]
 
     def _asked(self, parser: Parser) -> dict[str, float]:

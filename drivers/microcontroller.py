@@ -100,13 +100,13 @@ class CoilBoard(CurrentSource):
         if who is None:
             told = f"{self.name}: {quoted(reply)} answered, not a board that speaks {PROTOCOL}."
             raise InstrumentError(told, fault="another instrument")
-        s, sees, told_s = self.settings, who["sense"] == "1", int(who["watchdog"]) / 1000
+        s, sees, watchdog_s = self.settings, who["sense"] == "1", int(who["watchdog"]) / 1000
         limit_A = int(who["limit"]) / self.per_A
         self._refuse(s.channel > int(who["channels"]), f"it has {who['channels']} channels", "channel")
         self._refuse((who["unit"] == "ppm") != (s.full_scale_A > 0), f"it counts in {who['unit']}", "full_scale_A")
         self._refuse(s.max_current_A > limit_A, f"its firmware's limit is {limit_A:g} A", "max_current_A")
         self._refuse(s.unsensed == sees, f"it {'measures' if sees else 'does not measure'} its current", "unsensed")
-        self._refuse(abs(s.watchdog_s - told_s) > 0.0005, f"its watchdog takes {told_s:g} s", "watchdog_s")
+        self._refuse(abs(s.watchdog_s - watchdog_s) > 0.0005, f"its watchdog takes {watchdog_s:g} s", "watchdog_s")
         return Identity(who["maker"], who["model"], who["serial"], who["firmware"])
 
     def command(self, text: str) -> None:

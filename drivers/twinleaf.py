@@ -106,7 +106,7 @@ class Twinleaf:
             self._description.take(kind, payload)
         return packets
 
-    def _block(self, rows: list[tuple[float, bytes]], place: tio.Place) -> list[Block]:
+    def _block(self, rows: list[tuple[float, bytes]], place: tio.RowLayout) -> list[Block]:
         good = [row for row in rows if self._whole(*row, place)]
         if not good:
             return []
@@ -118,7 +118,7 @@ class Twinleaf:
         t = self._own.tie(stamps, np.array(numbers) * place.period_s)
         return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), t, values, b"".join(d for _, d in good))]
 
-    def _whole(self, stamp: float, data: bytes, place: tio.Place) -> bool:
+    def _whole(self, stamp: float, data: bytes, place: tio.RowLayout) -> bool:
         if not (whole := len(data) >= place.least and bool(np.isfinite(place.of(data)).all())):
             self._mishaps.note("bad frame", stamp)
         return whole
@@ -129,7 +129,7 @@ class Twinleaf:
         self._next = number + 1
         return number
 
-    def _nT(self, place: tio.Place) -> float:
+    def _nT(self, place: tio.RowLayout) -> float:
         if unit_nT := self.settings.unit_nT or UNITS_NT.get(place.unit, 0.0):
             return unit_nT
         told = f"{self.name}: its unit is {place.unit!r}; state unit_nT in bench.toml."

@@ -38,7 +38,7 @@ PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
 
 
 @dataclass(frozen=True, slots=True)
-class Ended:
+class WindowEnd:
     """How the window ended: exit code (below zero: a signal's number), what it said, where it stood."""
 
     code: int
@@ -88,7 +88,7 @@ def watch(given: Sequence[str], say: Callable[[str], None], command: Sequence[st
     return ended.code if ended.code >= 0 else 128 - ended.code
 
 
-def once(command: Sequence[str]) -> Ended:
+def once(command: Sequence[str]) -> WindowEnd:
     """Run the window once; Ctrl-C reaches it too, and it is waited for."""
     begun = time.monotonic()
     with TemporaryDirectory(prefix="labcal-window-") as place:
@@ -102,10 +102,10 @@ def once(command: Sequence[str]) -> Ended:
                     break
                 except KeyboardInterrupt:
                     continue
-        return Ended(code, without_secrets(_end_of(log)), _read(state), time.monotonic() - begun)
+        return WindowEnd(code, without_secrets(_end_of(log)), _read(state), time.monotonic() - begun)
 
 
-def keep_report(ended: Ended) -> Path:
+def keep_report(ended: WindowEnd) -> Path:
     """Keep one .zip: what it said, where it stood, the guardian's last lines, versions. No key, no passphrase."""
     folder = own_folder(own_folder(home()) / "crashes")
     report = folder / f"window-{datetime.now(UTC):%Y%m%dT%H%M%S.%fZ}.zip"

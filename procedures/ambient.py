@@ -85,15 +85,15 @@ def _mains(bench: Bench, mains_hz: float, harmonics: int, seconds: float, limit_
             afterwards.callback(reference.set_rate, reference.rate_hz)
             reference.set_rate(max(reference.rates_hz()))
         fast, faults = samples((yield from record(bench, seconds)), "reference"), list[str]()
-        rate, told = 1 / fast.period_s, dict[int, float]()
+        rate, at_Hz = 1 / fast.period_s, dict[int, float]()
         for n in range(1, harmonics + 1):
             seen, folded = tone(fast, n * mains_hz, n * MAINS_OFF_HZ), alias(n * mains_hz, rate)
-            same = [f"{k * mains_hz:g} Hz" for k, at in told.items() if abs(at - folded) < (k + n) * MAINS_OFF_HZ]
+            same = [f"{k * mains_hz:g} Hz" for k, at in at_Hz.items() if abs(at - folded) < (k + n) * MAINS_OFF_HZ]
             if seen is None or same:
                 other = same[0] if same else "a steady field"
-                yield note(bench, f"{n * mains_hz:g} Hz is not told from {other} at {rate:.4g}/s")
+                yield note(bench, f"{n * mains_hz:g} Hz is not distinguishable from {other} at {rate:.4g}/s")
                 continue
-            told[n] = folded
+            at_Hz[n] = folded
             found = yield from measured(bench, f"amplitude of {n * mains_hz:g} Hz", *seen, "nT", limit_nT)
             faults += [f"{found.name} {found.value:.3g} nT"] if found.verdict == "FAIL" else []
     return faults
@@ -122,13 +122,13 @@ def _components(bench: Bench, room: Running, drift_nT_per_min: float, noise_nT: 
 
     The mean is as uncertain as all that is declared of the reference; a drift and a noise are not.
     """
-    if left := uncovered(_told(bench, room)):
+    if left := uncovered(_mean_as_run(bench, room)):
         yield note(bench, left)
     beyond, root = list[Measurement](), np.sqrt(2 * len(room))
     density = room.noise * np.sqrt(2 * room.period_s)
-    told = zip(room.columns, room.mean, room.u_mean, *room.trend(), room.noise, density, strict=True)
-    for number, (name, mean, noise, slope, u_slope, sigma, per_root_Hz) in enumerate(told):
-        u = float(np.hypot(noise, u_declared(_told(bench, room), partial(_component, number))))
+    rows = zip(room.columns, room.mean, room.u_mean, *room.trend(), room.noise, density, strict=True)
+    for number, (name, mean, noise, slope, u_slope, sigma, per_root_Hz) in enumerate(rows):
+        u = float(np.hypot(noise, u_declared(_mean_as_run(bench, room), partial(_component, number))))
         yield from measured(bench, f"mean {name}", mean, u, "nT")
         drift = yield from measured(bench, f"drift {name}", 60 * slope, 60 * u_slope, "nT/min", drift_nT_per_min)
         quiet = yield from measured(bench, f"noise {name}", sigma, sigma / root, "nT", noise_nT)
@@ -137,17 +137,17 @@ def _components(bench: Bench, room: Running, drift_nT_per_min: float, noise_nT: 
     return [f"{m.name} {m.value:.3g} {m.unit}" for m in beyond]
 
 
-def _told(bench: Bench, room: Running) -> Run:
+def _mean_as_run(bench: Bench, room: Running) -> Run:
     """The mean as the reference tells it: a vector's components, or a magnitude."""
     return as_positions(bench, room.mean[None] if len(room.mean) == 3 else room.mean)
 
 
-def _component(number: int, told: Run) -> float:
-    return float((told.magnitude_nT if told.reference_vector is None else told.reference_vector[0])[number])
+def _component(number: int, run: Run) -> float:
+    return float((run.magnitude_nT if run.reference_vector is None else run.reference_vector[0])[number])
 
 
-def _magnitude(told: Run) -> float:
-    return float(told.magnitude_nT[0])
+def _magnitude(run: Run) -> float:
+    return float(run.magnitude_nT[0])
 
 
 def _beside_the_model(bench: Bench, room: Running) -> Work[str]:
@@ -162,7 +162,7 @@ def _beside_the_model(bench: Bench, room: Running) -> Work[str]:
         return f"; of {today.year} no field is expected: WMM is here from {FIRST_YEAR} to {LAST_YEAR}"
     expected = wmm(site.latitude_deg, site.longitude_deg, site.height_m, today)
     noise = float(np.linalg.norm(room.u_mean * room.mean) / found)
-    u = float(np.hypot(noise, u_declared(_told(bench, room), _magnitude)))
+    u = float(np.hypot(noise, u_declared(_mean_as_run(bench, room), _magnitude)))
     yield from measured(bench, "magnitude", found, u, "nT")
     yield from measured(bench, f"magnitude by {expected.model}", expected.magnitude_nT, expected.u_magnitude_nT, "nT")
     apart = found - expected.magnitude_nT

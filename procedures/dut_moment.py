@@ -85,7 +85,7 @@ def dut_moment(
     if left := uncovered(as_positions(bench, field[None]), ["the reference's turn against the cage"]):
         yield note(bench, left)
     found = fit_dipole(looks, np.outer(distances_m, up), u_place_m)
-    yield from _told(bench, found.with_scale(1e-6 * (bench.reference_stated.u_scale_ppm or 0.0)), field_nT, limit_Am2)
+    yield from _report(bench, found.with_scale(1e-6 * (bench.reference_stated.u_scale_ppm or 0.0)), field_nT, limit_Am2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,7 +168,7 @@ def _turned(
     return [Dwell(session, stand.place, seen.t_s, seen.values, field_nT, cage_from_body)]
 
 
-def _told(bench: Bench, found: DipoleFit, field_nT: float, limit_Am2: float) -> Work[None]:
+def _report(bench: Bench, found: DipoleFit, field_nT: float, limit_Am2: float) -> Work[None]:
     per_T = 1e9 * limit_Am2 / field_nT
     for axis, value, u in zip("xyz", found.permanent_Am2, found.u[:3], strict=True):
         yield from measured(bench, f"permanent moment {axis}", value, u, "A m2", limit_Am2)

@@ -94,7 +94,7 @@ def field_sphere(
         if left := uncovered(as_positions(bench, seen.field_nT), ["the DUT's mounting"]):
             yield note(bench, left)
         found = shells(seen.field_nT, fit.residual_nT)
-        yield from _told(bench, fit, seen, found, drift_nT)
+        yield from _report(bench, fit, seen, found, drift_nT)
         if verify:
             yield plan.begin(bench, "verify")
             yield from _verified(bench, fit, seen, (yield from _unseen(bench, unseen, dwell_s)), error_nT)
@@ -187,15 +187,15 @@ def _means(bench: Bench, found: Sequence[Blocks]) -> Visits:
 
 
 def _fitted(bench: Bench, seen: Visits) -> SphereFit:
-    told = as_positions(bench, seen.field_nT)
-    others = [(error, told_by(error.change(told))) for error in declared_errors(told)]
+    positions = as_positions(bench, seen.field_nT)
+    others = [(error, reference_field_nT(error.change(positions))) for error in declared_errors(positions)]
     try:
         return fit_sphere(seen.reading, seen.field_nT, seen.t_s, others)
     except ValueError as error:
         raise InputError(str(error)) from error
 
 
-def _told(bench: Bench, fit: SphereFit, seen: Visits, found: Sequence[Shell], drift_nT: float) -> Work[None]:
+def _report(bench: Bench, fit: SphereFit, seen: Visits, found: Sequence[Shell], drift_nT: float) -> Work[None]:
     """K, k, the drift of the zero, and what no such map holds, by degree; an event with the covariance."""
     for name, value, u in zip(MAP_PARAMETERS, fit.affine.parameters, fit.u, strict=True):
         yield from measured(bench, name.replace("_", " "), value, u, "nT" if name.startswith("k") else "1")
@@ -207,7 +207,7 @@ def _told(bench: Bench, fit: SphereFit, seen: Visits, found: Sequence[Shell], dr
         for degree, (rms, noise) in enumerate(zip(shell.rms_nT, shell.noise_nT, strict=True)):
             yield from measured(bench, f"{shell.magnitude_nT / 1000:.3g} µT, degree {degree}", rms, noise, "nT")
     if not found:
-        yield note(bench, "too few directions for harmonics: what K and k do not hold is not told by degree")
+        yield note(bench, "too few directions for harmonics: what K and k do not hold is not reported by degree")
     text = "K and k in the cage's frame, k in the middle of the run"
     yield Event(bench.clock.now(), "field-sphere", text, _data(fit, found))
 
@@ -239,18 +239,18 @@ def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_
     late = fit.drift_nT_per_s * (unseen.t_s - seen.t_s.mean())[:, None]
     calibrated = fit.affine.apply(unseen.reading) - late
 
-    def rms(told: Run) -> float:
-        return float(np.sqrt(np.mean(np.sum((calibrated - told_by(told)) ** 2, axis=1))))
+    def rms(positions: Run) -> float:
+        return float(np.sqrt(np.mean(np.sum((calibrated - reference_field_nT(positions)) ** 2, axis=1))))
 
-    told = as_positions(bench, unseen.field_nT)
-    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(told, rms)))
-    yield from measured(bench, "verify: rms error", rms(told), u, "nT", error_nT)
+    positions = as_positions(bench, unseen.field_nT)
+    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(positions, rms)))
+    yield from measured(bench, "verify: rms error", rms(positions), u, "nT", error_nT)
     U = 2 * np.sqrt(_variance(fit, unseen.reading) + unseen.u_nT**2)
     largest = float(np.abs((calibrated - unseen.field_nT) / U).max())
     yield from measured(bench, "verify: largest error in units of U by noise", largest, 0.0, "1")
 
 
-def told_by(positions: Run) -> Array:
+def reference_field_nT(positions: Run) -> Array:
     """The fields (n, 3) [nT, C] as the reference tells them."""
     assert positions.reference_vector is not None
     return positions.reference_vector

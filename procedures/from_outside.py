@@ -23,7 +23,7 @@ from labcal.bench.steps import (
     ready,
     recorded,
 )
-from labcal.bench.streams.field_datagrams import Wanted
+from labcal.bench.streams.field_datagrams import WantedField
 from labcal.bench.streams.field_source import FieldSource, open_line
 from labcal.errors import InstrumentError
 from labcal.record.run import Segment
@@ -40,10 +40,10 @@ class Followed:
 
     def __init__(self) -> None:
         self.latencies_s: list[float] = []  # from a field's arrival until it stood
-        self._wanted: list[Wanted] = []  # the one that held at the last sample, and those after it
+        self._wanted: list[WantedField] = []  # the one that held at the last sample, and those after it
         self._n, self._squares = 0, 0.0
 
-    def want(self, wanted: Sequence[Wanted]) -> None:
+    def want(self, wanted: Sequence[WantedField]) -> None:
         """Fields as they came."""
         self._wanted += wanted
 
@@ -88,7 +88,7 @@ def follow(bench: Bench, url: str, duration_s: float, silent_s: float, max_age_s
         with watched(bench, source.look):
             yield from recorded(bench, Segment("play", "free"), _followed(bench, source, followed, duration_s))
         yield from coils_off(bench)
-    yield from _told(bench, source, followed, limit_nT)
+    yield from _report(bench, source, followed, limit_nT)
 
 
 def ramp_s(bench: Bench, step_nT: Array) -> float:
@@ -143,7 +143,7 @@ def _heard(bench: Bench, seconds: float, followed: Followed) -> Work[None]:
     yield from blocks
 
 
-def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: Wanted) -> Work[None]:
+def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: WantedField) -> Work[None]:
     yield from energise(bench, wanted.b_nT)
     if not followed.latencies_s:  # what came in the first ramp is no error
         yield from bench.stream_until(bench.clock.now())
@@ -155,7 +155,7 @@ def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: Wanted) 
     yield Event(bench.clock.now(), "field-source", text, data)
 
 
-def _told(bench: Bench, source: FieldSource, followed: Followed, limit_nT: float) -> Work[None]:
+def _report(bench: Bench, source: FieldSource, followed: Followed, limit_nT: float) -> Work[None]:
     """Error, latency and jitter into the record, and what was lost on the way."""
     latency, n = np.array(followed.latencies_s), len(followed.latencies_s)
     rms, u_rms = followed.rms_nT

@@ -16,7 +16,7 @@ from labcal.bench.parameters import Limits
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, note, ready, record
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
-from labcal.fit.locate import ROUND, SQUARE, CoilResponses, Coils, Place, locate, shifts
+from labcal.fit.locate import ROUND, SQUARE, CoilResponses, Coils, LocatedSensor, locate, shifts
 from labcal.record.stream import Event, Prompt, Stream
 
 NEEDS, LASTS_MIN = "[cage.geometry] with halves that a person can reverse; a vector reference", 5
@@ -39,10 +39,10 @@ class Response:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class Located:
     """A sensor's place, and how it moves (4, 3) [m] with the coils' size and the balance of halves, by their u."""
 
-    place: Place
+    place: LocatedSensor
     shifts_m: Array
 
     @property
@@ -75,8 +75,8 @@ def locate_sensors(
             yield plan.begin(bench, f"coil {axis}")
             opposed[AXES.index(axis)] = yield from _with_a_half_reversed(bench, axis, field_nT, dwell_s)
         yield from coils_off(bench)
-    found: dict[str, Found] = {name: _place(bench, name, normal, opposed) for name in SENSORS}
-    yield from _told(bench, found, apart_mm, misfit_mm)
+    found: dict[str, Located] = {name: _place(bench, name, normal, opposed) for name in SENSORS}
+    yield from _report(bench, found, apart_mm, misfit_mm)
 
 
 def _geometry(bench: Bench) -> GeometryConfig:
@@ -140,7 +140,7 @@ def _scatter(currents_A: Array) -> float:
     return float(np.sqrt(np.mean(apart**2) / 2) / np.sqrt(len(currents_A)))
 
 
-def _place(bench: Bench, name: str, normal: Sequence[Response], opposed: dict[int, Response]) -> Found:
+def _place(bench: Bench, name: str, normal: Sequence[Response], opposed: dict[int, Response]) -> Located:
     geometry = _geometry(bench)
     reversed_ = np.zeros((3, 3))
     for coil, response in opposed.items():
@@ -157,12 +157,12 @@ def _place(bench: Bench, name: str, normal: Sequence[Response], opposed: dict[in
     )  # fmt: skip
     try:
         place = locate(seen, coils)
-        return Found(place, shifts(seen, coils, place, geometry.u_size_m, geometry.u_halves))
+        return Located(place, shifts(seen, coils, place, geometry.u_size_m, geometry.u_halves))
     except ValueError as error:
         raise InputError(f"{name}: {error}") from error
 
 
-def _told(bench: Bench, found: dict[str, Found], apart_mm: float, misfit_mm: float) -> Work[None]:
+def _report(bench: Bench, found: dict[str, Located], apart_mm: float, misfit_mm: float) -> Work[None]:
     """Both places, the reference's against the one stated, and the distance of the two; an event with all of it."""
     for name, one in found.items():
         for axis, value, u in zip(AXES, one.place.place_m, one.u_m, strict=True):
@@ -190,7 +190,7 @@ def _told(bench: Bench, found: dict[str, Found], apart_mm: float, misfit_mm: flo
     yield Event(bench.clock.now(), "locate", text, data)
 
 
-def _of_the_coils(bench: Bench, reference: Found, dut: Found) -> Work[None]:
+def _of_the_coils(bench: Bench, reference: Located, dut: Located) -> Work[None]:
     """What each coil's field at the reference is more than at the DUT: the share of the cage's own gradient.
 
     As uncertain as the two places, and as the coils' size and the balance of their halves, which move those as well.

@@ -39,7 +39,7 @@ from labcal.errors import LimitNotMet
 from labcal.record.closure import Standstill
 from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes
-from procedures.so_far import SoFar
+from procedures.running_estimate import RunningEstimate
 from procedures.sync_check import check_sync
 
 NEEDS, LASTS_MIN = "the DUT on the platform, remounted three times; a vector reference", 48
@@ -52,7 +52,7 @@ MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, fo
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class PreflightPlan:
     """What a preflight does, resolved: every field in order, reversed ones negative, and the rate."""
 
     axes: tuple[str, ...]
@@ -68,9 +68,9 @@ class Setting:
     zero_s: float
     closure_nT: float
     u_mounting_deg: float
-    so_far: SoFar
+    estimate: RunningEstimate
 
-    def at_rate_of(self, bench: Bench) -> Setting:
+    def at_rate_of(self, bench: Bench) -> PreflightPlan:
         """The same at the fastest rate that is allowed, unless one was asked for."""
         if self.rate_asked:
             return self
@@ -142,9 +142,9 @@ def preflight(
 ) -> Procedure:
     """The whole calibration before flight, from the zero to the closing."""
     fields = (*magnitudes_nT, *((-magnitudes_nT[-1],) if reverse else ()))
-    wanted = Setting(
+    wanted = PreflightPlan(
         axes, fields, modes, inclination_deg, rate_deg_per_s > 0, rate_deg_per_s, timing_nT, u_time_s, step_deg,
-        dwell_s, zero_s, closure_nT, u_mounting_deg, SoFar(bench),
+        dwell_s, zero_s, closure_nT, u_mounting_deg, RunningEstimate(bench),
     )  # fmt: skip
     refuse_too_fast(bench, rate_deg_per_s)
     setting, done = wanted.at_rate_of(bench), resume.done if resume else frozenset()
@@ -161,7 +161,7 @@ def preflight(
         yield from _closing(bench, setting, first, before)
 
 
-def _open(bench: Bench, setting: Setting, axis: str, resume: Resume | None) -> Work[First]:
+def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None) -> Work[First]:
     """Mount, then the zero and the first position; after an interruption they are compared with what they were."""
     yield setting.plan().begin(bench, "zero")
     yield from _mounted(bench, axis, resume)
@@ -188,7 +188,7 @@ def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
 
 
-def _check(bench: Bench, setting: Setting, axis: str) -> Work[Setting]:
+def _check(bench: Bench, setting: PreflightPlan, axis: str) -> Work[PreflightPlan]:
     """Axes and timing; the rate follows from the timing uncertainty found."""
     yield setting.plan().begin(bench, "axes-check")
     yield from check_axes(bench, axis, 5_000.0, 2.0, 20.0, 15.0)
@@ -199,7 +199,9 @@ def _check(bench: Bench, setting: Setting, axis: str) -> Work[Setting]:
     return found
 
 
-def _about(bench: Bench, setting: Setting, axis: str, done: frozenset[str], mounted: str, last: str) -> Work[None]:
+def _about(
+    bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str], mounted: str, last: str
+) -> Work[None]:
     """Mount one body axis, unless the `last` one is to be redone first; then every turn about it."""
     yield setting.plan().begin(bench, f"mount-{axis}")
     if axis != mounted:
@@ -208,19 +210,19 @@ def _about(bench: Bench, setting: Setting, axis: str, done: frozenset[str], moun
     yield from _turns(bench, setting, axis, done)
 
 
-def _mount_or_redo(bench: Bench, setting: Setting, key: str, axis: str, last: str) -> Work[None]:
+def _mount_or_redo(bench: Bench, setting: PreflightPlan, key: str, axis: str, last: str) -> Work[None]:
     """Ask to mount `axis`; until that is done, the turns about the `last` axis, still mounted, may be redone."""
     redo = (f"redo {last}",) if last else ()
     while (yield from mount(bench, key, attitude(bench, axis), how_to_mount(axis), *redo)) != "done":
         asked = f"Why is axis {last.upper()} redone? What was measured stays in the record, marked as not used."
         reason = yield Prompt(bench.clock.now(), f"redo-{last}", asked, ())
         yield not_used(bench, [name for name, _, _ in setting.turns(last)], reason or "")
-        setting.so_far.forget()
+        setting.estimate.forget()
         yield from switch_mode(bench, setting.modes[0])
         yield from _turns(bench, setting, last, frozenset())
 
 
-def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> Work[None]:
+def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]) -> Work[None]:
     """Every turn about one body axis, with the first position before and after."""
     plan, mode_now, seen = setting.plan(), setting.modes[0], list[Turned]()
     before = yield from _first_position(bench, setting)
@@ -232,7 +234,7 @@ def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> W
         blocks = yield from attempt(bench, name, work)
         seen += [look_at_turn(bench, AXES[axis], blocks)] if blocks else []
         if blocks and mode == setting.modes[0]:  # another mode may have another offset
-            yield from setting.so_far.take(blocks)
+            yield from setting.estimate.take(blocks)
     if (late := delay_of(seen)) is not None:
         yield from measured(bench, f"delay {axis}", *late, "s", LONGEST_DELAY_S)
     yield plan.begin(bench, f"closure-{axis}")
@@ -246,7 +248,7 @@ def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> W
 
 
 def _one_turn(
-    bench: Bench, setting: Setting, axis: str, mounting: str, name: str, mode: str, field_nT: float
+    bench: Bench, setting: PreflightPlan, axis: str, mounting: str, name: str, mode: str, field_nT: float
 ) -> Work[Blocks]:
     """One turn there or back, so that no cable is wound up."""
     yield from energise(bench, inclined_field(bench, field_nT, setting.inclination_deg))
@@ -258,7 +260,7 @@ def _one_turn(
     return (yield from rotate_once(bench, rotation))
 
 
-def _closing(bench: Bench, setting: Setting, first: First, last: str) -> Work[None]:
+def _closing(bench: Bench, setting: PreflightPlan, first: First, last: str) -> Work[None]:
     """The first mounting, the first position and the zero again."""
     yield setting.plan().begin(bench, "closing")
     axis = setting.axes[0]
@@ -275,7 +277,7 @@ def _two(before: Standstill, after: Standstill, body_from_cage: list[list[float]
     return {"before": asdict(before), "after": asdict(after), "body_from_cage": body_from_cage}
 
 
-def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[tuple[Position, Position]]:
+def _zero_and_first_position(bench: Bench, setting: PreflightPlan, name: str) -> Work[tuple[Position, Position]]:
     """Coils off and in the first field: |DUT| − |reference| is what no remounting changes by much.
 
     Signs are left to axes-check, which follows the first time and has the DUT as a second witness.
@@ -292,7 +294,7 @@ def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[
     return spots[0], spots[1]
 
 
-def _first_position(bench: Bench, setting: Setting) -> Work[Position]:
+def _first_position(bench: Bench, setting: PreflightPlan) -> Work[Position]:
     """DUT and reference in the first field at angle 0."""
     yield from to_angle(bench, 0.0)
     yield from energise(bench, inclined_field(bench, setting.fields_nT[0], setting.inclination_deg))

@@ -78,7 +78,7 @@ def scalar_cage(
         yield plan.begin(bench, "constant modulus")
         second = yield from _seen(bench, [np.linalg.solve(A, b - b0) for b in turning], dwell_s)
         yield from coils_off(bench)
-    yield from _told(bench, first, second, fresh, error_nT, square_deg)
+    yield from _report(bench, first, second, fresh, error_nT, square_deg)
 
 
 def components(largest_A: Array) -> list[Array | None]:
@@ -136,14 +136,14 @@ def _asked(work: Callable[[], T]) -> T:
         raise InputError(str(error)) from error
 
 
-def _told(
+def _report(
     bench: Bench, first: Magnitudes, second: Magnitudes, fresh: NDArray[np.bool_], error_nT: float, square_deg: float
 ) -> Work[None]:
     """Both methods, each by its own fields, and together; then what fields tell that no fit has seen."""
 
     def fitted(seen: Magnitudes, start: ScalarCage | None = None) -> ScalarCage:
-        told = as_positions(bench, seen.magnitude_nT)
-        others = [(error, told_by(error.change(told))) for error in declared_errors(told)]
+        positions = as_positions(bench, seen.magnitude_nT)
+        others = [(error, reference_magnitude_nT(error.change(positions))) for error in declared_errors(positions)]
         return _asked(lambda: fit_scalar_cage(seen, others=others, start=start))
 
     turning = second.select(~fresh)
@@ -187,20 +187,20 @@ def _verified(bench: Bench, found: ScalarCage, seen: Magnitudes, fresh: Magnitud
     stated = bench.cage.matrix_nT_per_A
     before = np.linalg.norm(fresh.currents_A @ stated.T + with_matrix(stated, seen), axis=1)
     noise = float(np.std(found.residual_nT)) / np.sqrt(len(fresh))
-    told = as_positions(bench, fresh.magnitude_nT)
+    positions = as_positions(bench, fresh.magnitude_nT)
     rows = (("verify: rms error with bench.toml's matrix", before, None),
             ("verify: rms error", found.magnitude_nT(fresh), error_nT))  # fmt: skip
     for name, made_nT, limit in rows:
         figure = partial(_rms_error, made_nT)
-        u = float(np.hypot(noise, u_declared(told, figure)))
-        yield from measured(bench, name, figure(told), u, "nT", limit)
+        u = float(np.hypot(noise, u_declared(positions, figure)))
+        yield from measured(bench, name, figure(positions), u, "nT", limit)
 
 
-def _rms_error(made_nT: Array, told: Run) -> float:
-    return float(np.sqrt(np.mean((made_nT - told_by(told)) ** 2)))
+def _rms_error(made_nT: Array, positions: Run) -> float:
+    return float(np.sqrt(np.mean((made_nT - reference_magnitude_nT(positions)) ** 2)))
 
 
-def told_by(positions: Run) -> Array:
+def reference_magnitude_nT(positions: Run) -> Array:
     """The magnitudes (n,) [nT] as the sensor tells them."""
     assert positions.reference_magnitude is not None
     return positions.reference_magnitude

@@ -16,14 +16,14 @@ Array = NDArray[np.float64]
 
 def rms_error(bench: Bench, name: str, seen_nT: Array, wanted_nT: Array, limit_nT: float) -> Work[None]:
     """Measure the rms of the error's length, the reference's means (n, 3) [nT, C] less `wanted_nT` (n, 3) or (3,)."""
-    told = as_positions(bench, seen_nT)
+    positions = as_positions(bench, seen_nT)
 
     def rms(positions: Run) -> float:
         assert positions.reference_vector is not None
         return float(np.sqrt(np.mean(np.sum((positions.reference_vector - wanted_nT) ** 2, axis=1))))
 
-    value = rms(told)
-    if left := uncovered(told):
+    value = rms(positions)
+    if left := uncovered(positions):
         yield note(bench, left)
-    u = float(np.hypot(value / np.sqrt(2 * len(seen_nT)), u_declared(told, rms)))
+    u = float(np.hypot(value / np.sqrt(2 * len(seen_nT)), u_declared(positions, rms)))
     yield from measured(bench, name, value, u, "nT", limit_nT)

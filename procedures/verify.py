@@ -47,7 +47,7 @@ ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitt
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Seen:
+class PositionMeans:
     """Means at each position: `reading` (n, 3) [DUT unit], the reference and attitudes as a run, channels (n,).
 
     `u_nT` is the standard uncertainty of one component of DUT less reference, by noise; `u_angle_deg` that of each
@@ -124,7 +124,7 @@ def spread(bench: Bench, count: int, magnitude_nT: float) -> tuple[Array, Array]
     return 360 * np.mod(n * GOLDEN**2 + 0.13, 1.0), magnitude_nT * directions
 
 
-def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: float) -> Seen:
+def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: float) -> PositionMeans:
     platform_axis = bench.config.platform.axis_cage
     at_zero = shortest_rotation(platform_axis, AXES[axis])
     dut = [samples(blocks, "dut") for blocks in found]
@@ -137,7 +137,7 @@ def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: flo
     u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
-    return Seen(
+    return PositionMeans(
         np.array([s.t_s.mean() for s in dut]),
         np.array([s.mean for s in dut]),
         positions,
@@ -151,7 +151,7 @@ def _judge(
     bench: Bench,
     when: str,
     field_nT: Array,
-    seen: Seen,
+    seen: PositionMeans,
     axis: str,
     heading_deg: float | None = None,
     error_nT: float | None = None,

@@ -19,7 +19,7 @@ from typing import TextIO
 
 OLDEST, TOO_NEW = (3, 11), (3, 14)
 SILENCE_S = 3.0  # after which a sign of life is given
-TOLD = ("Collecting", "Downloading", "Installing", "Building", "Successfully", "ERROR", "error:", "WARNING: Retrying")
+SHOWN = ("Collecting", "Downloading", "Installing", "Building", "Successfully", "ERROR", "error:", "WARNING: Retrying")
 SHORT = 100  # letters of a line
 
 
@@ -61,7 +61,7 @@ def run(command: Iterable[str], aloud: Aloud) -> int:
     ) as process:
         for line in process.stdout or ():
             lines.append(line)
-            if line.strip().startswith(TOLD):
+            if line.strip().startswith(SHOWN):
                 aloud.say(line)
     if process.returncode:
         print("".join(lines[-30:]), file=sys.stderr)

@@ -71,7 +71,7 @@ class EaPs2000BEmulator(Replies):
         if (output := self.outputs.get(whole[1])) is None:
             return ea.ERROR, b"\5"
         if data:
-            return ea.ERROR, bytes([_told(output, t_s, number, data)])
+            return ea.ERROR, bytes([_execute(output, t_s, number, data)])
         said = self._object(output, t_s, number)
         return (number, said) if said else (ea.ERROR, b"\7")
 
@@ -97,7 +97,7 @@ class EaPs2000BEmulator(Replies):
         output.act(t_s)
 
 
-def _told(output: Output, t_s: float, number: int, data: bytes) -> int:
+def _execute(output: Output, t_s: float, number: int, data: bytes) -> int:
     """0, or why it refuses."""
     if number not in (*MOST, ea.CONTROL):
         return 7

@@ -27,7 +27,7 @@ class GenesysEmulator(Answers):
         self._coil, self._address = lab.coils[role[-1]], settings.address
         self._who = f"GEN-{ord(role[-1]):03d}A0{settings.address:02d}"
         self._addressed, self._mode, self._faults = False, "LOC", OUTPUT_OFF
-        self._told = {"PV": "00.000", "PC": "00.000"}
+        self._set_points = {"PV": "00.000", "PC": "00.000"}
         self._on = {"OUT": False, "FLD": False, "AST": False}
         self._above = {"OVP": 1.1 * MOST["PV"], "UVL": 0.0}
 
@@ -56,11 +56,11 @@ class GenesysEmulator(Answers):
     def _asked(self, t_s: float, word: str) -> str:
         amps = self._coil.current.now(t_s)
         volts = amps * self._coil.resistance_ohm
-        limited = volts > float(self._told["PV"]) - 0.01
+        limited = volts > float(self._set_points["PV"]) - 0.01
         on = self._on["OUT"]
         return {
             "IDN": "LAMBDA,GEN40-38", "REV": "REV:1U:4.3", "SN": self._who, "DATE": "2019/05/14", "MDAV": "0",
-            "RMT": self._mode, "MV": f"{volts:06.3f}", "MC": f"{amps:06.3f}", **self._told,
+            "RMT": self._mode, "MV": f"{volts:06.3f}", "MC": f"{amps:06.3f}", **self._set_points,
             "MODE": ("CV" if limited else "CC") if on else "OFF", "FLT": f"{self._faults:02X}",
             "STAT": f"{(1 if limited else 2) * on | 4 | 16 * self._on['AST'] | 32 * self._on['FLD']:02X}",
             "OVP": f"{self._above['OVP']:.3f}", "UVL": f"{self._above['UVL']:.3f}",
@@ -72,7 +72,7 @@ class GenesysEmulator(Answers):
             return "C03"
         if float(number) > 1.05 * MOST[word] or (word == "PV" and float(number) > 0.95 * self._above["OVP"]):
             return "E01" if word == "PV" else "C05"
-        self._told[word] = number
+        self._set_points[word] = number
         self._drive(t_s)
         return "OK"
 
@@ -84,7 +84,7 @@ class GenesysEmulator(Answers):
         return "OK"
 
     def _drive(self, t_s: float) -> None:
-        amps, volts = float(self._told["PC"]), float(self._told["PV"])
+        amps, volts = float(self._set_points["PC"]), float(self._set_points["PV"])
         if self._on["OUT"] and self._on["FLD"] and amps * self._coil.resistance_ohm < volts:
             self._faults, self._on["OUT"] = self._faults | FOLDBACK, False  # sooner than the 250 ms of a real one
         self._coil.drive(t_s, amps, volts, self._on["OUT"])

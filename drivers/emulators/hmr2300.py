@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from drivers.emulators.line import Answers, Lab, Pieces
-from drivers.emulators.streaming import Beat
+from drivers.emulators.streaming import SampleClock
 
 COMMAND = re.compile(r"\*(\d\d)(.+)")
 RATE = re.compile(r"R=(0?[1-6]0|0?25|100|123|154)")
@@ -31,7 +31,7 @@ class Hmr2300Emulator(Answers):
         self._lab, self._id, self.baud = lab, settings.id, getattr(settings, "baud", 9600)
         self._format, self._rate, self._may_write = "A", 20, False
         self._on = {"T": True, "Z": False, "V": False}
-        self._beat: Beat | None = None
+        self._beat: SampleClock | None = None
 
     def take(self, t_s: float, data: bytes) -> None:
         """ESC ends the stream at once."""
@@ -62,7 +62,7 @@ class Hmr2300Emulator(Answers):
         if words in SWITCHES or words in TOGGLES or RATE.fullmatch(words):
             return self._change(words) if may_write else b"WE OFF\r"
         if words == "C":
-            self._beat = Beat(self._rate, t_s)
+            self._beat = SampleClock(self._rate, t_s)
             return b""
         if words == "P":
             return self._frames(np.array([t_s]))[0]

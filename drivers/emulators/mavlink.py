@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from drivers.emulators.line import Lab, Pieces, Replies
-from drivers.emulators.streaming import Beat, dut_rows
+from drivers.emulators.streaming import SampleClock, dut_rows
 from drivers.framing.mavlink import INT32, NT, PX4, Vehicle, calibration_names, dialect
 
 RATE_HZ = 20.0
@@ -23,7 +23,7 @@ class MavlinkEmulator:
         self._in = self._dialect.MAVLink(None)
         self._in.robust_parsing = True
         self._scale = settings.scale * NT[settings.message]
-        self._rows, self._beat, self._replies = _rows(lab, self._scale), Beat(RATE_HZ), Replies()
+        self._rows, self._beat, self._replies = _rows(lab, self._scale), SampleClock(RATE_HZ), Replies()
         names = calibration_names(Vehicle(1, PX4), settings.sensor)
         self.parameters = {name: 1.0 if "SCALE" in name else 0.0 for name in names}
 

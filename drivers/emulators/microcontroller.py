@@ -77,7 +77,7 @@ class CoilBoardEmulator(Answers):
         if int(rest[0]) not in self.channels:
             return "channel", ""
         bridge = self.channels[int(rest[0])]
-        return self._tell(t_s, bridge, word, int(rest[1])) if len(rest) > 1 else self._told(t_s, bridge, word)
+        return self._execute(t_s, bridge, word, int(rest[1])) if len(rest) > 1 else self._state_reply(t_s, bridge, word)
 
     def _of_all(self, word: str) -> tuple[str, str]:
         if word == "BEAT":
@@ -88,7 +88,7 @@ class CoilBoardEmulator(Answers):
         )
         return "", f"labcal-coil/1 labcal emulated-board 0001 1.0 {facts}"
 
-    def _told(self, t_s: float, bridge: Channel, word: str) -> tuple[str, str]:
+    def _state_reply(self, t_s: float, bridge: Channel, word: str) -> tuple[str, str]:
         match word:
             case "SET?":
                 return "", f"{bridge.value}"
@@ -99,7 +99,7 @@ class CoilBoardEmulator(Answers):
         flows_A = bridge.coil.current.now(t_s) if bridge.coil is not None else 0.0
         return "", f"{round(MICRO * flows_A) if self._sense else bridge.value}"
 
-    def _tell(self, t_s: float, bridge: Channel, word: str, value: int) -> tuple[str, str]:
+    def _execute(self, t_s: float, bridge: Channel, word: str, value: int) -> tuple[str, str]:
         if word == "OUT":
             if value not in (0, 1):
                 return "number", ""

@@ -84,7 +84,7 @@ class PiEmulator(Answers):
         elif words.endswith("?"):
             return self._asked(t_s, words)
         else:
-            self.error = self._told(t_s, words, stated[1:]) or self.error
+            self.error = self._execute(t_s, words, stated[1:]) or self.error
         return ""
 
     def _asked(self, t_s: float, words: str) -> str:
@@ -100,7 +100,7 @@ class PiEmulator(Answers):
             return ""
         return f"{self._axis}={known[words]}"
 
-    def _told(self, t_s: float, words: str, values: list[str]) -> int:
+    def _execute(self, t_s: float, words: str, values: list[str]) -> int:
         """The error's number, or 0."""
         try:
             value = float(values[0]) if values else None

@@ -54,7 +54,7 @@ class Messages:
                 continue
             whole = self.words(message.removeprefix(":"))
             relative = "" if message.startswith(":") else path
-            answer = self._told(t_s, relative + whole) if relative else None
+            answer = self._execute(t_s, relative + whole) if relative else None
             path = (relative + whole).partition(" ")[0].rpartition(":")[0]
             path += ":" if path else ""
             said.append(answer if answer is not None else self._from_the_root(t_s, whole))
@@ -68,10 +68,10 @@ class Messages:
         return ""
 
     def _from_the_root(self, t_s: float, message: str) -> str:
-        answer = self._told(t_s, message)
+        answer = self._execute(t_s, message)
         return self.fault(UNKNOWN) if answer is None else answer
 
-    def _told(self, t_s: float, message: str) -> str | None:
+    def _execute(self, t_s: float, message: str) -> str | None:
         if self.none and message in ERRORS:
             return self.errors.popleft() if self.errors else self.none
         try:

@@ -13,7 +13,7 @@ from drivers.emulators.line import Lab, Pieces
 RATE_HZ = 10.0
 
 
-class Beat:
+class SampleClock:
     """Sample times k / rate; `due` gives those up to a time that were not given before."""
 
     def __init__(self, rate_hz: float, start_s: float = 0.0) -> None:
@@ -42,7 +42,7 @@ class Talker:
         frame: Callable[[float, list[float]], bytes],
         rate_hz: float = RATE_HZ,
     ) -> None:
-        self._rows, self._frame, self._beat = rows, frame, Beat(rate_hz)
+        self._rows, self._frame, self._beat = rows, frame, SampleClock(rate_hz)
 
     def take(self, t_s: float, data: bytes) -> None:
         """It does not listen."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from drivers.emulators.line import Lab, Pieces, Replies
-from drivers.emulators.streaming import Beat
+from drivers.emulators.streaming import SampleClock
 from drivers.framing import slip, tio
 from labcal.bench.driver_kit.framing import Lines
 
@@ -27,7 +27,7 @@ class TwinleafEmulator(Replies):
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__()
-        self._lab, self._delay_s, self._beat = lab, settings.delay_s, Beat(RATE_HZ)
+        self._lab, self._delay_s, self._beat = lab, settings.delay_s, SampleClock(RATE_HZ)
         self._lines = Lines(slip.END, longest=2 * tio.LONGEST)
 
     def take(self, t_s: float, data: bytes) -> None:

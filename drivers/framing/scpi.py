@@ -39,7 +39,7 @@ class Scpi:
     end: bytes = b"\n"
     no_error: str = NO_ERROR
     _free_s: float = field(default=float("-inf"), init=False)
-    _told: deque[bytes] = field(default_factory=lambda: deque(maxlen=MOST_ECHOES), init=False)
+    _sent: deque[bytes] = field(default_factory=lambda: deque(maxlen=MOST_ECHOES), init=False)
 
     def __post_init__(self) -> None:
         self._in_step = InStep(self.name, self.link, self.clock)
@@ -51,7 +51,7 @@ class Scpi:
         self.send(text)
         reply = self._line()
         for _ in range(MOST_ECHOES * self.may_echo):
-            if reply in self._told:
+            if reply in self._sent:
                 reply = self._line()
         self._free_s = self.clock.now() + self.gap_s
         if NAK in reply:
@@ -73,7 +73,7 @@ class Scpi:
         self.clock.wait_until(self._free_s)
         self.link.flush()
         self.link.send(text.encode() + self.end)
-        self._told.append(text.encode())
+        self._sent.append(text.encode())
         self._free_s = self.clock.now() + self.gap_s
 
     def _line(self) -> bytes:

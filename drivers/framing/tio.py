@@ -58,7 +58,7 @@ def number_of(row: bytes) -> int:
 
 
 @dataclass(frozen=True)
-class Place:
+class RowLayout:
     """Where three numbers stand in a row of the stream, in which unit, and how long from one row to the next."""
 
     at: int
@@ -95,7 +95,7 @@ class Description:
         except (struct.error, KeyError, ZeroDivisionError):
             return
 
-    def place(self, name: str) -> Place | None:
+    def place(self, name: str) -> RowLayout | None:
         """Of a source of three numbers; None as long as that is not described."""
         if self._stream is None or self._stream[0] not in self._periods_s:
             return None
@@ -106,7 +106,7 @@ class Description:
                 return None
             called, form, unit = self._sources[number]
             if called == name and len(form) == 3:
-                return Place(at, struct.Struct("<" + form), unit, periods * self._periods_s[timebase])
+                return RowLayout(at, struct.Struct("<" + form), unit, periods * self._periods_s[timebase])
             at += struct.calcsize("<" + form)
         return None
 

@@ -204,10 +204,10 @@ def _plain(archive: Archive, asked: Select[Any]) -> list[dict[str, Any]]:
     """The rows as JSON has them."""
     with archive.transaction() as connection:
         found = connection.execute(asked).mappings().all()
-    return [{name: _told(value) for name, value in row.items()} for row in found]
+    return [{name: _json_value(value) for name, value in row.items()} for row in found]
 
 
-def _told(value: Any) -> Any:
+def _json_value(value: Any) -> Any:
     return value.isoformat(timespec="milliseconds").replace("+00:00", "Z") if isinstance(value, datetime) else value
 
 

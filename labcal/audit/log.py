@@ -86,8 +86,8 @@ def append(home: Path, deed: Deed, who: str, about: Mapping[str, str]) -> None:
         last = log.execute("SELECT number, CAST(text AS BLOB) FROM entry ORDER BY number DESC LIMIT 1").fetchone()
         key = lab_key.kept(home)
         if key is None and last is not None:
-            told = f"the lab's key {lab_key.NAME} is gone, that signs the audit log: put it back, or set the log aside"
-            raise InputError(told, file=home / FILE)
+            words = f"the lab's key {lab_key.NAME} is gone, that signs the audit log: put it back, or set the log aside"
+            raise InputError(words, file=home / FILE)
         key = key or lab_key.made(home)
         number, before = (last[0], link_of(last[1])) if last else (0, START)
         if last is None:

@@ -34,7 +34,7 @@ def outlived(work: Work) -> Callable[[], list[AtZero]]:
     if child == 0:
         _as_the_child(work, writing)
     os.close(writing)
-    return lambda: _told_by(child, reading) or work()
+    return lambda: _result_of_child(child, reading) or work()
 
 
 def _as_the_child(work: Work, writing: int) -> NoReturn:
@@ -49,7 +49,7 @@ def _as_the_child(work: Work, writing: int) -> NoReturn:
         os._exit(0)  # what the other process has open, and its words that are not printed yet, stay its own
 
 
-def _told_by(child: int, reading: int) -> list[AtZero]:
+def _result_of_child(child: int, reading: int) -> list[AtZero]:
     """How it ended for the child; [] where it ended before it could say all of it."""
     with os.fdopen(reading, encoding="utf-8") as pipe:
         said = pipe.read()

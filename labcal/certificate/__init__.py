@@ -10,11 +10,11 @@ from labcal.certificate.calibration_file import (
     read_calibration,
 )
 from labcal.certificate.hand_out import hand_out
-from labcal.certificate.keys import Entry
+from labcal.certificate.keys import KeyEntry
 from labcal.certificate.predecessor import changed_from, changed_since
 from labcal.certificate.roles import check_approver, check_roles
 from labcal.certificate.signing import (
-    Check,
+    SignatureCheck,
     Verification,
     approve,
     check_approvers,
@@ -28,8 +28,8 @@ from labcal.certificate.superseding import keep_superseding, superseded_by
 
 __all__ = [
     "AppliedFile",
-    "Check",
-    "Entry",
+    "KeyEntry",
+    "SignatureCheck",
     "Signer",
     "Stated",
     "Verification",

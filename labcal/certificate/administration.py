@@ -45,8 +45,8 @@ def check_list(trust_list: Path, content: bytes | None) -> None:
     who = administrator(trust_list)
     if who is None:
         if signature_file(trust_list).exists():
-            told = f"is signed, and {administrator_file(trust_list).name}, which says whose signature counts, is gone"
-            raise InputError(told, file=trust_list)
+            text = f"is signed, and {administrator_file(trust_list).name}, which says whose signature counts, is gone"
+            raise InputError(text, file=trust_list)
         return
     if (why := _objection(who, trust_list, content)) is not None:
         how = f"nobody is trusted until `labcal keys sign --key {who.principal}`, after a look at `labcal keys list`"

@@ -60,8 +60,8 @@ def in_agent(signers: Iterable[Signer]) -> AgentKey | None:
     """The first of these keys that this user's SSH agent holds; None where it holds none, or there is no agent."""
     if not os.environ.get("SSH_AUTH_SOCK") and os.name == "posix":
         return None
-    told = (_asked("ssh-add", "-L", within=ASKED_S) or b"").decode(errors="replace")
-    held = {tuple(line.split()[:2]) for line in told.splitlines()}
+    listed = (_asked("ssh-add", "-L", within=ASKED_S) or b"").decode(errors="replace")
+    held = {tuple(line.split()[:2]) for line in listed.splitlines()}
     there = (s for s in signers if (s.key_type, base64.b64encode(s.key).decode()) in held)
     return next(map(AgentKey, there), None)
 

@@ -69,10 +69,10 @@ def apply_file(calibration: Calibration, source: Path, out: Path) -> AppliedFile
         with replacing(out) as part, part.open("w", encoding="utf-8", newline="\n") as written:
             written.write(f"{shielded_row(next(lines))},{','.join(ADDED)}\n")
             for applied in apply_in_pieces(calibration, readings, AT_ONCE):
-                told = list(islice(lines, len(applied.flags)))
-                written.writelines(_rows(told, applied))
+                batch = list(islice(lines, len(applied.flags)))
+                written.writelines(_rows(batch, applied))
                 flags.update(applied.flags)
-                rows += len(told)
+                rows += len(batch)
             if rows != len(readings) or next(lines, None) is not None:
                 raise InputError("was changed while it was read", file=source)
     return AppliedFile(rows, flags)

@@ -50,7 +50,7 @@ def check_cage(
     if found.objection is not None:
         raise InputError(f"its signature {file.name}: {found.objection}; {WHAT_TO_DO}", file=cage)
     if not same_person(found.principal or "", approved_by):
-        told = f"approved_by: {approved_by} approved it, and {found.principal} signed it; {WHAT_TO_DO}"
-        raise InputError(told, file=cage)
+        text = f"approved_by: {approved_by} approved it, and {found.principal} signed it; {WHAT_TO_DO}"
+        raise InputError(text, file=cage)
     check_approver(found.principal or "", trusted)
     return None

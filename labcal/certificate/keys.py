@@ -52,7 +52,7 @@ SIMULATED = "simulated"  # the principal of keys made in memory: good for files 
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class KeyEntry:
     """One line of `labcal keys list`."""
 
     signer: Signer
@@ -76,8 +76,8 @@ def new_key(home: Path, name: str, passphrase: str) -> Signer:
     own = [signer for signer in known if signer.principal == name]
     keys, gone = {signer.key for signer in own}, gone | {signer.key for signer in own if signer.revoked}
     if path.exists() and not (keys and keys <= gone):
-        told = f"{name} has a key already; a second one would replace it (`labcal keys revoke {name}` where it is lost)"
-        raise InputError(told, file=path)
+        text = f"{name} has a key already; a second one would replace it (`labcal keys revoke {name}` where it is lost)"
+        raise InputError(text, file=path)
     if keys - gone:
         raise InputError(f"{name} is trusted already with a key made elsewhere", file=trust_list(home))
     key = Ed25519PrivateKey.generate()
@@ -251,14 +251,14 @@ def revoked(home: Path) -> frozenset[bytes]:
     return frozenset(keys)
 
 
-def entries(home: Path, *, only_listed: bool = False) -> tuple[Entry, ...]:
+def entries(home: Path, *, only_listed: bool = False) -> tuple[KeyEntry, ...]:
     """Everybody in the trust list, whether their private key is here, and whether they are revoked.
 
     `only_listed`: to be looked at, whoever signed the list.
     """
     gone = revoked(home)
     known = listed(home) if only_listed else trusted(home)
-    return tuple(Entry(s, _private(home, s.principal).exists(), s.revoked or s.key in gone) for s in known)
+    return tuple(KeyEntry(s, _private(home, s.principal).exists(), s.revoked or s.key in gone) for s in known)
 
 
 def names(home: Path) -> frozenset[str]:
@@ -279,8 +279,8 @@ def _check_spelling(name: str, known: Iterable[Signer], file: Path) -> None:
     """Refuse a name that another person's differs from by its spelling alone: it would pass one person off as two."""
     for other in known:
         if other.principal != name and same_person(other.principal, name):
-            told = f"{name} and {other.principal}, who is trusted, are two spellings of one name; name them apart"
-            raise InputError(told, file=file)
+            text = f"{name} and {other.principal}, who is trusted, are two spellings of one name; name them apart"
+            raise InputError(text, file=file)
 
 
 def _private(home: Path, name: str) -> Path:

@@ -32,8 +32,8 @@ def read_laboratory(path: Path) -> Administrative:
         at, said = ".".join(map(str, first["loc"])), str(first["msg"]).removeprefix("Value error, ")
         raise InputError(f"{at and f'{at}: '}{said}; expected {WANTED}", file=path) from None
     except InputError as error:
-        told = f"{error.what}: expected {WANTED}"
-        raise InputError(told, file=path, line=error.line, column=error.column) from None
+        text = f"{error.what}: expected {WANTED}"
+        raise InputError(text, file=path, line=error.line, column=error.column) from None
     return Administrative(laboratory, stated)
 
 

@@ -33,8 +33,8 @@ def check_passphrase(passphrase: str, name: str) -> None:
     if not passphrase:
         raise InputError("the passphrase is empty; nothing was made")
     if len(passphrase) < SHORTEST:
-        told = f"the passphrase has {len(passphrase)} characters and needs {SHORTEST}"
-        raise InputError(f"{told}: four words are easy to keep; nothing was made")
+        what = f"the passphrase has {len(passphrase)} characters and needs {SHORTEST}"
+        raise InputError(f"{what}: four words are easy to keep; nothing was made")
     if (why := _guessed(passphrase.casefold(), name.casefold())) is not None:
         raise InputError(f"the passphrase is {why}: four words are easy to keep; nothing was made")
 

@@ -36,7 +36,7 @@ COLUMNS = "series, year, running, utc, run_id, file, state, reason, sha256"
 
 
 @dataclass(frozen=True, slots=True)
-class Numbered:
+class NumberEntry:
     """One number: when it was taken, for which run and file; `taken` is a draft's, `reason` says why it is void."""
 
     number: str
@@ -67,8 +67,8 @@ def void(home: Path, number: str, reason: str) -> None:
     with _opened(home) as register:
         found = _require(register, number, home)
         if found.state != "taken":
-            told = ": withdraw the file by another that supersedes it" if found.state == "signed" else " already"
-            raise InputError(f"{number} is {found.state}{told}")
+            text = ": withdraw the file by another that supersedes it" if found.state == "signed" else " already"
+            raise InputError(f"{number} is {found.state}{text}")
         _change(register, number, ("void", said, ""))
 
 
@@ -88,7 +88,7 @@ def signed(home: Path, number: str, run_id: str, sha256: str) -> None:
             _change(register, number, ("signed", "", sha256))
 
 
-def listed(home: Path) -> tuple[Numbered, ...]:
+def listed(home: Path) -> tuple[NumberEntry, ...]:
     """Every number in the order of bench, year and number; none where there is no register yet."""
     if not (home / FILE).exists():
         return ()
@@ -103,7 +103,7 @@ def part_of(bench: str) -> str:
     return "".join(re.findall("[A-Z0-9]", plain))[:LONGEST] or "OTHER"
 
 
-def _check(register: sqlite3.Connection, number: str, run_id: str, sha256: str) -> Numbered | None:
+def _check(register: sqlite3.Connection, number: str, run_id: str, sha256: str) -> NumberEntry | None:
     found = _find(register, number)
     if found is None:
         if not NUMBER.fullmatch(number):
@@ -121,13 +121,13 @@ def _check(register: sqlite3.Connection, number: str, run_id: str, sha256: str) 
     return found
 
 
-def _require(register: sqlite3.Connection, number: str, home: Path) -> Numbered:
+def _require(register: sqlite3.Connection, number: str, home: Path) -> NumberEntry:
     if (found := _find(register, number)) is None:
         raise InputError(f"{number} is no number of this register (`labcal numbers` shows them)", file=home / FILE)
     return found
 
 
-def _find(register: sqlite3.Connection, number: str) -> Numbered | None:
+def _find(register: sqlite3.Connection, number: str) -> NumberEntry | None:
     if (match := NUMBER.fullmatch(number)) is None:
         return None
     where = (match[1], int(match[2]), int(match[3]))
@@ -143,8 +143,8 @@ def _change(register: sqlite3.Connection, number: str, to: tuple[str, str, str])
     register.execute(change, (*to, *where))
 
 
-def _numbered(row: tuple[str, int, int, str, str, str, State, str, str]) -> Numbered:
-    return Numbered(_number(*row[:3]), *row[3:])
+def _numbered(row: tuple[str, int, int, str, str, str, State, str, str]) -> NumberEntry:
+    return NumberEntry(_number(*row[:3]), *row[3:])
 
 
 def _number(series: str, year: int, running: int) -> str:

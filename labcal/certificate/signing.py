@@ -36,7 +36,7 @@ Revise = Callable[[Calibration], Calibration]
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class SignatureCheck:
     """What one signature file came to: `objection` is None where it holds and its signer is trusted.
 
     `shown` is when it was there already, and by what its signer cannot have made; None where nothing shows that.
@@ -58,7 +58,7 @@ class Verification:
 
     file: Path
     content: bytes  # what was checked
-    checks: tuple[Check, ...]
+    checks: tuple[SignatureCheck, ...]
     calibration: Calibration | None  # where at least one signature holds
     run_matches: bool | None = None
     recomputed: Recomputed | None = None
@@ -103,7 +103,7 @@ class Verification:
             return lacking
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
 
-    def signed_at(self, check: Check) -> str:
+    def signed_at(self, check: SignatureCheck) -> str:
         """When that signature was made, with what says so."""
         stated = self.calibration.issued_utc if self.calibration else None
         return claimed(stated) if check.shown is None else check.shown.in_words()
@@ -198,11 +198,11 @@ def check_approvers(calibration: Calibration, path: Path, known: Collection[str]
     for i, name in enumerate(calibration.approvers):
         others = [calibration.operator, *calibration.approvers[:i]]
         if twin := next((other for other in others if same_person(name, other)), None):
-            told = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
-            raise InputError(f"{told}; nothing was written", file=path)
+            text = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
+            raise InputError(f"{text}; nothing was written", file=path)
         if name not in known:
-            told = f"approvers[{i}]: {name} is nobody of the trust list, whose signatures count; nothing was written"
-            raise InputError(f"{told} (`labcal keys new` makes a key, in the window New key)", file=path)
+            text = f"approvers[{i}]: {name} is nobody of the trust list, whose signatures count; nothing was written"
+            raise InputError(f"{text} (`labcal keys new` makes a key, in the window New key)", file=path)
 
 
 def sign(
@@ -318,15 +318,15 @@ def _expected(path: Path) -> list[Path]:
 
 def check_signature(
     file: Path, content: bytes, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime, shown: Shown
-) -> Check:
+) -> SignatureCheck:
     """What the signature in `file` of these bytes comes to, by a trust list and the keys that are `revoked`."""
     try:
         armoured = read_limited(file, LARGEST_SIGNATURE_BYTES)
         signature = sshsig.parse(armoured)
     except FileNotFoundError:
-        return Check(file, None, None, "is missing, though a later signature is there")
+        return SignatureCheck(file, None, None, "is missing, though a later signature is there")
     except (BadSignature, InputError) as error:
-        return Check(file, None, None, error.what if isinstance(error, InputError) else str(error))
+        return SignatureCheck(file, None, None, error.what if isinstance(error, InputError) else str(error))
     seen = shown(file, armoured)
     at = _at(seen, now)
     mine = [s for s in signers if s.key == signature.public_key]
@@ -335,7 +335,7 @@ def check_signature(
     if objection and seen is None and mine and mine[0].revoked and (mine[0].valid_before or NEVER) > NEVER:
         objection += "; a time that is only claimed does not show that it signed before"
     principal = mine[0].principal if mine else None
-    return Check(file, principal, sshsig.fingerprint(signature.public_key), objection, seen)
+    return SignatureCheck(file, principal, sshsig.fingerprint(signature.public_key), objection, seen)
 
 
 def _objection(
@@ -353,9 +353,9 @@ def _objection(
     return f"its key {objection}" if objection else None
 
 
-def _once_each(checks: Sequence[Check]) -> tuple[Check, ...]:
+def _once_each(checks: Sequence[SignatureCheck]) -> tuple[SignatureCheck, ...]:
     """A second signature by the same person, or by the same key, is none: it would pass one person off as two."""
-    kept: list[Check] = []
+    kept: list[SignatureCheck] = []
     for check in checks:
         repeated = any(_same_hand(check, other) for other in kept)
         if check.objection is None and repeated:
@@ -364,11 +364,11 @@ def _once_each(checks: Sequence[Check]) -> tuple[Check, ...]:
     return tuple(kept)
 
 
-def _same_hand(one: Check, other: Check) -> bool:
+def _same_hand(one: SignatureCheck, other: SignatureCheck) -> bool:
     return one.fingerprint == other.fingerprint or same_person(one.principal or "", other.principal or "")
 
 
-def _real(check: Check) -> Check:
+def _real(check: SignatureCheck) -> SignatureCheck:
     if check.objection is None and check.principal == SIMULATED:
         return replace(check, objection="its key is good for simulated files only, and this file says it is real")
     return check

@@ -35,10 +35,10 @@ class Stated:
         stated = replace(draft, validity=validity, supersedes=self.supersedes or draft.supersedes)
         changed = (validity.until, stated.supersedes) != (draft.validity.until, draft.supersedes)
         if changed and draft.approvers:
-            told = (
+            text = (
                 f"{', '.join(draft.approvers)} approved it as it is: another `until` or `supersedes` needs a new draft"
             )
-            raise InputError(f"{told}; nothing was written")
+            raise InputError(f"{text}; nothing was written")
         return stated
 
 
@@ -82,8 +82,8 @@ def _check_issued(stated: str, path: Path, now: datetime) -> None:
     except (ValueError, OverflowError):
         raise InputError(f"issued_utc: {stated[:40]!r} is no time; nothing was written", file=path) from None
     if issued > now + CLOCKS_DIFFER:
-        told = f"issued_utc: {stated} is later than this computer's clock, {now:%Y-%m-%d %H:%M} UTC"
-        raise InputError(f"{told}: one of them is wrong; nothing was written", file=path)
+        text = f"issued_utc: {stated} is later than this computer's clock, {now:%Y-%m-%d %H:%M} UTC"
+        raise InputError(f"{text}: one of them is wrong; nothing was written", file=path)
 
 
 def _day(stated: str) -> date:

@@ -72,8 +72,8 @@ def shown_utc(file: Path, signature: bytes, authorities: Path) -> datetime | Non
         of_reply = ["-in", str(reply)]
         if _asked(openssl, "ts", "-verify", "-data", str(data), *of_reply, "-CAfile", str(authorities)) is None:
             return None
-        told = _asked(openssl, "ts", "-reply", *of_reply, "-text")
-    return None if told is None else _time(told)
+        printed = _asked(openssl, "ts", "-reply", *of_reply, "-text")
+    return None if printed is None else _time(printed)
 
 
 def fetch_token(file: Path, url: str, authorities: Path) -> datetime:
@@ -125,8 +125,8 @@ def _posted(url: str, query: bytes) -> bytes | str:
     return content if len(content) <= LARGEST_BYTES else f"answers more than {LARGEST_BYTES} bytes"
 
 
-def _time(told: str) -> datetime | None:
-    if (found := _STAMP.search(told)) is None or found[1] not in MONTHS:
+def _time(printed: str) -> datetime | None:
+    if (found := _STAMP.search(printed)) is None or found[1] not in MONTHS:
         return None
     day, hour, minute, second, year = (int(found[i]) for i in range(2, 7))
     return datetime(year, MONTHS.index(found[1]) + 1, day, hour, minute, second, tzinfo=UTC)

@@ -19,7 +19,7 @@ from labcal.files.home import PASSPHRASE
 from labcal.files.memory import kept_private
 
 if TYPE_CHECKING:
-    from labcal.certificate import Entry
+    from labcal.certificate import KeyEntry
 
 
 class Role(StrEnum):
@@ -153,7 +153,7 @@ def own_passphrase(name: str) -> str:
     return passphrase(f"Passphrase of {name}: ") if session.asks_passphrase(name) else ""
 
 
-def _row(entry: Entry) -> tuple[str, str, str, str]:
+def _row(entry: KeyEntry) -> tuple[str, str, str, str]:
     from labcal.certificate.sshsig import fingerprint
 
     until = f"until {entry.signer.valid_before:%Y-%m-%d}" if entry.signer.valid_before else "yes"

@@ -114,9 +114,9 @@ def _show(closed: ClosedLoop) -> None:
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
         screen.print(effects)
     for effect in closed.proposed:
-        told = f"{effect.holdout_rms_before_nT:.1f} to {effect.holdout_rms_after_nT:.1f} nT held out"
+        text = f"{effect.holdout_rms_before_nT:.1f} to {effect.holdout_rms_after_nT:.1f} nT held out"
         of = " and ".join(effect.inputs)
-        screen.print(f"Proposed, not shipped: a term without a name, a function of {of} ({told}). {effect.why}")
+        screen.print(f"Proposed, not shipped: a term without a name, a function of {of} ({text}). {effect.why}")
         screen.print("--empirical ships it; it holds only where this run has been.", highlight=False)
     if closed.conformity is not None:
         show_conformity(closed.conformity)

@@ -46,7 +46,7 @@ class Display(Protocol):
 def shown(how: str) -> Iterator[Display]:
     """The display `how`: "bar", "json" or "none"."""
     if how != "bar":
-        yield Lines() if how == "json" else Nothing()
+        yield JsonLines() if how == "json" else Nothing()
         return
     from rich.progress import BarColumn, Progress, TextColumn
 
@@ -82,7 +82,7 @@ class Nothing:
         yield
 
 
-class Lines(Nothing):
+class JsonLines(Nothing):
     """One JSON object a line for each step, measurement, prompt and event."""
 
     def tell(self, item: Item) -> None:

@@ -77,7 +77,7 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, override=lets, **options)
         else:
             return _list()
-    said = f"{outcome.told}; {outcome.at_rest}"
+    said = f"{outcome.ending}; {outcome.at_rest}"
     if outcome.resumable:
         said = f"{said}; `{_goes_on(procedure, outcome.run_id, _bench(bench))}` goes on with it"
     as_json = progress is ProgressChoice.json

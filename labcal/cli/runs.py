@@ -24,7 +24,7 @@ HEADS = ("run", "started", "status", "DUT", "procedure", "operator")
 RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
 
 
-class Format(StrEnum):
+class ExportFormat(StrEnum):
     """What a run, or a calibration, can be exported as."""
 
     bundle = "bundle"
@@ -37,8 +37,8 @@ class Format(StrEnum):
     ardupilot = "ardupilot"
 
 
-OF_A_RUN = (Format.bundle, Format.csv, Format.hdf5, Format.mat)
-OF_A_CALIBRATION = (Format.c, Format.json, Format.mat, Format.px4, Format.ardupilot)
+OF_A_RUN = (ExportFormat.bundle, ExportFormat.csv, ExportFormat.hdf5, ExportFormat.mat)
+OF_A_CALIBRATION = (ExportFormat.c, ExportFormat.json, ExportFormat.mat, ExportFormat.px4, ExportFormat.ardupilot)
 
 
 @app.command(rich_help_panel="Runs")
@@ -86,11 +86,11 @@ def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
     """Show what a run is: DUT, reference, segments and what each offers, channels, measurements."""
     from labcal import session
 
-    told = session.describe_run(run)
+    described = session.describe_run(run)
     if json is not None:
-        return write_json(told, json, "show", inputs=session.paths(run), force=force)
+        return write_json(described, json, "show", inputs=session.paths(run), force=force)
     screen = _console()
-    for table in (_head(told), _segments(told), _channels(told), _measurements(told)):
+    for table in (_head(described), _segments(described), _channels(described), _measurements(described)):
         if table.row_count:
             screen.print(table)
     return None
@@ -148,15 +148,15 @@ def import_(
         if map_ is not None or guess:
             raise typer.BadParameter("--map and --guess are for recordings, not for a calibration")
         return say(session.import_calibration(path, kind, out, force=force))
-    taken = session.import_foreign(session.Asked(path, kind, map_, guess, out, force))
-    say_lines(taken.told, err=True)
+    taken = session.import_foreign(session.ImportRequest(path, kind, map_, guess, out, force))
+    say_lines(taken.remarks, err=True)
     return say_lines(taken.result.splitlines())
 
 
 @app.command(rich_help_panel="Runs")
 def export(
     source: str = typer.Argument(..., metavar="RUN|CAL", help="A run id, a bundle's path, or a calibration file."),
-    format_: Format = typer.Option(
+    format_: ExportFormat = typer.Option(
         ...,
         "--format",
         help="Of a run: bundle, csv (its samples), hdf5, mat. Of a calibration: c, json, mat, px4, ardupilot.",
@@ -186,7 +186,7 @@ def export(
     say(out)
 
 
-def _check_format(format_: Format, there: tuple[Format, ...], what: str) -> None:
+def _check_format(format_: ExportFormat, there: tuple[ExportFormat, ...], what: str) -> None:
     if format_ not in there:
         raise InputError(f"{what}, and {format_} is no format of one; there are {', '.join(there)}")
 
@@ -202,28 +202,28 @@ def _table(*heads: str, **options: Any) -> Table:
     return Table(*heads, **options)
 
 
-def _head(told: Mapping[str, Any]) -> Table:
+def _head(described: Mapping[str, Any]) -> Table:
     table = _table(show_header=False, box=None)
-    dut, reference = told["dut"], told["reference"]
+    dut, reference = described["dut"], described["reference"]
     noise = "not stated" if dut["noise_nT"] is None else f"{dut['noise_nT']:g} nT"
     lines = {
-        "run": f"{told['run_id']}{' (SIMULATED)' if told['simulated'] else ''}",
-        "status": told["status"],
-        "started": told["started_utc"],
-        "operator": told["operator"],
+        "run": f"{described['run_id']}{' (SIMULATED)' if described['simulated'] else ''}",
+        "status": described["status"],
+        "started": described["started_utc"],
+        "operator": described["operator"],
         "DUT": f"{dut['serial']} {dut['model']}, {dut['nominal_nT_per_unit']:g} nT per {dut['unit']}, noise {noise}",
         "reference": ", ".join(f"{key} {value}" for key, value in reference.items() if value != ""),
-        "origin": _origin(told["chain"]),
-        "samples": f"{told['n_samples']}, {_between(told['span_s'], 'g')} s",
+        "origin": _origin(described["chain"]),
+        "samples": f"{described['n_samples']}, {_between(described['span_s'], 'g')} s",
     }
-    if "procedure" in told:
-        procedure = told["procedure"]
+    if "procedure" in described:
+        procedure = described["procedure"]
         chosen = ", ".join(f"{key}={value}" for key, value in procedure["parameters"].items())
         lines["procedure"] = f"{procedure['name']} {chosen}".strip()
         lines["software"] = procedure["software"]
-        lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in told["instruments"])
-    if "specification" in told:
-        lines["specification"] = _asked(told["specification"])
+        lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in described["instruments"])
+    if "specification" in described:
+        lines["specification"] = _asked(described["specification"])
     for name, text in lines.items():
         if text:
             table.add_row(name, text)
@@ -240,9 +240,9 @@ def _origin(chain: Mapping[str, Any] | None) -> str:
     return f"chain of {chain['rows']} rows, head {chain['head']}" if chain else "not shown: there is no hash chain"
 
 
-def _segments(told: Mapping[str, Any]) -> Table:
+def _segments(described: Mapping[str, Any]) -> Table:
     table = _table("segment", "kind", "offers", "modes", "samples", "missing", "s", "Hz", "|reference| nT", "note")
-    for one in told["segments"]:
+    for one in described["segments"]:
         rate = "" if one["rate_Hz"] is None else f"{one['rate_Hz']:.3g}"
         counts = (str(one["n_samples"]), str(one["missing"] or ""), f"{one['duration_s']:.1f}", rate)
         names = (one["id"], one["kind"], one["offers"], " ".join(one["modes"]))
@@ -250,16 +250,16 @@ def _segments(told: Mapping[str, Any]) -> Table:
     return table
 
 
-def _channels(told: Mapping[str, Any]) -> Table:
+def _channels(described: Mapping[str, Any]) -> Table:
     table = _table("channel", "unit", "quantity", "role", "range")
-    for one in told["channels"]:
+    for one in described["channels"]:
         table.add_row(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g"))
     return table
 
 
-def _measurements(told: Mapping[str, Any]) -> Table:
+def _measurements(described: Mapping[str, Any]) -> Table:
     table = _table("measurement", "value", "U (k = 2)", "unit", "limit", "verdict")
-    for one in told.get("measurements", ()):
+    for one in described.get("measurements", ()):
         numbers = ("" if x is None else f"{x:.4g}" for x in (one["value"], one["u"] and 2 * one["u"]))
         limit = "" if one["limit"] is None else f"{one['limit']:g}"
         table.add_row(one["name"], *numbers, one["unit"], limit, one["verdict"])

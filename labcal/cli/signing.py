@@ -16,7 +16,7 @@ from labcal.cli.screen import say
 from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
-    from labcal.certificate import Check, Verification
+    from labcal.certificate import SignatureCheck, Verification
 
 CALIBRATION = typer.Argument(..., metavar="CAL", help="The calibration file.")
 
@@ -98,7 +98,7 @@ def _document(result: Verification) -> dict[str, object]:
     }
 
 
-def _signature(result: Verification, check: Check) -> dict[str, object]:
+def _signature(result: Verification, check: SignatureCheck) -> dict[str, object]:
     """One signature: whose it is, when it was made, and by what that is known: a token, audit log, archive, claim."""
     stated = result.calibration.issued_utc if result.calibration else None
     seen = check.shown

@@ -18,7 +18,7 @@ from labcal.cli.screen import console, say
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from labcal.study.run import Done
+    from labcal.study.run import StudyResult
 
 MOST_BESIDE = 4  # points that stand beside each other on a terminal
 
@@ -72,7 +72,7 @@ def _tenths(done: int, of: int) -> None:
         say(f"{done} of {of} jobs", err=True)
 
 
-def _show(done: Done) -> None:
+def _show(done: StudyResult) -> None:
     from labcal.study.table import NO_PARQUET, has_parquet
 
     screen = console()
@@ -86,7 +86,7 @@ def _show(done: Done) -> None:
         screen.print(f"  {path}", highlight=False, soft_wrap=True)
 
 
-def _table(done: Done) -> Table:
+def _table(done: StudyResult) -> Table:
     """A column for each point of the grid where they are few, else a row."""
     from rich.table import Table
 

@@ -1,4 +1,4 @@
-"""`labcal watch`: new runs are worked out while nobody sits there, and a person is told."""
+"""`labcal watch`: new runs are worked out while nobody sits there, and a person is notified."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def watch(
     folder: Path | None = typer.Argument(None, metavar="[FOLDER]", help="A folder into which bundles come."),
     archive: str | None = typer.Option(None, "--archive", metavar="URL", help="The archive, not a folder."),
     out: Path = typer.Option(Path("watched"), metavar="DIR", help="Drafts, reports, and what was looked at already."),
-    mail: list[str] = typer.Option([], metavar="ADDRESS", help="Who is told."),
+    mail: list[str] = typer.Option([], metavar="ADDRESS", help="Who is notified."),
     smtp: str = typer.Option("localhost", metavar="HOST[:PORT]", help="The server that takes the mail."),
     sender: str = typer.Option("labcal@localhost", "--from", metavar="ADDRESS", help="Whom the mail is from."),
     webhook: list[str] = typer.Option([], metavar="URL", help="An address that takes JSON by POST."),
@@ -31,7 +31,7 @@ def watch(
 
     A mail server that asks for a name and a password is given LABCAL_SMTP_USER and LABCAL_SMTP_PASSWORD.
     """
-    from labcal.years.told import Mail, Webhook
+    from labcal.years.notify import Mail, Webhook
     from labcal.years.watch import Source, document, look
     from labcal.years.watch import watch as watching
 

@@ -14,7 +14,7 @@ BARE = re.compile(r"[A-Za-z0-9_-]+")
 Keys = tuple[str, ...]
 
 
-class Place(NamedTuple):
+class ValueSpan(NamedTuple):
     """Where a value stands in its line."""
 
     line: int
@@ -49,12 +49,12 @@ def stated(text: str, keys: Keys) -> str | None:
     return None if place is None else place.value
 
 
-def place_of(lines: list[str], keys: Keys) -> Place | None:
+def place_of(lines: list[str], keys: Keys) -> ValueSpan | None:
     """The line that states `keys` whole; None where there is none."""
     for number, (table, line) in enumerate(zip(_tables(lines), lines, strict=True)):
         found = re.match(rf"""^(\s*["']?{re.escape(keys[-1])}["']?\s*=\s*)(.*?)(\s*)$""", line, re.DOTALL)
         if table == keys[:-1] and found and (value := _whole_value(found[2])) is not None:
-            return Place(number, found[1], value, found[2][len(value) :] + found[3])
+            return ValueSpan(number, found[1], value, found[2][len(value) :] + found[3])
     return None
 
 
@@ -112,7 +112,7 @@ def _path(name: str) -> Keys:
     return keys
 
 
-def _written(lines: list[str], place: Place, value: str) -> list[str]:
+def _written(lines: list[str], place: ValueSpan, value: str) -> list[str]:
     new = [f"{place.before}{value.strip()}{place.after}"] if value else []
     return [*lines[: place.line], *new, *lines[place.line + 1 :]]
 

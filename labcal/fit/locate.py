@@ -66,7 +66,7 @@ class CoilResponses:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Place:
+class LocatedSensor:
     """Where it stands (3,) [m, C], covariance (3, 3) by noise, and `misfit_m`: the rms of what no place explains, as a
     length; 0 where one coil alone was reversed, whose three numbers fit any three coordinates.
     """
@@ -86,7 +86,7 @@ def from_axis(j: int, column: Array) -> Array:
     return rotation_vector(across / size * np.arctan2(size, ideal @ true))
 
 
-def locate(seen: CoilResponses, coils: Coils, start_m: Array | None = None) -> Place:
+def locate(seen: CoilResponses, coils: Coils, start_m: Array | None = None) -> LocatedSensor:
     """The place at which a sensor sees this. Raises ValueError where the responses tell none."""
     if not seen.halves:
         raise ValueError("no half was reversed: the field of a pair as it should be is flat at its middle")
@@ -106,10 +106,10 @@ def locate(seen: CoilResponses, coils: Coils, start_m: Array | None = None) -> P
         raise ValueError("what the sensor sees fits no place inside the coils: are the halves reversed as asked?")
     J, left = _derivative(coils, place, seen.halves), X - _expected(coils, place, seen.halves)
     misfit = np.sqrt(np.mean(left**2) / np.mean(J**2) / 3) if left.size > 3 else 0.0
-    return Place(place, np.asarray(np.linalg.inv((weight @ J).T @ (weight @ J))), float(misfit))
+    return LocatedSensor(place, np.asarray(np.linalg.inv((weight @ J).T @ (weight @ J))), float(misfit))
 
 
-def shifts(seen: CoilResponses, coils: Coils, found: Place, u_size_m: float, u_imbalance: float) -> Array:
+def shifts(seen: CoilResponses, coils: Coils, found: LocatedSensor, u_size_m: float, u_imbalance: float) -> Array:
     """How the place moves (4, 3) [m] where all sizes err alike, as one tape measure does, and each coil's balance."""
 
     def at(changed: Coils) -> Array:

@@ -43,7 +43,7 @@ class Magnitudes:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Course:
+class AmbientSpline:
     """What the place's field does beside its mean: a cubic spline in time."""
 
     knots_s: Array
@@ -60,10 +60,12 @@ class Course:
         return np.asarray(self.columns(t_s) @ self.coefficients_nT)
 
 
-def _course(t_s: Array) -> Course:
+def _course(t_s: Array) -> AmbientSpline:
     pieces = max(1, round(float(np.ptp(t_s)) / KNOT_S))
     inner = np.linspace(t_s.min(), t_s.max(), pieces + 1)
-    still = Course(np.r_[[inner[0]] * 3, inner, [inner[-1]] * 3], np.zeros(pieces + 2), np.zeros((pieces + 2, 3)))
+    still = AmbientSpline(
+        np.r_[[inner[0]] * 3, inner, [inner[-1]] * 3], np.zeros(pieces + 2), np.zeros((pieces + 2, 3))
+    )
     return replace(still, mean=still.columns(t_s).mean(axis=0))
 
 
@@ -74,7 +76,7 @@ class ScalarCage:
     matrix_nT_per_A: Array  # (3, 3) upper triangular: columns are the coil axes
     ambient_nT: Array  # (3,)
     leak_A: Array  # (3,) ρ
-    course: Course
+    course: AmbientSpline
     covariance_a: Array  # of the residuals
     contributions: tuple[Contribution, ...]  # of what is declared of the sensor
     residual_nT: Array  # (n,) F less the model's

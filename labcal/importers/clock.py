@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.mapping import Source, TimePart
+from labcal.importers.mapping import ColumnSource, TimePart
 from labcal.importers.recording import Stream
 from labcal.importers.units import s_OF
 
@@ -28,7 +28,7 @@ class Stamps:
     rows: NDArray[np.intp]
 
 
-def stamps_of(stream: Stream, group: Source, time: TimePart) -> Stamps:
+def stamps_of(stream: Stream, group: ColumnSource, time: TimePart) -> Stamps:
     """The clock of a group. Raises InputError for a missing stamp, and for stamps that do not grow unless dropped."""
     column = group.time or time.column
     raw = _seconds(stream, column, group.time_unit or time.unit)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import CsvForm, Recording, Request, Stream, Wanted
+from labcal.importers.recording import CsvForm, ForeignRecording, ReadRequest, Stream, WantedColumns
 from labcal.record.physical import LARGEST_NUMBER
 from labcal.store.limits import MOST_CELLS, MOST_COLUMNS, shortened
 from labcal.store.table import line_blocks
@@ -25,7 +25,7 @@ AT_ONCE = 20_000  # rows
 LOOKED_AT = 20  # lines, to see how the table is written
 
 
-def read(path: Path, request: Request) -> Recording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The table as the stream "". Columns of a table without a header are called 1, 2, 3 and so on."""
     with path.open("rb") as source:
         lines = _lines(line_blocks(source, str(path)), request.form)
@@ -41,7 +41,7 @@ def read(path: Path, request: Request) -> Recording:
         table = _Table(names, request.of(""), request.form, path)
         for block in _blocks(first_row, rows, request.most_rows):
             table.take(block)
-    return Recording(path, {"": table.stream()})
+    return ForeignRecording(path, {"": table.stream()})
 
 
 def _lines(blocks: Iterator[tuple[int, list[str]]], form: CsvForm) -> Iterator[tuple[int, str]]:
@@ -129,7 +129,7 @@ def _blocks(first: Numbered | None, rows: Iterator[Numbered], most: int | None) 
 class _Table:
     """The wanted columns, growing block by block; of all, those are numbers whose first cells are."""
 
-    def __init__(self, names: list[str], wanted: Wanted | None, form: CsvForm, path: Path) -> None:
+    def __init__(self, names: list[str], wanted: WantedColumns | None, form: CsvForm, path: Path) -> None:
         self._names, self._form, self._path = names, form, path
         self._wanted = wanted
         self._numbers: dict[str, list[Array]] = {}

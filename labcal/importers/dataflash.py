@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream, unreadable
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, unreadable
 from labcal.store.limits import MOST_CELLS
 
 BINARY = b"\xa3\x95"  # every message of a binary log begins so
 ON_BOARD = ("COMPASS_OFS", "COMPASS_DIA", "COMPASS_ODI", "COMPASS_MOT", "COMPASS_SCALE")
 
 
-def read(path: Path, request: Request) -> Recording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The messages that are wanted; `TimeUS` is in µs since the autopilot began. Raises InputError."""
     kept = _Kept(path, request)
     try:
@@ -65,7 +65,7 @@ def _opened(path: Path) -> Iterator[Any]:
 
 
 class _Kept:
-    def __init__(self, path: Path, request: Request) -> None:
+    def __init__(self, path: Path, request: ReadRequest) -> None:
         self._path, self._request = path, request
         self._kinds = None if request.wanted is None else {key.partition(":")[0] for key in request.wanted}
         self._rows: dict[str, list[tuple[float, ...]]] = {}
@@ -90,7 +90,7 @@ class _Kept:
         if self._cells > MOST_CELLS // 10:
             raise InputError(f"has more than {MOST_CELLS // 10_000_000} million values: split it", file=self._path)
 
-    def recording(self) -> Recording:
+    def recording(self) -> ForeignRecording:
         streams = {}
         for name, rows in self._rows.items():
             table = np.array(rows)
@@ -99,4 +99,4 @@ class _Kept:
         if not streams:
             raise InputError("the log holds none of the messages asked for", file=self._path)
         told = ", ".join(f"{name} {value:.6g}" for name, value in sorted(self._parameters.items()))
-        return Recording(self._path, streams, notes=(f"on board: {told}",) if told else ())
+        return ForeignRecording(self._path, streams, notes=(f"on board: {told}",) if told else ())

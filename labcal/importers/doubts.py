@@ -35,7 +35,7 @@ TOO_GOOD = 0.003  # of the readings' spread: a fit that leaves less has no delay
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class ImportFinding:
     """One sentence; `doubt` is the word by which a mapping accepts it, None where it is only told."""
 
     text: str
@@ -43,7 +43,7 @@ class Finding:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Clock:
+class StampStatistics:
     """The stamps of one group: first and last [s], period [s], how many, how many without a value, and the steps."""
 
     first_s: float
@@ -54,24 +54,24 @@ class Clock:
     steps: Array
 
 
-def doubts(run: Run, clocks: Mapping[str, Clock], attitude: Array | None = None) -> list[Finding]:
+def doubts(run: Run, clocks: Mapping[str, StampStatistics], attitude: Array | None = None) -> list[ImportFinding]:
     """What no fit should see, the most fundamental first; `attitude` (n, 3, 3) turned the reference into the body."""
     return [*_times(clocks), *_apart(clocks), *_constant(run), *_units(run), *_axes(run, attitude)]
 
 
-def findings(run: Run, clocks: Mapping[str, Clock]) -> list[Finding]:
+def findings(run: Run, clocks: Mapping[str, StampStatistics]) -> list[ImportFinding]:
     """What a person should know, and may be as it is."""
     return [*_gaps(clocks), *_missing(run, clocks), *_still(run), *_delay(run, clocks)]
 
 
-def _times(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _times(clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
     for name, clock in clocks.items():
         if clock.n > 1 and not SHORTEST_S <= clock.period_s <= LONGEST_S:
             what = f"the samples of {name} would be {clock.period_s:.3g} s apart: is the unit of its time right?"
-            yield Finding(what, "time")
+            yield ImportFinding(what, "time")
 
 
-def _apart(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _apart(clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
     """Streams whose spans share less than half of the reading's: two clocks, or two recordings."""
     for name, clock in clocks.items():
         own = clocks.get(name.replace(name.partition(" of ")[0], "reading", 1)) or clocks.get("reading")
@@ -80,23 +80,25 @@ def _apart(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
         shared = min(own.last_s, clock.last_s) - max(own.first_s, clock.first_s)
         if shared < 0.5 * (own.last_s - own.first_s):
             spans = (f"{c.first_s:.10g} to {c.last_s:.10g} s" for c in (own, clock))
-            told = f"two clocks: the reading runs from {next(spans)}, {name} from {next(spans)}"
-            yield Finding(
-                f"{told}; clock_offset_s = {own.first_s - clock.first_s:.6g} lets both begin together", "clocks"
+            message = f"two clocks: the reading runs from {next(spans)}, {name} from {next(spans)}"
+            yield ImportFinding(
+                f"{message}; clock_offset_s = {own.first_s - clock.first_s:.6g} lets both begin together", "clocks"
             )
 
 
-def _constant(run: Run) -> Iterator[Finding]:
+def _constant(run: Run) -> Iterator[ImportFinding]:
     known = run.reading[np.isfinite(run.reading).all(axis=1)]
     if len(known) < 3:
-        yield Finding(f"only {len(known)} rows have all three readings", "constant")
+        yield ImportFinding(f"only {len(known)} rows have all three readings", "constant")
         return
     for name, column in zip("xyz", known.T, strict=True):
         if np.ptp(column) == 0:
-            yield Finding(f"the reading {name} is {column[0]:g} in all {len(known)} rows: is it recorded?", "constant")
+            yield ImportFinding(
+                f"the reading {name} is {column[0]:g} in all {len(known)} rows: is it recorded?", "constant"
+            )
 
 
-def _units(run: Run) -> Iterator[Finding]:
+def _units(run: Run) -> Iterator[ImportFinding]:
     """A reading that is larger or smaller than its reference by what lies between two units."""
     if run.reference.kind == "none" or run.dut.unit == "count":
         return
@@ -108,12 +110,12 @@ def _units(run: Run) -> Iterator[Finding]:
     large = max(ratio, 1 / ratio)
     sizes = f"readings of {read:.4g} nT in the median beside a reference of {there:.4g} nT"
     if any(abs(large / factor - 1) < NEAR for factor in FACTORS):
-        yield Finding(f"{sizes}: is the unit of one of them wrong, by a factor of {large:.3g}?", "units")
+        yield ImportFinding(f"{sizes}: is the unit of one of them wrong, by a factor of {large:.3g}?", "units")
     elif large > FAR:
-        yield Finding(f"{sizes}: a large offset, or a wrong unit")
+        yield ImportFinding(f"{sizes}: a large offset, or a wrong unit")
 
 
-def _axes(run: Run, attitude: Array | None) -> Iterator[Finding]:
+def _axes(run: Run, attitude: Array | None) -> Iterator[ImportFinding]:
     """Readings that fit their reference in other axes, or turned the other way, far better than as stated."""
     rows, body, read = _pairs(run)
     if len(rows) < FEW:
@@ -123,12 +125,12 @@ def _axes(run: Run, attitude: Array | None) -> Iterator[Finding]:
     best, axes = tried[0]
     inverse = np.inf if attitude is None else _left(_turned_back_twice(body, attitude[rows]), read)
     if as_stated > BETTER * inverse:
-        yield Finding("the attitude fits far better the other way round: is `maps` inverted?", "attitude")
+        yield ImportFinding("the attitude fits far better the other way round: is `maps` inverted?", "attitude")
     elif as_stated > BETTER * best:
         as_good = [word for left, word in tried[1:4] if left < AS_GOOD * best]
         axes = " or ".join([axes, *as_good])  # along an axis that saw little field no sign can be told
         what = f"the readings fit the reference with axes {axes} {as_stated / best:.1f} times better than as stated"
-        yield Finding(f"{what}: are axes swapped or turned about?", "axes")
+        yield ImportFinding(f"{what}: are axes swapped or turned about?", "axes")
 
 
 def _turned_back_twice(body: Array, attitude: Array) -> Array:
@@ -168,34 +170,36 @@ def _left(predicted: Array, read: Array) -> float:
     return float(np.sqrt(np.mean(np.sum((r - gain * p) ** 2, axis=1)))) + 1e-9
 
 
-def _gaps(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _gaps(clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
     of_one_table: set[tuple[float, float, int]] = set()
     for name, clock in clocks.items():
         long = clock.steps[clock.steps > GAP * clock.period_s]
         table = (clock.first_s, clock.last_s, clock.n)
         if long.size and table not in of_one_table:
             of_one_table.add(table)
-            yield Finding(f"{name}: {long.size} gap{'s' * (long.size > 1)}, the longest {long.max():.4g} s")
+            yield ImportFinding(f"{name}: {long.size} gap{'s' * (long.size > 1)}, the longest {long.max():.4g} s")
 
 
-def _missing(run: Run, clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _missing(run: Run, clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
     for name, clock in clocks.items():
         if clock.missing:
-            yield Finding(f"{name}: {clock.missing} of {clock.n} rows have no value (NaN or empty)")
+            yield ImportFinding(f"{name}: {clock.missing} of {clock.n} rows have no value (NaN or empty)")
     if run.reference.kind != "none" and (lost := int(np.isnan(run.magnitude_nT).sum())):
-        yield Finding(f"{lost} of {len(run)} readings have no reference within two of its periods")
+        yield ImportFinding(f"{lost} of {len(run)} readings have no reference within two of its periods")
 
 
-def _still(run: Run) -> Iterator[Finding]:
+def _still(run: Run) -> Iterator[ImportFinding]:
     for channel in run.channels:
         known = channel.values[np.isfinite(channel.values)]
         if not known.size:
-            yield Finding(f"channel {channel.name} has no values at the readings' times")
+            yield ImportFinding(f"channel {channel.name} has no values at the readings' times")
         elif np.ptp(known) == 0:
-            yield Finding(f"channel {channel.name} is {known[0]:g} {channel.unit} throughout: it can explain nothing")
+            yield ImportFinding(
+                f"channel {channel.name} is {known[0]:g} {channel.unit} throughout: it can explain nothing"
+            )
 
 
-def _delay(run: Run, clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+def _delay(run: Run, clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
     """A reference that fits far better at other times: an offset between two clocks, and a drift between the halves."""
     if "reading" not in clocks or "reference" not in clocks:
         return
@@ -204,13 +208,13 @@ def _delay(run: Run, clocks: Mapping[str, Clock]) -> Iterator[Finding]:
     first, second = (_best_delay(run, half, period) for half in halves)
     if first is None or second is None or max(abs(first), abs(second)) <= DELAY * period:
         return
-    told = f"two clocks: the reference fits best with {(first + second) / 2:.3g} s more in its clock_offset_s"
+    message = f"two clocks: the reference fits best with {(first + second) / 2:.3g} s more in its clock_offset_s"
     if abs(first - second) > DELAY * period:
         drift = 1e6 * (second - first) / float(run.t_s[halves[1]].mean() - run.t_s[halves[0]].mean())
-        told += (
+        message += (
             f" ({first:.3g} in the first half, {second:.3g} in the second), and {drift:.0f} more in its clock_rate_ppm"
         )
-    yield Finding(told)
+    yield ImportFinding(message)
 
 
 def _best_delay(run: Run, rows: NDArray[np.intp], period: float) -> float | None:

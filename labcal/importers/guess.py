@@ -12,10 +12,10 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.importers import looks
-from labcal.importers.looks import Looks
+from labcal.importers.looks import Resemblance
 from labcal.importers.mapping import FORMAT
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import Recording, Request, Stream
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream
 from labcal.store.limits import listed
 
 LOOKED_AT = 20_000  # rows of each stream
@@ -32,13 +32,13 @@ CALLED_DUT = re.compile(r"dut|test|raw", re.IGNORECASE)
 @dataclass(frozen=True, slots=True)
 class _Sensor:
     stream: Stream
-    clock: Looks
-    looks: Looks
+    clock: Resemblance
+    looks: Resemblance
 
 
 def guess(path: Path, format_: str) -> str:
     """The text of a mapping. Raises InputError where nothing looks like a magnetometer with a clock."""
-    recording = read_recording(path, format_, Request(None, most_rows=LOOKED_AT))
+    recording = read_recording(path, format_, ReadRequest(None, most_rows=LOOKED_AT))
     streams = _once(recording)
     sensors = sorted(_sensors(streams, OWN_UNIT.get(format_)), key=_preference)
     if not sensors:
@@ -54,7 +54,7 @@ def guess(path: Path, format_: str) -> str:
     return "\n".join([*head, *_lines(recording, streams, reading, reference)]) + "\n"
 
 
-def _once(recording: Recording) -> list[Stream]:
+def _once(recording: ForeignRecording) -> list[Stream]:
     """Each stream once, whatever names it goes by."""
     return list({id(stream): stream for stream in recording.streams.values()}.values())
 
@@ -66,7 +66,7 @@ def _sensors(streams: Sequence[Stream], own_unit: str | None) -> Iterator[_Senso
             yield from (_Sensor(stream, clock, found) for found in looks.magnetometers(stream, own_unit))
 
 
-def _one_length(stream: Stream, clock: Looks) -> bool:
+def _one_length(stream: Stream, clock: Resemblance) -> bool:
     return clock.unit == "iso" or len({len(v) for v in stream.numbers.values()}) == 1 or stream.name == ""
 
 
@@ -92,7 +92,7 @@ def _chosen(sensors: Sequence[_Sensor]) -> tuple[_Sensor, _Sensor | None]:
 
 
 def _lines(
-    recording: Recording, streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | None
+    recording: ForeignRecording, streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | None
 ) -> Iterator[str]:
     yield f'format = "{FORMAT}"'
     if recording.started_utc is None and reading.clock.unit != "iso" and not _is_date(reading):
@@ -202,7 +202,7 @@ def _channels(streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | 
                 yield from (f"time = {_quoted(clock.columns[0])}", f'time_unit = "{clock.unit}"')
 
 
-def _channel_name(stream: Stream, found: Looks, names: set[str]) -> str:
+def _channel_name(stream: Stream, found: Resemblance, names: set[str]) -> str:
     column = f"channel_{found.columns[0]}" if found.columns[0].isdigit() else found.columns[0]
     short = re.sub(r"\W+", "_", column).strip("_").lower()
     return short if short not in names else re.sub(r"\W+", "_", f"{stream.name}_{short}").strip("_").lower()

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream
 from labcal.store.table import line_blocks
 
 Array = NDArray[np.float64]
@@ -23,7 +23,7 @@ KEPT = ("Station Name", "IAGA CODE", "Geodetic Latitude", "Geodetic Longitude", 
 VALUES = 4
 
 
-def read(path: Path, request: Request) -> Recording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The stream "" with `time` [s since 1970, UTC] and the elements that are reported, X Y Z F among them [nT]."""
     head: dict[str, str] = {}
     columns: list[str] = []
@@ -45,7 +45,7 @@ def read(path: Path, request: Request) -> Recording:
     started = datetime.fromtimestamp(stamps[0], UTC).isoformat().replace("+00:00", "Z")
     numbers = {"time": np.array(stamps), **table}
     notes = tuple(f"{key}: {head[key]}" for key in KEPT if head.get(key))
-    return Recording(path, {"": Stream("", path, numbers, lines=np.array(lines, dtype=np.intp))}, started, notes)
+    return ForeignRecording(path, {"": Stream("", path, numbers, lines=np.array(lines, dtype=np.intp))}, started, notes)
 
 
 def _lines(path: Path, blocks: Iterator[tuple[int, list[str]]]) -> Iterator[tuple[int, str]]:

@@ -43,7 +43,7 @@ LEAST = 8  # rows, to say anything
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
+class Resemblance:
     """Columns that look like something, in `unit`; `why` is for the person who checks, `sure` ranks what competes."""
 
     columns: tuple[str, ...]
@@ -52,15 +52,17 @@ class Looks:
     sure: int = 0
 
 
-def clock(stream: Stream) -> Looks | None:
+def clock(stream: Stream) -> Resemblance | None:
     """The column whose values grow, rather one that is called so; a text column of dates where none does."""
     growing = [name for name, values in stream.numbers.items() if _grows(values)]
     named = [name for name in growing if CLOCK.search(name)]
     for name in [*named, *growing]:
-        return Looks((name,), _time_unit(name, stream.numbers[name]), f"grows from row to row, {_step(stream, name)}")
+        return Resemblance(
+            (name,), _time_unit(name, stream.numbers[name]), f"grows from row to row, {_step(stream, name)}"
+        )
     for name, cells in stream.texts.items():
         if re.match(r"\d{4}-\d\d-\d\d[T ]\d\d:", cells[0] if cells else ""):
-            return Looks((name,), "iso", "dates")
+            return Resemblance((name,), "iso", "dates")
     return None
 
 
@@ -107,12 +109,12 @@ def _with(name: str, place: int, letter: str) -> str:
     return name[:place] + (letter.upper() if name[place].isupper() else letter) + name[place + 1 :]
 
 
-def magnetometers(stream: Stream, own_unit: str | None = None) -> list[Looks]:
+def magnetometers(stream: Stream, own_unit: str | None = None) -> list[Resemblance]:
     """Threes of columns whose magnitude is the Earth's field in some unit, or that are called so; the surest first.
 
     `own_unit` is what the format itself writes such columns in.
     """
-    found: dict[tuple[str, ...], Looks] = {}
+    found: dict[tuple[str, ...], Resemblance] = {}
     for names in triples(stream):
         size, called = _size(stream, names), f"{stream.name}/{names[0]}"
         if np.isfinite(size) and size > 0 and not OTHER.search(called) and names not in found:
@@ -121,7 +123,7 @@ def magnetometers(stream: Stream, own_unit: str | None = None) -> list[Looks]:
     return sorted(found.values(), key=lambda looks: -looks.sure)
 
 
-def _magnetometer(names: tuple[str, ...], size: float, called: str, own_unit: str | None) -> Looks | None:
+def _magnetometer(names: tuple[str, ...], size: float, called: str, own_unit: str | None) -> Resemblance | None:
     by_size = [unit for unit in FIELD_UNITS if EARTH_nT[0] <= size * nT_OF[unit] <= EARTH_nT[1]]
     by_name = next((unit for pattern, unit in IN_NAME if re.search(pattern, names[0].lower())), own_unit)
     is_named = bool(MAGNETIC.search(called))
@@ -130,7 +132,7 @@ def _magnetometer(names: tuple[str, ...], size: float, called: str, own_unit: st
     unit = by_name or (by_size[0] if by_size else "uT")
     is_sure = unit in by_size
     why = f"{size:.4g} in the median, {size * nT_OF[unit] / 1e3:.4g} µT in this unit"
-    return Looks(names, unit, why if is_sure else f"{why}: CHECK the unit", 2 * is_sure + is_named)
+    return Resemblance(names, unit, why if is_sure else f"{why}: CHECK the unit", 2 * is_sure + is_named)
 
 
 def _size(stream: Stream, names: Sequence[str]) -> float:
@@ -139,7 +141,7 @@ def _size(stream: Stream, names: Sequence[str]) -> float:
     return float(np.median(known)) if len(known) >= LEAST else float("nan")
 
 
-def gravity(stream: Stream) -> Looks | None:
+def gravity(stream: Stream) -> Resemblance | None:
     """Three columns that are as long as gravity, nearly always."""
     for names in triples(stream):
         values = np.linalg.norm(stream.together(names), axis=1)
@@ -147,11 +149,11 @@ def gravity(stream: Stream) -> Looks | None:
             is_called = unit == "m/s2" or "acc" in f"{stream.name}/{names[0]}".lower()
             within = len(values) >= LEAST and np.mean((values > least) & (values < most)) > 0.8
             if within and is_called and not names[0].isdigit():
-                return Looks(names, unit, f"{np.nanmedian(values):.4g} in the median")
+                return Resemblance(names, unit, f"{np.nanmedian(values):.4g} in the median")
     return None
 
 
-def quaternion(stream: Stream) -> Looks | None:
+def quaternion(stream: Stream) -> Resemblance | None:
     """Four columns in a row whose length is one in every row and that are no constant."""
     names = list(stream.numbers)
     for four in zip(names, names[1:], names[2:], names[3:], strict=False):
@@ -160,7 +162,7 @@ def quaternion(stream: Stream) -> Looks | None:
             continue
         if np.all(np.abs(np.linalg.norm(values, axis=1) - 1) < 0.01):
             order = "xyzw" if four[3].lower().endswith("w") else "wxyz"
-            return Looks(four, order, "of length one in every row")
+            return Resemblance(four, order, "of length one in every row")
     return None
 
 
@@ -175,7 +177,7 @@ CHANNELS: Mapping[str, tuple[tuple[str, float, float], ...]] = {  # by name; uni
 }
 
 
-def channels(stream: Stream, taken: set[str]) -> Iterator[Looks]:
+def channels(stream: Stream, taken: set[str]) -> Iterator[Resemblance]:
     """Temperatures, currents and voltages by name; of a table without names, what is as warm as a room."""
     for name, values in stream.numbers.items():
         known = values[np.isfinite(values)]
@@ -185,11 +187,11 @@ def channels(stream: Stream, taken: set[str]) -> Iterator[Looks]:
         for pattern, units in CHANNELS.items():
             fits = [unit for unit, least, most in units if least <= middle <= most]
             if re.search(pattern, name, re.IGNORECASE) and fits:
-                yield Looks((name,), fits[0], f"{middle:.4g} in the median")
+                yield Resemblance((name,), fits[0], f"{middle:.4g} in the median")
                 break
         else:
             if name.isdigit() and 250 < middle < 350 and np.ptp(known) < 120:
-                yield Looks((name,), "K", f"{middle:.4g} in the median")
+                yield Resemblance((name,), "K", f"{middle:.4g} in the median")
 
 
 def together(one: Array, other: Array) -> bool:

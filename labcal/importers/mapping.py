@@ -66,7 +66,7 @@ class TimePart(_Part):
     backward: Literal["refuse", "drop"] = "refuse"
 
 
-class Source(_Part):
+class ColumnSource(_Part):
     """Where a group's columns are, and its clock: run time = (stamp · unit) · (1 + rate) + offset."""
 
     file: Text | None = None
@@ -78,7 +78,7 @@ class Source(_Part):
     clock_rate_ppm: Number = 0.0
 
 
-class ReadingPart(Source):
+class ReadingPart(ColumnSource):
     """The DUT's three columns. `axes` says where the body's x, y and z come from: ["y", "x", "-z"] turns them."""
 
     columns: Three
@@ -86,7 +86,7 @@ class ReadingPart(Source):
     axes: Axes = ("x", "y", "z")
 
 
-class ReferencePart(Source):
+class ReferencePart(ColumnSource):
     """The reference: columns of a sensor, a known site's value, or IGRF or WMM at a place and date."""
 
     kind: Literal["vector", "scalar", "site", "igrf", "wmm", "none"]
@@ -126,7 +126,7 @@ class ReferencePart(Source):
         return self
 
 
-class AttitudePart(Source):
+class AttitudePart(ColumnSource):
     """A quaternion a row. `maps` says what q v q* does: it takes components in one frame to those in the other."""
 
     columns: tuple[Name, Name, Name, Name]
@@ -135,7 +135,7 @@ class AttitudePart(Source):
     body_axes: Axes = ("x", "y", "z")
 
 
-class AnglePart(Source):
+class AnglePart(ColumnSource):
     """The platform's angle; `sign` turns its own sense into the right-handed one about `axis_body`."""
 
     column: Name
@@ -143,7 +143,7 @@ class AnglePart(Source):
     sign: Literal[1, -1] = 1
 
 
-class ChannelPart(Source):
+class ChannelPart(ColumnSource):
     """A housekeeping column."""
 
     column: Name
@@ -245,7 +245,7 @@ class Mapping(_Part):
             raise ValueError("an attitude turns a reference of the cage's frame; this one is the body's already")
         return self
 
-    def groups(self) -> Iterator[Source]:
+    def groups(self) -> Iterator[ColumnSource]:
         """Every table that names columns of a recording."""
         known = (self.reading, self.reference, self.attitude, self.angle, *self.channels.values())
         yield from (group for group in known if group is not None)
@@ -257,10 +257,10 @@ def read_mapping(path: Path) -> Mapping:
     try:
         return Mapping.model_validate(stated)
     except ValidationError as error:
-        raise _told(error, text, path) from None
+        raise _input_error(error, text, path) from None
 
 
-def _told(error: ValidationError, text: str, path: Path) -> InputError:
+def _input_error(error: ValidationError, text: str, path: Path) -> InputError:
     found = error.errors(include_url=False)
     first = next((one for one in found if one["type"] == "extra_forbidden"), found[0])  # more often than not misspelt
     place = [part for part in first["loc"] if not str(part).startswith(("function-", "union", "constrained"))]

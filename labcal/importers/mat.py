@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream, strictly_known, unreadable
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, strictly_known, unreadable
 from labcal.store.limits import FREELY, INFLATED, MOST_COLUMNS, MiB
 
 Array = NDArray[np.float64]
@@ -22,7 +22,7 @@ MOST_INFLATED = 2048 * MiB
 DEEPEST, WIDEST = 8, 64  # structs within structs; columns of a matrix that are signals
 
 
-def read(path: Path, request: Request) -> Recording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The numbers of the file as the stream ""; they need not be of equal length. Raises InputError."""
     from scipy.io import loadmat
 
@@ -39,7 +39,7 @@ def read(path: Path, request: Request) -> Recording:
     strictly_known(found, MOST_COLUMNS, "columns", path)
     if not found:
         raise InputError("holds no arrays of numbers", file=path)
-    return Recording(path, {"": Stream("", path, found)})
+    return ForeignRecording(path, {"": Stream("", path, found)})
 
 
 def _flat(value: Any, name: str, depth: int = 0) -> Iterator[tuple[str, Array]]:

@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request
+from labcal.importers.recording import ForeignRecording, ReadRequest
 from labcal.store.limits import MiB
 
 MOST_BYTES = 2048 * MiB  # of one recording
@@ -34,11 +34,11 @@ READERS: Mapping[str, Reader] = {
 }
 
 
-def read_recording(path: Path, format_: str, request: Request) -> Recording:
+def read_recording(path: Path, format_: str, request: ReadRequest) -> ForeignRecording:
     """Read one foreign file. Raises InputError at its first fault, and where the format's library is not installed."""
     reader = READERS[format_]
     _refuse(path, reader)
-    read: Callable[[Path, Request], Recording] = import_module(f"labcal.importers.{reader.module}").read
+    read: Callable[[Path, ReadRequest], ForeignRecording] = import_module(f"labcal.importers.{reader.module}").read
     return read(path, request)
 
 

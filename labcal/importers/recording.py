@@ -17,14 +17,14 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class WantedColumns:
     """The columns of one stream that somebody asked for; a reader need not keep any other."""
 
     numbers: frozenset[str] = frozenset()
     texts: frozenset[str] = frozenset()
 
-    def __or__(self, other: Wanted) -> Wanted:
-        return Wanted(self.numbers | other.numbers, self.texts | other.texts)
+    def __or__(self, other: WantedColumns) -> WantedColumns:
+        return WantedColumns(self.numbers | other.numbers, self.texts | other.texts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,16 +40,16 @@ class CsvForm:
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class ReadRequest:
     """What a reader is asked for: columns by stream, or all of them (None), from at most `most_rows` rows."""
 
-    wanted: Mapping[str, Wanted] | None = None
+    wanted: Mapping[str, WantedColumns] | None = None
     form: CsvForm = CsvForm()
     most_rows: int | None = None
 
-    def of(self, stream: str) -> Wanted | None:
+    def of(self, stream: str) -> WantedColumns | None:
         """The columns wanted of `stream`; None where all are."""
-        return None if self.wanted is None else self.wanted.get(stream, Wanted())
+        return None if self.wanted is None else self.wanted.get(stream, WantedColumns())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,7 +100,7 @@ class Stream:
 
 
 @dataclass(frozen=True, slots=True)
-class Recording:
+class ForeignRecording:
     """One foreign file: its streams by name, when it began (UTC, where it says so), and what belongs in the notes."""
 
     file: Path

@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream, unreadable
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, unreadable
 from labcal.store.limits import MOST_CELLS, MOST_COLUMNS
 
 RECEIVED = "received"  # when the bag got the message, s since 1970
 LONGEST = 16  # of an array of numbers that becomes columns: a covariance has 9
 
 
-def read(path: Path, request: Request) -> Recording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The topics that are wanted; `header.stamp` and `received` are in s. Raises InputError."""
     from rosbags.highlevel import AnyReader
     from rosbags.typesys import Stores, get_typestore
@@ -40,7 +40,7 @@ def read(path: Path, request: Request) -> Recording:
         raise InputError("the bag holds none of the topics asked for", file=path)
     streams = {topic: _stream(topic, kept, path) for topic, kept in rows.items()}
     first = min(stream.numbers[RECEIVED][0] for stream in streams.values())
-    return Recording(path, streams, datetime.fromtimestamp(first, UTC).isoformat().replace("+00:00", "Z"))
+    return ForeignRecording(path, streams, datetime.fromtimestamp(first, UTC).isoformat().replace("+00:00", "Z"))
 
 
 def _row(message: Any, received_ns: int) -> dict[str, float]:

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.importers import attitude
 from labcal.importers.clock import Stamps, is_date, stamps_of, utc
-from labcal.importers.doubts import Clock, Finding, doubts, findings
-from labcal.importers.mapping import Mapping, SegmentPart, Source
+from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
+from labcal.importers.mapping import ColumnSource, Mapping, SegmentPart
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import Recording, Request, Stream, Wanted
-from labcal.importers.run_of import Rows, run_of
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, WantedColumns
+from labcal.importers.run_of import FileRows, run_of
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
 from labcal.record.assemble import interpolated
@@ -32,7 +32,7 @@ class Imported:
     """A recording as a run, and what was noticed in it."""
 
     run: Run
-    told: tuple[str, ...]  # to be known before anything is fitted
+    remarks: tuple[str, ...]  # to be known before anything is fitted
 
 
 def take_in(path: Path, format_: str, mapping: Mapping) -> Imported:
@@ -71,7 +71,7 @@ def _beside(path: Path, name: str) -> Path:
     return (path if path.is_dir() else path.parent) / name
 
 
-def _refuse(seen: Sequence[Finding], mapping: Mapping, path: Path) -> None:
+def _refuse(seen: Sequence[ImportFinding], mapping: Mapping, path: Path) -> None:
     """Raise InputError for the first doubt that the mapping does not accept."""
     for finding in seen:
         if finding.doubt is not None and finding.doubt not in mapping.accept:
@@ -86,13 +86,13 @@ class _Opened:
     path: Path
     format: str
     mapping: Mapping
-    read: dict[Path, Recording] = field(default_factory=dict)
+    read: dict[Path, ForeignRecording] = field(default_factory=dict)
 
-    def stream(self, group: Source, part: SegmentPart | None) -> Stream:
+    def stream(self, group: ColumnSource, part: SegmentPart | None) -> Stream:
         file = self._file(group, part)
         if file not in self.read:
             same = [g for g in self.mapping.groups() if self._file(g, part) == file]
-            request = Request(_wanted(same, self.mapping), self.mapping.csv.form())
+            request = ReadRequest(_wanted(same, self.mapping), self.mapping.csv.form())
             self.read[file] = read_recording(file, group.format or self.format, request)
         return self.read[file].stream(group.stream)
 
@@ -109,12 +109,12 @@ class _Opened:
 
     def note(self) -> str:
         """Where the run is from, for its record."""
-        told = [f"{file.name} (SHA-256 {_sha256(file)})" for file in self.read if file.is_file()]
-        told += dict.fromkeys(note for recording in self.read.values() for note in recording.notes)
+        sources = [f"{file.name} (SHA-256 {_sha256(file)})" for file in self.read if file.is_file()]
+        sources += dict.fromkeys(note for recording in self.read.values() for note in recording.notes)
         accepted = f"; accepted: {', '.join(self.mapping.accept)}" if self.mapping.accept else ""
-        return f"imported from {'; '.join(told) or self.path.name}{accepted}"[:9_000]
+        return f"imported from {'; '.join(sources) or self.path.name}{accepted}"[:9_000]
 
-    def _file(self, group: Source, part: SegmentPart | None) -> Path:
+    def _file(self, group: ColumnSource, part: SegmentPart | None) -> Path:
         name = group.file or (part.file if part is not None else None)
         return self.path if name is None else _beside(self.path, name)
 
@@ -124,9 +124,9 @@ def _sha256(file: Path) -> str:
         return file_digest(source, "sha256").hexdigest()
 
 
-def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, Wanted]:
+def _wanted(groups: Sequence[ColumnSource], mapping: Mapping) -> dict[str, WantedColumns]:
     """The columns of each stream of one file."""
-    found: dict[str, Wanted] = {}
+    found: dict[str, WantedColumns] = {}
     for group in groups:
         is_text = (group.time_unit or mapping.time.unit) == "iso"
         clock = frozenset([group.time or mapping.time.column])
@@ -135,15 +135,15 @@ def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, Wanted]:
         texts = clock if is_text else frozenset[str]()
         if group is mapping.reading:
             texts |= frozenset(name for name in (mapping.segment_column, mapping.mode_column) if name)
-        one = Wanted(numbers | (frozenset() if is_text else clock), texts)
-        found[group.stream] = found.get(group.stream, Wanted()) | one
+        one = WantedColumns(numbers | (frozenset() if is_text else clock), texts)
+        found[group.stream] = found.get(group.stream, WantedColumns()) | one
     return found
 
 
-def _rows(opened: _Opened, part: SegmentPart | None) -> Rows:
+def _rows(opened: _Opened, part: SegmentPart | None) -> FileRows:
     """The rows of one file, at the readings' stamps."""
     mapping, own = opened.mapping, _Readings(opened, part)
-    return Rows(
+    return FileRows(
         t_s=own.at.t_s,
         reading=attitude.turned(own.values, mapping.reading.axes) * nT_OF[mapping.reading.unit],
         reference=_reference(mapping, own),
@@ -162,11 +162,11 @@ class _Readings:
 
     def __init__(self, opened: _Opened, part: SegmentPart | None) -> None:
         self._opened, self._part, self._mapping = opened, part, opened.mapping
-        self.clocks: dict[str, Clock] = {}
+        self.clocks: dict[str, StampStatistics] = {}
         self.stream, self.at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
         self.values = values[self.at.rows]
 
-    def sampled(self, group: Source, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
+    def sampled(self, group: ColumnSource, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
         """A group's stream, its stamps, and its columns (n, k) of all rows."""
         stream = self._opened.stream(group, self._part)
         at = stamps_of(stream, group, self._mapping.time)
@@ -174,7 +174,7 @@ class _Readings:
         self.clocks[name] = _clock(at, values)
         return stream, at, values
 
-    def bring(self, group: Source, name: str, columns: Sequence[str], change: Change = lambda v: v) -> Array:
+    def bring(self, group: ColumnSource, name: str, columns: Sequence[str], change: Change = lambda v: v) -> Array:
         """A group's columns (n, k), through `change`, at the readings' stamps."""
         stream, at, values = self.sampled(group, name, columns)
         if stream is self.stream and _same_clock(group, self._mapping):
@@ -182,20 +182,20 @@ class _Readings:
         return interpolated(self.at.t_s, at.t_s, change(values[at.rows]))
 
 
-def _clock_columns(group: Source, mapping: Mapping) -> list[str]:
+def _clock_columns(group: ColumnSource, mapping: Mapping) -> list[str]:
     """The column of the group's clock where it holds numbers: it has to be as long as the others."""
     return [] if (group.time_unit or mapping.time.unit) == "iso" else [group.time or mapping.time.column]
 
 
-def _same_clock(group: Source, mapping: Mapping) -> bool:
+def _same_clock(group: ColumnSource, mapping: Mapping) -> bool:
     names = ("time", "time_unit", "clock_offset_s", "clock_rate_ppm")
     return all(getattr(group, name) == getattr(mapping.reading, name) for name in names)
 
 
-def _clock(at: Stamps, values: Array) -> Clock:
+def _clock(at: Stamps, values: Array) -> StampStatistics:
     steps = np.diff(at.t_s)
     missing = int(np.isnan(values[at.rows]).any(axis=1).sum())
-    return Clock(float(at.t_s[0]), float(at.t_s[-1]), period_s(at.t_s), len(at.t_s), missing, steps)
+    return StampStatistics(float(at.t_s[0]), float(at.t_s[-1]), period_s(at.t_s), len(at.t_s), missing, steps)
 
 
 def _reference(mapping: Mapping, own: _Readings) -> Array | None:
@@ -243,11 +243,11 @@ def _labels(stream: Stream, own: Stamps, column: str | None) -> list[str] | None
     return [cells[row] for row in own.rows]
 
 
-def _together(parts: Sequence[Rows]) -> Rows:
+def _together(parts: Sequence[FileRows]) -> FileRows:
     """The rows of all files, one after the other. Raises InputError where one begins before the one before it ends."""
     for before, after in pairwise(parts):
         if after.t_s[0] <= before.t_s[-1]:
             here = after.part.id if after.part else ""
             what = f"segment {here!r} begins at {after.t_s[0]:.9g} s, before the one before it ends"
             raise InputError(f"{what} ({before.t_s[-1]:.9g} s): time must grow through all files")
-    return parts[0] if len(parts) == 1 else Rows.joined(parts)
+    return parts[0] if len(parts) == 1 else FileRows.joined(parts)

@@ -14,7 +14,7 @@ from labcal.earth.igrf import igrf_nT
 from labcal.earth.wmm import wmm
 from labcal.errors import InputError
 from labcal.importers.attitude import one_attitude
-from labcal.importers.doubts import Clock
+from labcal.importers.doubts import StampStatistics
 from labcal.importers.mapping import Mapping, SegmentPart
 from labcal.importers.model_field import day_of
 from labcal.record import Channel, Dut, Reference, Run, Segment
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rows:
+class FileRows:
     """What one file gave, at the readings' stamps; `part` is the segment whose file it is."""
 
     t_s: Array  # (n,)
@@ -36,15 +36,15 @@ class Rows:
     labels: Sequence[str] | None
     modes: Sequence[str] | None
     part: SegmentPart | None
-    clocks: Mapped[str, Clock]
+    clocks: Mapped[str, StampStatistics]
     lengths: tuple[int, ...] = ()  # rows of each file, where several were joined
 
-    def since(self, origin_s: float) -> Rows:
+    def since(self, origin_s: float) -> FileRows:
         """The same with times that count from `origin_s`, to the nanosecond."""
         return replace(self, t_s=np.round(self.t_s - origin_s, 9)) if origin_s else self
 
     @classmethod
-    def joined(cls, parts: Sequence[Rows]) -> Rows:
+    def joined(cls, parts: Sequence[FileRows]) -> FileRows:
         """One after the other."""
         first = parts[0]
 
@@ -65,7 +65,7 @@ class Rows:
         )  # fmt: skip
 
 
-def run_of(mapping: Mapping, rows: Rows, started_utc: str, note: str, name: str) -> Run:
+def run_of(mapping: Mapping, rows: FileRows, started_utc: str, note: str, name: str) -> Run:
     """The run. Raises InputError where segments leave no row, or the field of the place cannot be computed."""
     segments, index = _segments(mapping, rows)
     used = index >= 0
@@ -104,7 +104,7 @@ def _run_id(name: str) -> str:
     return word[:100] or "imported"
 
 
-def _segments(mapping: Mapping, rows: Rows) -> tuple[tuple[Segment, ...], NDArray[np.intp]]:
+def _segments(mapping: Mapping, rows: FileRows) -> tuple[tuple[Segment, ...], NDArray[np.intp]]:
     """The segments, and which one each row is of; -1 where of none."""
     if rows.labels is not None:
         return _by_label(rows.labels)
@@ -138,7 +138,7 @@ def _by_label(labels: Sequence[str]) -> tuple[tuple[Segment, ...], NDArray[np.in
 
 
 def _reference(
-    mapping: Mapping, rows: Rows, segments: Sequence[Segment], started_utc: str
+    mapping: Mapping, rows: FileRows, segments: Sequence[Segment], started_utc: str
 ) -> tuple[Reference, Array | None, Array | None]:
     """The reference with its field (n, 3) in C or its magnitude (n,); a computed vector needs something that turns."""
     part, n = mapping.reference, len(rows.t_s)
@@ -178,7 +178,7 @@ def _model(mapping: Mapping, started_utc: str, stated: dict[str, object]) -> Arr
 
 
 def _in_the_body(
-    mapping: Mapping, rows: Rows, segments: tuple[Segment, ...], index: NDArray[np.intp], vector: Array | None
+    mapping: Mapping, rows: FileRows, segments: tuple[Segment, ...], index: NDArray[np.intp], vector: Array | None
 ) -> tuple[tuple[Segment, ...], Array | None]:
     """The frame of each segment's reference; one whose attitude moves has its reference turned into the body's."""
     if vector is None:

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream, unreadable
+from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, unreadable
 
 GPS = ("vehicle_gps_position", "sensor_gps")
 FIRST_YEAR = 2000  # a receiver without a fix tells 1970 or 1980
 
 
-def read(path: Path, request: Request) -> Recording:
+def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The topics that are wanted; `timestamp` is in µs since the autopilot began. Raises InputError."""
     from pyulog import ULog
 
@@ -31,10 +31,10 @@ def read(path: Path, request: Request) -> Recording:
     streams |= {name.removesuffix(":0"): stream for name, stream in streams.items() if name.endswith(":0")}
     if not streams:
         raise InputError("the log holds none of the topics asked for", file=path)
-    return Recording(path, streams, _started(log), _on_board(log))
+    return ForeignRecording(path, streams, _started(log), _on_board(log))
 
 
-def _stream(data: Any, path: Path, request: Request) -> Stream:
+def _stream(data: Any, path: Path, request: ReadRequest) -> Stream:
     names = data.data.keys()
     wanted = [request.of(key) for key in (f"{data.name}:{data.multi_id}", data.name)]
     if all(one is not None for one in wanted):

@@ -22,9 +22,9 @@ from labcal.loop.narrative import (
     summary,
     tests_text,
     why_accepted,
-    why_astray,
     why_equivalent,
-    why_nought,
+    why_final_fit_differs,
+    why_insignificant,
     why_rejected,
 )
 from labcal.loop.noise.autocorrelation import serially_correlated
@@ -229,10 +229,10 @@ def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
     term, step = w.candidate.term, found.refused.get(w.candidate.cause)
     before, after, said = (step.before, step.after, why_rejected(w, step)) if step else (None, None, why_rejected(w))
     gain = step.improvement() if step else None
-    if step and (left := found.astray.get(w.candidate.cause)) is not None:
-        said = why_astray(step, left)
-    if step and (chance := found.nought.get(w.candidate.cause)) is not None:
-        said = why_nought(step, chance)
+    if step and (left := found.not_carried.get(w.candidate.cause)) is not None:
+        said = why_final_fit_differs(step, left)
+    if step and (chance := found.insignificant.get(w.candidate.cause)) is not None:
+        said = why_insignificant(step, chance)
     for chosen, proof, rivals in zip(found.accepted, found.contributions, found.equivalents, strict=True):
         for rival in rivals[1:]:
             if rival.scored.candidate.cause == w.candidate.cause:

@@ -20,21 +20,21 @@ from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
 from labcal.loop.data.saturation import at_saturation_limit, beyond_limit
-from labcal.loop.nameless import with_empirical
+from labcal.loop.empirical_term import with_empirical
 from labcal.loop.narrative import of_faulty_data
+from labcal.loop.progress_report import NOTHING, Progress, ProgressReport
 from labcal.loop.result import ClosedLoop, Finding
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice, rms
 from labcal.loop.selection.final_fit import base_fit, final_fit
 from labcal.loop.selection.joint_fit import joint_fit
-from labcal.loop.selection.members import told_apart
+from labcal.loop.selection.members import members_in_place
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
-from labcal.loop.telling import NOTHING, Progress, Telling
-from labcal.loop.uncertainty import chances_of_nought
+from labcal.loop.uncertainty import wald_p_values
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
-LONG_s = 20.0  # still to go: a person is told
+LONG_s = 20.0  # still to go: the person who waits is informed
 STILL = 1.5  # times what the first selection took, the rest takes
 
 
@@ -45,50 +45,50 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
     Where structure remains that no known effect carries, an empirical term is built and proven: shipped where
     `empirical` asks for it, else proposed. Stopped by Ctrl-C, it tells what it knows so far.
     """
-    telling = Telling(progress)
+    report = ProgressReport(progress)
     try:
-        return _closed(run, telling, empirical=empirical)
+        return _closed(run, report, empirical=empirical)
     except KeyboardInterrupt:
-        telling.stopped()
+        report.stopped()
         raise
 
 
-def _closed(run: Run, telling: Telling, *, empirical: bool) -> ClosedLoop:
+def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
     while True:
         started_s = time.monotonic()
-        telling.step("fitting the base model")
+        report.step("fitting the base model")
         problem, level, stuck = prepare(run)
         if (finding := check_data(problem, level)) is not None:
             return without_search(run, problem, level, stuck, finding)
-        telling.step("weighing every effect")
-        base_set = candidates_of(run, problem, tell=partial(_told, telling))
+        report.step("scoring every effect")
+        base_set = candidates_of(run, problem, tell=partial(_report_trial, report))
         pool = relinearised(base_set)
-        telling.known = so_far(pool, stepwise(pool)[0])
+        report.known = accepted_in_words(pool, stepwise(pool)[0])
         if (left_s := STILL * (time.monotonic() - started_s)) > LONG_s:
-            telling.step(f"this run takes about {left_s:.0f} s more and may be stopped")
+            report.step(f"this run takes about {left_s:.0f} s more and may be stopped")
         selection = select(pool, level)
         gaps = unresolved_gaps(run, _supporting_channels(selection))
         if not gaps.any():
             break
         run = run.select(~gaps)
-    telling.known = so_far(pool, selection.accepted)
-    telling.step("holding out blocks of time")
+    report.known = accepted_in_words(pool, selection.accepted)
+    report.step("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
-    found, after = final_fit(problem, found, selection, chances_of_nought)
-    found = told_apart(found)
+    found, after = final_fit(problem, found, selection, wald_p_values)
+    found = members_in_place(found)
     before = base_fit(problem, found) if found.accepted else after
     aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}
     closed = assemble(run, found, before, after, aside)
     return with_empirical(run, found, closed, before, aside, ship=empirical)
 
 
-def _told(telling: Telling, pool: CandidateSet, accepted: Sequence[Candidate], doing: str) -> None:
+def _report_trial(report: ProgressReport, pool: CandidateSet, accepted: Sequence[Candidate], doing: str) -> None:
     """What a search is doing beside what it has accepted."""
     beside = f" beside {_named(accepted)}" if accepted else ""
-    telling.weighing(f"weighing {doing}{beside}", so_far(pool, accepted))
+    report.scoring(f"scoring {doing}{beside}", accepted_in_words(pool, accepted))
 
 
-def so_far(pool: CandidateSet, accepted: Sequence[Candidate]) -> str:
+def accepted_in_words(pool: CandidateSet, accepted: Sequence[Candidate]) -> str:
     """What is known before the proof, in words: the effects accepted, and what they leave of the rows searched."""
     if not accepted:
         return NOTHING

@@ -65,4 +65,4 @@ def _fields_nT(before: Standstill, after: Standstill, found: JointFit) -> Array 
         axes=p.scene.axes,
     )
     effects = sum_of_effects([t for t, _ in ours], [b for _, b in ours], scene)
-    return np.asarray(a - np.broadcast_to(effects, (4, 3))[1::2])
+    return np.asarray(a - np.broadcast_to(effects, (len(scene.t_s), 3))[1::2])

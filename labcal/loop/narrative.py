@@ -92,7 +92,7 @@ def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
     return f"{taken} in sample, but other forms of what is accepted take as much"
 
 
-def why_astray(step: HeldOutErrors, left_nT: float) -> str:
+def why_final_fit_differs(step: HeldOutErrors, left_nT: float) -> str:
     """Why a cause is not named that the last fit of map and effects together cannot carry."""
     return (
         f"taken to first order ({step.before:.1f} to {step.after:.1f} nT held out), and given up: fitted in full, map "
@@ -100,7 +100,7 @@ def why_astray(step: HeldOutErrors, left_nT: float) -> str:
     )
 
 
-def why_nought(step: HeldOutErrors, chance: float) -> str:
+def why_insignificant(step: HeldOutErrors, chance: float) -> str:
     """Why a cause is not named that is no larger than its uncertainty."""
     return (
         f"taken ({step.before:.1f} to {step.after:.1f} nT held out), and given up: it is no larger than its "

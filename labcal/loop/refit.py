@@ -14,8 +14,8 @@ from labcal.fit.vector.observations import SCALAR
 from labcal.loop.close import prepare
 from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.outliers import hampel_outliers
+from labcal.loop.progress_report import Progress
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
-from labcal.loop.telling import Progress
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
 from labcal.model.effects import Term, family

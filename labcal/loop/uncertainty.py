@@ -57,8 +57,9 @@ def of_the_file(found: JointFit, uncertain: Sources, of_the_sensor: Sequence[boo
             places.append(place)
         number += 1
     B = np.zeros((len(names), uncertain.noise.each.shape[1]))
-    B[:12, :q] = p.parameterisation.basis * np.r_[np.full(9, 1 / p.observations.scale), np.ones(3)][:, None]
-    B[np.arange(12, len(names)), places] = 1.0
+    of_map = len(MAP_PARAMETERS)
+    B[:of_map, :q] = p.parameterisation.basis * np.r_[np.full(3 * 3, 1 / p.observations.scale), np.ones(3)][:, None]
+    B[np.arange(of_map, len(names)), places] = 1.0
     B[list(moments)] = 0.0
     noise = uncertain.noise.onto(B)
     noise.each[:, list(moments), list(moments)] = np.square(list(moments.values()))
@@ -82,7 +83,7 @@ def uncertainty_of(found: JointFit) -> Sources:
     return Sources(_of_noise(found, A, inverse, D), tuple(contributions))
 
 
-def chances_of_nought(found: JointFit) -> list[float]:
+def wald_p_values(found: JointFit) -> list[float]:
     """How often an effect that is not there would seem as large, of each term: all its parameters together (Wald)."""
     from scipy.special import chdtrc
 

@@ -87,7 +87,7 @@ class _Whole:
     """What a row's result takes from the whole recording (n rows)."""
 
     sizes: tuple[Array, ...]  # (3,) of each effect: its mean square, for rows that go without it
-    restless: tuple[Array, ...]  # (3,) of each effect: the mean square of its change from row to row
+    mean_square_step: tuple[Array, ...]  # (3,) of each effect: the mean square of its change from row to row
     spreads: tuple[Array, ...]  # (3,) of each effect: its variance over the rows that have it
     saturated: Mask  # (n,)
     outlier: Mask  # (n,)
@@ -133,7 +133,7 @@ def _survey(
     records = zip(calibration.effects, map(load_shipped, calibration.effects), seen, strict=True)
     return _Whole(
         tuple(left_out_variance(calibration, record, effect, one) for record, effect, one in records),
-        tuple(one.restless for one in seen),
+        tuple(one.mean_square_step for one in seen),
         tuple(one.variance for one in seen),
         saturated(calibration, readings.reading),
         second_difference_outliers(bend, readings.segment, reading_noise(calibration)),
@@ -145,12 +145,12 @@ def _applied(
 ) -> Applied:
     variance, flags = _noise_variance(calibration, readings.reading), _flags(part, len(readings))
     variance += _parameters_variance(calibration, readings.reading, part)
-    of_effects = zip(calibration.effects, part.effects, whole.sizes, whole.restless, whole.spreads, strict=True)
-    for record, effect, size, restless, spread in of_effects:
+    of_effects = zip(calibration.effects, part.effects, whole.sizes, whole.mean_square_step, whole.spreads, strict=True)
+    for record, effect, size, mean_square_step, spread in of_effects:
         variance += effect.variance
         variance[~effect.usable] += size
         for name in record.channels:
-            variance[filled[name][rows]] += restless
+            variance[filled[name][rows]] += mean_square_step
         if effect.late is not None:
             variance[effect.late] += spread
     flags["saturated"] |= whole.saturated[rows]

@@ -41,6 +41,6 @@ class Seen:
         return np.asarray(np.maximum(square - mean**2, 0.0))
 
     @property
-    def restless(self) -> Array:
+    def mean_square_step(self) -> Array:
         """Mean square (3,) of the change from row to row: what a row between two others may miss."""
         return np.asarray(self._steps / max(self._rows - 1, 1))

@@ -34,7 +34,7 @@ class Degree:
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class Intercomparison:
     """All measurements, and whether those in the reference agree: χ², degrees of freedom, probability."""
 
     degrees: tuple[Degree, ...]
@@ -46,7 +46,7 @@ class Comparison:
 
 def compare_benches(
     benches: Sequence[str], values: Array, u: Array, times: Array | None = None, pilot: str | None = None
-) -> Comparison:
+) -> Intercomparison:
     """Results `values` (n,) with standard `u` (n,) of `benches`, at `times` (n,) where a pilot saw the standard drift.
 
     Raises ValueError for fewer than two benches, an uncertainty that is not known, a pilot that measured nothing.
@@ -61,7 +61,7 @@ def compare_benches(
     return _by_mean(benches, values, u) if pilot is None else _by_pilot(benches, values, u, times, pilot)
 
 
-def _by_mean(benches: Sequence[str], values: Array, u: Array) -> Comparison:
+def _by_mean(benches: Sequence[str], values: Array, u: Array) -> Intercomparison:
     counted = np.ones(len(values), dtype=bool)
     while True:
         weight = counted / u**2
@@ -75,10 +75,10 @@ def _by_mean(benches: Sequence[str], values: Array, u: Array) -> Comparison:
     u_of = np.sqrt(np.maximum(u**2 + np.where(counted, -variance, variance), 0.0))
     left_out = ", without those that disagree" if not counted.all() else ""
     degrees = _degrees(benches, values, np.full(len(values), mean), u_of, counted)
-    return Comparison(degrees, float(off.sum()), dof, p, f"weighted mean{left_out}")
+    return Intercomparison(degrees, float(off.sum()), dof, p, f"weighted mean{left_out}")
 
 
-def _by_pilot(benches: Sequence[str], values: Array, u: Array, times: Array | None, pilot: str) -> Comparison:
+def _by_pilot(benches: Sequence[str], values: Array, u: Array, times: Array | None, pilot: str) -> Intercomparison:
     own = np.array([bench == pilot for bench in benches])
     when = np.zeros(len(values)) if times is None else times
     if own.sum() >= FEWEST and np.ptp(when[own]) > 0:
@@ -94,7 +94,7 @@ def _by_pilot(benches: Sequence[str], values: Array, u: Array, times: Array | No
         moved = float(np.ptp(values[own]) / np.sqrt(12))  # the standard may have moved as far as the pilot saw it move
         spread = np.full(len(values), np.hypot(1 / np.sqrt(weight.sum()), moved))
     degrees = _degrees(benches, values, reference, np.where(own, u, np.hypot(u, spread)), own)
-    return Comparison(degrees, squares, dof, float(chi2.sf(squares, dof)) if dof else 1.0, by)
+    return Intercomparison(degrees, squares, dof, float(chi2.sf(squares, dof)) if dof else 1.0, by)
 
 
 def _degrees(

@@ -21,7 +21,7 @@ METHODS = ("staircase", "control chart", "in-use time", "drift")
 
 
 @dataclass(frozen=True, slots=True)
-class Proposal:
+class IntervalProposal:
     """What one method proposes: days until the next calibration, hours of use where it counts these; and why."""
 
     method: str
@@ -32,7 +32,7 @@ class Proposal:
 
 def proposals(
     days: Array, values: Array, u: Array, permitted: float, interval_d: float, hours: Array | None = None
-) -> tuple[Proposal, ...]:
+) -> tuple[IntervalProposal, ...]:
     """Each method on the `values` (n,) with standard `u` (n,) that were found at `days` (n,), in order.
 
     `permitted` is how far the figure may move from one calibration to the next, `interval_d` the interval that holds
@@ -50,35 +50,37 @@ def proposals(
     )
 
 
-def _staircase(values: Array, permitted: float, interval_d: float) -> Proposal:
+def _staircase(values: Array, permitted: float, interval_d: float) -> IntervalProposal:
     """Method 1: one step up or down by what the last calibration found."""
     share = abs(values[-1] - values[-2]) / permitted
     factor = LONGER if share <= EASY else 1.0 if share <= 1 else SHORTER
     word = {LONGER: "longer", 1.0: "as it is", SHORTER: "shorter"}[factor]
     why = f"the last change was {share:.0%} of what is permitted: {word}"
-    return Proposal(METHODS[0], _bounded(factor * interval_d), None, why)
+    return IntervalProposal(METHODS[0], _bounded(factor * interval_d), None, why)
 
 
-def _control_chart(days: Array, values: Array, u: Array, permitted: float) -> Proposal:
+def _control_chart(days: Array, values: Array, u: Array, permitted: float) -> IntervalProposal:
     """Method 2: the drift as it was so far and the scatter about it reach the limit together."""
     return _by_line(METHODS[1], days, values, u, permitted, cautious=False)
 
 
-def _drift(days: Array, values: Array, u: Array, permitted: float) -> Proposal:
+def _drift(days: Array, values: Array, u: Array, permitted: float) -> IntervalProposal:
     """The largest drift that its interval allows, after the U of the calibration itself is taken off."""
     return _by_line(METHODS[3], days, values, u, permitted, cautious=True)
 
 
-def _by_line(method: str, x: Array, values: Array, u: Array, permitted: float, *, cautious: bool) -> Proposal:
+def _by_line(method: str, x: Array, values: Array, u: Array, permitted: float, *, cautious: bool) -> IntervalProposal:
     found = _line(x, values, u)
     if isinstance(found, str):
-        return Proposal(method, None, None, found)
+        return IntervalProposal(method, None, None, found)
     rate, taken = _rate_and_taken(found, u, cautious=cautious)
     what = "U of a calibration" if cautious else "scatter (k = 2)"
     if taken >= permitted:
-        return Proposal(method, SHORTEST_D, None, f"{what} is {taken:.3g}, all that is permitted: calibrate better")
+        return IntervalProposal(
+            method, SHORTEST_D, None, f"{what} is {taken:.3g}, all that is permitted: calibrate better"
+        )
     days = _bounded((permitted - taken) / max(rate, 1e-300))
-    return Proposal(method, days, None, f"{what} {taken:.3g}, then {365.25 * rate:.3g} a year")
+    return IntervalProposal(method, days, None, f"{what} {taken:.3g}, then {365.25 * rate:.3g} a year")
 
 
 def _rate_and_taken(found: Drift, u: Array, *, cautious: bool) -> tuple[float, float]:
@@ -90,19 +92,21 @@ def _rate_and_taken(found: Drift, u: Array, *, cautious: bool) -> tuple[float, f
     return max(map(abs, found.interval)), COVERAGE * scatter
 
 
-def _in_use(days: Array, values: Array, u: Array, permitted: float, hours: Array | None) -> Proposal:
+def _in_use(days: Array, values: Array, u: Array, permitted: float, hours: Array | None) -> IntervalProposal:
     """Method 3: the same by hours of use, and what that is in days as it is used now."""
     if hours is None or not np.ptp(hours) > 0:
-        return Proposal(METHODS[2], None, None, "how long it was in use is not known")
+        return IntervalProposal(METHODS[2], None, None, "how long it was in use is not known")
     found = _line(hours, values, u)
     if isinstance(found, str):
-        return Proposal(METHODS[2], None, None, found)
+        return IntervalProposal(METHODS[2], None, None, found)
     rate, taken = _rate_and_taken(found, u, cautious=False)
     if taken >= permitted:
-        return Proposal(METHODS[2], SHORTEST_D, None, f"scatter (k = 2) is {taken:.3g}, all that is permitted")
+        return IntervalProposal(METHODS[2], SHORTEST_D, None, f"scatter (k = 2) is {taken:.3g}, all that is permitted")
     allowed, a_day = (permitted - taken) / max(rate, 1e-300), float(np.ptp(hours) / np.ptp(days))
     within = _bounded(allowed / a_day)
-    return Proposal(METHODS[2], within, within * a_day, f"{1000 * rate:.3g} in 1000 h, {a_day:.2g} h of use a day")
+    return IntervalProposal(
+        METHODS[2], within, within * a_day, f"{1000 * rate:.3g} in 1000 h, {a_day:.2g} h of use a day"
+    )
 
 
 def _line(x: Array, values: Array, u: Array) -> Drift | str:

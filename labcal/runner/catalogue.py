@@ -22,7 +22,7 @@ GROUP = "labcal.procedures"
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundProcedure:
     """A procedure as found: what it is called, what it may be told, and the text it was read from."""
 
     name: str
@@ -66,14 +66,14 @@ class Found:
         return tuple(getattr(inspect.getmodule(self.function), "SEPARATES", ()))
 
 
-def procedures() -> dict[str, Found]:
+def procedures() -> dict[str, FoundProcedure]:
     """All installed procedures that load, by name, alphabetically."""
     return catalogue()[0]
 
 
-def catalogue() -> tuple[dict[str, Found], dict[str, InputError]]:
+def catalogue() -> tuple[dict[str, FoundProcedure], dict[str, InputError]]:
     """All installed procedures by name, alphabetically: those that load, and why the others do not."""
-    found: dict[str, Found] = {}
+    found: dict[str, FoundProcedure] = {}
     broken: dict[str, InputError] = {}
     for entry in sorted(entry_points(group=GROUP), key=lambda e: e.name):
         try:
@@ -83,7 +83,7 @@ def catalogue() -> tuple[dict[str, Found], dict[str, InputError]]:
     return found, broken
 
 
-def find(procedure: str) -> Found:
+def find(procedure: str) -> FoundProcedure:
     """The procedure of that name, or in that file. Raises InputError where there is none."""
     if procedure.endswith(".py") or "/" in procedure or "\\" in procedure:
         return _from_file(Path(procedure))
@@ -94,20 +94,20 @@ def find(procedure: str) -> Found:
     return _installed(entries[procedure])
 
 
-def _installed(entry: EntryPoint) -> Found:
+def _installed(entry: EntryPoint) -> FoundProcedure:
     function = plugin_loading.load(entry)
     with plugin_loading.blamed(plugin_loading.named(entry), "as it is looked at"):
         source = Path(inspect.getsourcefile(function) or "")
-        found = Found(entry.name, function, parameters_of(function), source)
+        found = FoundProcedure(entry.name, function, parameters_of(function), source)
         _ = found.title, found.needs, float(found.lasts_min or 0.0), found.separates  # as a list of them asks for
         return found
 
 
-def _from_file(path: Path) -> Found:
+def _from_file(path: Path) -> FoundProcedure:
     if not path.is_file():
         raise InputError("there is no such file", file=path)
     function = _function_in(_imported(path), path)
-    return Found(path.stem.replace("_", "-"), function, parameters_of(function), path.resolve(), own=True)
+    return FoundProcedure(path.stem.replace("_", "-"), function, parameters_of(function), path.resolve(), own=True)
 
 
 def _imported(path: Path) -> ModuleType:
@@ -123,8 +123,8 @@ def _imported(path: Path) -> ModuleType:
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # it may even exit
-        told = f"cannot be loaded: {plugin_loading.said(error)}"
-        raise InputError(told, file=path, line=plugin_loading.line_in(error, path)) from error
+        text = f"cannot be loaded: {plugin_loading.said(error)}"
+        raise InputError(text, file=path, line=plugin_loading.line_in(error, path)) from error
     return module
 
 

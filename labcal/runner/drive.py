@@ -60,8 +60,8 @@ class Drive:
     _at_zero: bool = field(default=False, init=False)
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
-    _told_to_end: bool = field(default=False, init=False)
-    _told_of_zero: str = field(default="", init=False)  # which takes long
+    _end_requested: bool = field(default=False, init=False)
+    _announced: str = field(default="", init=False)  # which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -203,11 +203,11 @@ class Drive:
         with self._zero_unless_kept():
             self.kept()
         self._keep_news()
-        if self.bench.cage.on and not self._told_to_end:
+        if self.bench.cage.on and not self._end_requested:
             try:
                 self._check()
             except Stopped:
-                self._told_to_end = True
+                self._end_requested = True
                 raise
 
     @contextmanager
@@ -221,21 +221,21 @@ class Drive:
             self._rows_wait = True
             with suppress(Exception):  # tried again, and told, on the way to rest
                 self.bench.cage.zero()
-            self._tell_not_kept(fault)
+            self._report_not_kept(fault)
             raise NotKept(fault) from None
 
     def _say_what_takes_long(self) -> None:
         """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""
         if self.bench.cage.on:
-            self._told_of_zero = ""
+            self._announced = ""
         words = self.bench.slow_zero()
-        if words in ("", self._told_of_zero):
+        if words in ("", self._announced):
             return
-        self._told_of_zero = words
+        self._announced = words
         with suppress(Exception):  # the way to zero goes on whoever watches
             self.tell(_later(self._event("slow-zero", words), self.offset_s))
 
-    def _tell_not_kept(self, fault: InputError | InstrumentError) -> None:
+    def _report_not_kept(self, fault: InputError | InstrumentError) -> None:
         """At once, for the last rows may be waited for; it is in the record where that can be mended."""
         said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
         with suppress(InputError, InstrumentError):

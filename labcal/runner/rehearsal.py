@@ -16,7 +16,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.config import read_config
 from labcal.bench.opening import open_bench
 from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.prompts import first_choice
 from labcal.runner.run import run_procedure
 from labcal.store import Store
@@ -77,7 +77,7 @@ class Rehearsal:
         return [*said, *(["what a person is asked:", *asked] if asked else [])]
 
 
-def rehearsed(bench: Path, procedure: Found, given: Mapping[str, str], seed: int | None = None) -> Rehearsal:
+def rehearsed(bench: Path, procedure: FoundProcedure, given: Mapping[str, str], seed: int | None = None) -> Rehearsal:
     """Run `procedure` on the simulated twin of `bench`, whatever its links are, and return what it did.
 
     Raises what the procedure raises: a plan beyond a limit fails here, before anything real is touched.

@@ -24,7 +24,7 @@ from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
 from labcal.record.stream import NOT_KEPT, REMARK, Event, Item, Measurement, Step
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
 from labcal.runner.prompts import Answer
@@ -44,7 +44,7 @@ GAP_S = 1.0  # at least so much time lies between what was recorded before an in
 class Outcome:
     """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
 
-    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `told` says
+    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `ending`:
     how it ended and what the store had to do with it; `resumable`, whether it can be gone on with.
     """
 
@@ -53,7 +53,7 @@ class Outcome:
     fault: BaseException | None
     failed: tuple[Measurement, ...] = ()
     lab: LabState | None = None
-    told: str = ""
+    ending: str = ""
     resumable: bool = False
 
     @property
@@ -72,7 +72,7 @@ class Outcome:
 
 def run_procedure(
     bench: Bench,
-    procedure: Found,
+    procedure: FoundProcedure,
     given: Mapping[str, str],
     *,
     store: Store,
@@ -122,7 +122,7 @@ def run_procedure(
         administrative=stated_administrative(bench),
     )
     writer = store.begin(header, lambda: iso(bench.clock.utc()))
-    _tell_lifted(bench, writer, bench.clock.now())
+    _report_lifted(bench, writer, bench.clock.now())
     if first is not None:
         writer.write(Event(bench.clock.now(), *first))
     _remark(remark, writer, bench.clock.now(), tell)
@@ -131,7 +131,7 @@ def run_procedure(
 
 def resume_run(
     bench: Bench,
-    procedure: Found,
+    procedure: FoundProcedure,
     run_id: str,
     *,
     store: Store,
@@ -150,20 +150,20 @@ def resume_run(
     header = store.header(run_id)
     refuse_overdue(bench)
     _refuse_another(bench, procedure, header, dut_serial)
-    done, at_s = so_far(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
+    done, at_s = resume_state(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id, lambda: iso(bench.clock.utc()))
     offset = at_s - bench.clock.now()
     software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
-    _tell_lifted(bench, writer, at_s)
+    _report_lifted(bench, writer, at_s)
     _remark(remark, writer, at_s, tell)
     return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)
 
 
-def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
+def _report_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
     """Who lifted the doubt that the coils were at zero, and what was measured, into the first record after it."""
-    if (doubt := bench.cage.latch.told()) is not None:
+    if (doubt := bench.cage.latch.take_lifted()) is not None:
         writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
 
 
@@ -193,7 +193,7 @@ def run_id_at(utc: datetime) -> str:
 
 def _drive(
     bench: Bench,
-    procedure: Found,
+    procedure: FoundProcedure,
     values: Mapping[str, Any],
     writer: RunWriter,
     answer: Answer,
@@ -215,15 +215,15 @@ def _drive(
         ending = Ending(INTERRUPTED, ending.fault)
     lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
     writer.waits = lambda fault: seen.not_kept(bench.clock.now() + offset_s, fault)
-    status, fault, told = _written(writer, ending)
+    status, fault, words = _written(writer, ending)
     lost = getattr(fault, "fault", "") == "store gone"
     resumable = status == INTERRUPTED and procedure.resumable and not lost
     if status == INTERRUPTED and not procedure.resumable:
-        told = f"{told}; {procedure.name} cannot be gone on with: start it anew"
-    return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, told, resumable)
+        words = f"{words}; {procedure.name} cannot be gone on with: start it anew"
+    return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, words, resumable)
 
 
-def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
+def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
     """A mistake in a procedure of one's own is told with its line, as any other wrong input."""
     if not procedure.own or ending.fault is None or isinstance(ending.fault, KNOWN):
         return ending
@@ -231,8 +231,8 @@ def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
     lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == procedure.source]
     if not lines:
         return ending
-    told = InputError(f"{type(ending.fault).__name__}: {ending.fault}", file=procedure.source, line=lines[-1])
-    return Ending(f"failed: {told}", told)
+    error = InputError(f"{type(ending.fault).__name__}: {ending.fault}", file=procedure.source, line=lines[-1])
+    return Ending(f"failed: {error}", error)
 
 
 @dataclass
@@ -242,11 +242,11 @@ class _Seen:
     tell: Tell
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
-    store_told: bool = False
+    fault_reported: bool = False
 
     def not_kept(self, t_s: float, fault: InstrumentError) -> None:
-        """Tell that the end of the run waits for the store, unless it was told that the store ended it."""
-        if not self.store_told:
+        """Tell that the end of the run waits for the store, unless it was reported that the store ended it."""
+        if not self.fault_reported:
             self.notice(Event(t_s, NOT_KEPT, f"the end of the run waits: {fault.what}"))
 
     def notice(self, item: Item) -> None:
@@ -256,7 +256,7 @@ class _Seen:
                 self.failed[item.name] = item
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
-            self.store_told |= item.kind == NOT_KEPT
+            self.fault_reported |= item.kind == NOT_KEPT
         self.tell(item)
 
 
@@ -275,8 +275,8 @@ def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | No
         missing = f"{what.removesuffix('.')}; what was not committed is lost"
         if ending.by_store:
             return INTERRUPTED, fault, f"{BY_STORE}: {missing}"
-        told = f"{said}, but the store has not kept its end and shows it as interrupted: {missing}"
-        return INTERRUPTED, fault if first else ending.fault, told
+        words = f"{said}, but the store has not kept its end and shows it as interrupted: {missing}"
+        return INTERRUPTED, fault if first else ending.fault, words
     waited_s = time.monotonic() - begun_s
     late = f", kept by the store {waited_s:.0f} s later" if waited_s > LONG_S and not ending.by_store else ""
     return ending.status, ending.fault, f"{said}{late}"
@@ -292,7 +292,7 @@ def _said(ending: Ending) -> str:
     return f"{INTERRUPTED}: {why.removesuffix('.')}"
 
 
-def so_far(items: Iterable[Item]) -> Resume:
+def resume_state(items: Iterable[Item]) -> Resume:
     """What an interrupted run had finished, and the first value of every measurement.
 
     A step is finished where another followed it before the run broke off, or broke off again.
@@ -309,7 +309,7 @@ def so_far(items: Iterable[Item]) -> Resume:
     return Resume(frozenset(done), measured)
 
 
-def _refuse_another(bench: Bench, procedure: Found, header: RunHeader, dut_serial: str | None) -> None:
+def _refuse_another(bench: Bench, procedure: FoundProcedure, header: RunHeader, dut_serial: str | None) -> None:
     if procedure.name != header.procedure:
         raise InputError(f"run {header.run_id} is of {header.procedure}, not of {procedure.name}")
     if not procedure.resumable:

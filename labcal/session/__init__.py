@@ -40,7 +40,7 @@ from labcal.session.cage import approve_cage, cage_remark
 from labcal.session.check_standard import Override, admitted
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
-from labcal.session.importing import Asked, Taken, import_foreign
+from labcal.session.importing import ImportRequest, ImportResult, import_foreign
 from labcal.session.instruments import coils_off, find_instruments, greetings, look_again, serve_bench
 from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
@@ -71,10 +71,10 @@ from labcal.uncertainty.conformity import assess
 
 __all__ = [
     "FOREIGN_CALIBRATIONS",
-    "Asked",
+    "ImportRequest",
+    "ImportResult",
     "Override",
     "Source",
-    "Taken",
     "apply_calibration",
     "approve",
     "approve_cage",

@@ -40,8 +40,8 @@ def check_approved(stated: Calibration, path: Path) -> None:
     count = len(approved.approvers)
     later = len(stated.approvers) > count and stated.approvers[:count] == approved.approvers
     for name in sorted(_different(stated, approved) - (BY_THE_NEXT if later else frozenset())):
-        told = f"{name}: is not as {', '.join(approved.approvers)} approved it with number {stated.number}"
-        raise InputError(f"{told}; nothing was written: make the draft again", file=path)
+        text = f"{name}: is not as {', '.join(approved.approvers)} approved it with number {stated.number}"
+        raise InputError(f"{text}; nothing was written: make the draft again", file=path)
 
 
 def _refuse_another_number(stated: Calibration, path: Path) -> None:
@@ -52,8 +52,8 @@ def _refuse_another_number(stated: Calibration, path: Path) -> None:
             continue
         approved = certificate.parse_calibration(content, kept)
         if not _different(stated, approved) - BY_PEOPLE:
-            told = f"number: {stated.number} is stated, and {', '.join(approved.approvers)} approved it as"
-            raise InputError(f"{told} {approved.number}; nothing was written: make the draft again", file=path)
+            text = f"number: {stated.number} is stated, and {', '.join(approved.approvers)} approved it as"
+            raise InputError(f"{text} {approved.number}; nothing was written: make the draft again", file=path)
 
 
 def _different(one: Calibration, other: Calibration) -> frozenset[str]:

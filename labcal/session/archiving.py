@@ -39,8 +39,8 @@ def archive_address(given: str | None) -> Address:
     if address.has_password:
         kept_private()
     if given is not None and address.has_password:
-        told = "everybody on this machine can read a password on a command line"
-        raise InputError(f"{told}: put the URL into {ARCHIVE}, or the password into ~/.pgpass; and change it now")
+        what = "everybody on this machine can read a password on a command line"
+        raise InputError(f"{what}: put the URL into {ARCHIVE}, or the password into ~/.pgpass; and change it now")
     return address
 
 

@@ -36,7 +36,7 @@ def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
     try:
         note("run", who, run=outcome.run_id, status=outcome.status, chain=_head(store, outcome.run_id))
     except InputError as fault:
-        return replace(outcome, told=f"{outcome.told}; {fault}")
+        return replace(outcome, ending=f"{outcome.ending}; {fault}")
     return outcome
 
 

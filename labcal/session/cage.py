@@ -103,6 +103,6 @@ def _approver_with_key(name: str) -> str | None:
     if found is not None and certificate.keys.has_key_at_hand(home(), found):
         return found
     if any(signer.roles for signer in trusted):
-        told = f"in this lab an approver with a role signs a cage calibration, and no key of {name} is at hand here"
-        raise InputError(f"{told}; nothing was written")
+        text = f"in this lab an approver with a role signs a cage calibration, and no key of {name} is at hand here"
+        raise InputError(f"{text}; nothing was written")
     return None

@@ -17,7 +17,7 @@ from labcal.certificate.agent import signed
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.quality.control_chart import Chart, control_chart
-from labcal.session.figures import Figure, figures_of_run
+from labcal.session.figures import SensorFigure, figures_of_run
 from labcal.store import RunSummary, Store
 from labcal.store.listing import FILE as STORE
 
@@ -62,7 +62,7 @@ def charts(stated: CheckStandardConfig, *, bench: str | None = None, simulated: 
 
     Raises InputError where the store cannot be read, or simulated runs stand among real ones.
     """
-    measured, values, left_out = list[RunSummary](), list[Mapping[str, Figure]](), list[str]()
+    measured, values, left_out = list[RunSummary](), list[Mapping[str, SensorFigure]](), list[str]()
     for run in _runs(stated, bench, simulated):
         try:
             values.append(figures_of_run(run.run_id))
@@ -97,22 +97,22 @@ def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override:
         _refuse_needless(override, path)
         return None
     said = "; ".join(f"{name}: {reason}" for name, reason in out.items())
-    told = f"the check standard {config.check_standard.serial} is out of control ({said})"
+    words = f"the check standard {config.check_standard.serial} is out of control ({said})"
     if override is None:
         raise InputError(
-            f"{told}. No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
+            f"{words}. No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
             "let a person answer for it: --override NAME --because TEXT",
             file=path,
         )
-    return KIND, f"{told}; {override.who} lets the run begin: {override.because}", _statement(
+    return KIND, f"{words}; {override.who} lets the run begin: {override.because}", _statement(
         override, config.name, config.check_standard.serial, out, procedure, run_id
     )  # fmt: skip
 
 
 def _refuse_needless(override: Override | None, path: Path) -> None:
     if override is not None:
-        told = "nothing keeps this run from beginning, so that there is nothing to answer for"
-        raise InputError(f"{told}: begin it without --override; nothing was begun", file=path)
+        words = "nothing keeps this run from beginning, so that there is nothing to answer for"
+        raise InputError(f"{words}: begin it without --override; nothing was begun", file=path)
 
 
 def why(chart: Chart) -> str:
@@ -165,7 +165,7 @@ def _bench_of(store: Store, run: RunSummary) -> str:
         return ""
 
 
-def _chart(stated: CheckStandardConfig, name: str, values: list[Mapping[str, Figure]]) -> Chart | str:
+def _chart(stated: CheckStandardConfig, name: str, values: list[Mapping[str, SensorFigure]]) -> Chart | str:
     """The chart of one quantity, or why there is none yet."""
     of = [one[name].value for one in values]
     groups = [of[i : i + stated.repeats] for i in range(0, len(of), stated.repeats)]

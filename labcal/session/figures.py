@@ -24,7 +24,7 @@ METHOD = "ml"
 
 
 @dataclass(frozen=True, slots=True)
-class Figure:
+class SensorFigure:
     """A figure of a sensor with its standard uncertainty, None where not known; offsets in nT, scales in ppm."""
 
     quantity: str
@@ -33,7 +33,7 @@ class Figure:
     unit: str
 
 
-def figures_of_run(run: Source) -> Mapping[str, Figure]:
+def figures_of_run(run: Source) -> Mapping[str, SensorFigure]:
     """The figures that the maximum-likelihood fit gives, by name. Raises InputError where the run gives none."""
     kept = place_of(run)
     if (found := _kept(kept)) is not None:
@@ -46,13 +46,13 @@ def figures_of_run(run: Source) -> Mapping[str, Figure]:
     return found
 
 
-def figures_of_calibration(calibration: Calibration) -> Mapping[str, Figure]:
+def figures_of_calibration(calibration: Calibration) -> Mapping[str, SensorFigure]:
     """Those that stand in its map, by name."""
     found = {}
     for one in figures_of_the_map(calibration):
         factor, unit = SHOWN[one.figure]
         u = one.u / factor if isfinite(one.u) else None
-        found[one.quantity] = Figure(one.quantity, one.value / factor, u, unit)
+        found[one.quantity] = SensorFigure(one.quantity, one.value / factor, u, unit)
     return found
 
 
@@ -71,8 +71,8 @@ def _content_of(run: Source) -> str:
     return run_bundle(run).sha256
 
 
-def _kept(place: Path) -> Mapping[str, Figure] | None:
+def _kept(place: Path) -> Mapping[str, SensorFigure] | None:
     try:
-        return {one["quantity"]: Figure(**one) for one in json.loads(place.read_bytes())}
+        return {one["quantity"]: SensorFigure(**one) for one in json.loads(place.read_bytes())}
     except (OSError, ValueError, TypeError, KeyError):
         return None

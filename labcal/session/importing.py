@@ -17,7 +17,7 @@ from labcal.store.limits import LARGEST
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class ImportRequest:
     """The words of one `labcal import --from`."""
 
     path: Path
@@ -29,14 +29,14 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True)
-class Taken:
-    """What is said of it: `told` while it was read, and `result`, the run id, the file, or a mapping's text."""
+class ImportResult:
+    """What is said of it: `remarks` while it was read, and `result`, the run id, the file, or a mapping's text."""
 
     result: str
-    told: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
-def import_foreign(asked: Asked) -> Taken:
+def import_foreign(asked: ImportRequest) -> ImportResult:
     """Take in what others wrote. Raises InputError where that is nothing labcal knows."""
     if asked.kind not in IMPORTS:
         raise InputError(
@@ -45,7 +45,7 @@ def import_foreign(asked: Asked) -> Taken:
     return IMPORTS[asked.kind](asked)
 
 
-def _recording(asked: Asked) -> Taken:
+def _recording(asked: ImportRequest) -> ImportResult:
     """A recording by its mapping: into the store, or to `out` as a bundle; with `guess` the mapping alone."""
     if asked.guess:
         return _guessed(asked)
@@ -58,13 +58,13 @@ def _recording(asked: Asked) -> Taken:
     found = importers.take_in(asked.path, asked.kind, mapping)
     bundle = _checked(bundle_of(found.run), asked.path)
     if asked.out is None:
-        return Taken(_into_the_store(bundle), found.told)
+        return ImportResult(_into_the_store(bundle), found.remarks)
     with writing(outputs):
         save_bundle(bundle, asked.out)
-    return Taken(str(asked.out), found.told)
+    return ImportResult(str(asked.out), found.remarks)
 
 
-def _guessed(asked: Asked) -> Taken:
+def _guessed(asked: ImportRequest) -> ImportResult:
     from labcal.importers.guess import guess
 
     if asked.out is not None:
@@ -74,10 +74,10 @@ def _guessed(asked: Asked) -> Taken:
     outputs = claim("import", asked.map, inputs=[asked.path], force=asked.force)
     text = guess(asked.path, asked.kind)
     if asked.map is None:
-        return Taken(text)
+        return ImportResult(text)
     with writing(outputs):
         write_text(asked.map, text)
-    return Taken(str(asked.map), ("a guess: check every line of it before it is used",))
+    return ImportResult(str(asked.map), ("a guess: check every line of it before it is used",))
 
 
 def _claimed(out: Path, inputs: list[Path], force: bool) -> list[Output]:
@@ -105,4 +105,4 @@ def _into_the_store(bundle: Bundle) -> str:
         return import_bundle(Path(folder))
 
 
-IMPORTS: Mapping[str, Callable[[Asked], Taken]] = dict.fromkeys(importers.READERS, _recording)
+IMPORTS: Mapping[str, Callable[[ImportRequest], ImportResult]] = dict.fromkeys(importers.READERS, _recording)

@@ -13,7 +13,7 @@ from pathlib import Path
 from labcal.certificate import register
 from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import read_laboratory
-from labcal.certificate.register import Numbered
+from labcal.certificate.register import NumberEntry
 from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
 from labcal.files.home import home
@@ -85,15 +85,15 @@ def _check(draft: Calibration, number: str, digest: str = "") -> None:
 
 
 def _by_hand(number: str) -> str:
-    told = f"number: {number} is stated, and a draft that nobody has approved has none"
-    return f"{told}; nothing was written: make the draft again"
+    text = f"number: {number} is stated, and a draft that nobody has approved has none"
+    return f"{text}; nothing was written: make the draft again"
 
 
 def _refuse_one_given_before(number: str) -> None:
     """A register that was lost, or put back as it was before, begins again with numbers that others have."""
     if noted_number(number):
-        told = f"{number} was given out before, as the audit log says, and the register has lost it"
-        raise InputError(f"number: {told}: put back the newest {register.FILE} that you have", file=home())
+        text = f"{number} was given out before, as the audit log says, and the register has lost it"
+        raise InputError(f"number: {text}: put back the newest {register.FILE} that you have", file=home())
 
 
 def keep_signed(calibration: Calibration, content: bytes) -> None:
@@ -102,7 +102,7 @@ def keep_signed(calibration: Calibration, content: bytes) -> None:
         register.signed(home(), calibration.number, calibration.run_id, sha256(content).hexdigest())
 
 
-def numbers() -> tuple[Numbered, ...]:
+def numbers() -> tuple[NumberEntry, ...]:
     """Every certificate number that this lab has given out, void ones too."""
     return register.listed(home())
 

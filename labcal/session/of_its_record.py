@@ -81,8 +81,8 @@ def _of_store(stated: Calibration, store: Store) -> OfRecord:
 
 def _of_imported(stated: Calibration, bundle: Bundle, noted: tuple[str, ...]) -> OfRecord:
     if bundle.sha256 != stated.run_sha256:
-        told = f"run_sha256: the run {stated.run_id} of this store is not the one that it states"
-        return OfRecord((told,))
+        text = f"run_sha256: the run {stated.run_id} of this store is not the one that it states"
+        return OfRecord((text,))
     against: tuple[str, ...] = _of_head(stated, bundle.stated_chain is not None)
     if bundle.stated_chain is not None and stated.chain and dict(stated.chain) != bundle.stated_chain:
         against += _another_head(stated)
@@ -127,7 +127,7 @@ def _against_log(store: Store, run_id: str, noted: tuple[str, ...]) -> str:
 
 
 def _gone(stated: Calibration) -> str:
-    told = f"its run {stated.run_id} is not in this store"
+    text = f"its run {stated.run_id} is not in this store"
     return (
-        f"{told} any more, though the audit log says it was recorded here" if stated.run_id in noted_heads() else told
+        f"{text} any more, though the audit log says it was recorded here" if stated.run_id in noted_heads() else text
     )

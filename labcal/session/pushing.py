@@ -168,8 +168,8 @@ class Pusher:
         log = audit.link_of(stored[0][1])
         last, links = last_entry(self.archive, self.site, log)
         if last and (last > len(stored) or links != {audit.link_of(stored[last - 1][1])}):
-            told = f"entry {last}, which the archive has, is not here, or is another"
-            raise InputError(f"the audit log was rewritten or put back since it was pushed: {told}", file=home())
+            what = f"entry {last}, which the archive has, is not here, or is another"
+            raise InputError(f"the audit log was rewritten or put back since it was pushed: {what}", file=home())
         if last == len(stored):
             return
         found = audit.read(home())

@@ -18,7 +18,7 @@ from labcal.session.audited import note
 from labcal.session.of_its_record import deletions
 from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
-from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
+from labcal.store import RunSummary, Store, StoreCheck, bundle_files, describe, export, photos, save_bundle
 from labcal.store import check_store as store_check
 from labcal.store.limits import CHAIN_JSONL
 from labcal.store.listing import FILE as STORE
@@ -71,7 +71,7 @@ def import_bundle(path: Path) -> str:
         return store.add_bundle(path)
 
 
-def check_store(run: str | None = None) -> Checked:
+def check_store(run: str | None = None) -> StoreCheck:
     """Look through the local store, or one run of it, for the first thing that does not fit.
 
     Where all rows fit, the raw frames are parsed again by the drivers that are here, and held against the samples;

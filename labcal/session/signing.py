@@ -82,8 +82,8 @@ def _same_as_its_run(path: Path, progress: Progress, signer: str | None = None) 
         if signer is not None:
             check_number(stated, path)
         if (found := recomputed(stated, progress=progress)).same is False:
-            told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
-            raise InputError(f"{told}: make the draft again", file=path)
+            text = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
+            raise InputError(f"{text}: make the draft again", file=path)
         check_approved(stated, path)
 
     return examine

@@ -7,7 +7,7 @@ from datetime import datetime
 from pathlib import Path
 
 from labcal import certificate
-from labcal.certificate import Entry, Signer
+from labcal.certificate import KeyEntry, Signer
 from labcal.certificate.allowed_signers import NEVER
 from labcal.certificate.sshsig import fingerprint
 from labcal.errors import InputError
@@ -22,12 +22,12 @@ def new_key(name: str, passphrase: str) -> Signer:
     return made
 
 
-def trusted_keys() -> tuple[Entry, ...]:
+def trusted_keys() -> tuple[KeyEntry, ...]:
     """Everybody in the lab's trust list. Raises InputError where who administers it has not signed it."""
     return certificate.keys.entries(home())
 
 
-def listed_keys() -> tuple[tuple[Entry, ...], str | None]:
+def listed_keys() -> tuple[tuple[KeyEntry, ...], str | None]:
     """Everybody in the trust list to be looked at, and why nobody of them is trusted, where that is so."""
     try:
         return trusted_keys(), None

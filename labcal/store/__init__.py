@@ -17,20 +17,20 @@ if TYPE_CHECKING:
         write_bundle,
         zipped,
     )
-    from labcal.store.check import Checked, check_store
+    from labcal.store.check import StoreCheck, check_store
     from labcal.store.listing import RunSummary, list_runs
     from labcal.store.live import Store
     from labcal.store.summary import describe
-    from labcal.store.table import Table, read_table
+    from labcal.store.table import ColumnTable, read_table
     from labcal.store.writer import RunWriter
 
 __all__ = [
     "Bundle",
-    "Checked",
+    "ColumnTable",
     "RunSummary",
     "RunWriter",
     "Store",
-    "Table",
+    "StoreCheck",
     "bundle_files",
     "bundle_of",
     "bundle_sha256",
@@ -45,9 +45,9 @@ __all__ = [
     "zipped",
 ]
 _OF_OTHERS = {
-    **dict.fromkeys(("Checked", "check_store"), "check"),
+    **dict.fromkeys(("StoreCheck", "check_store"), "check"),
     **dict.fromkeys(("RunSummary", "list_runs"), "listing"),
-    **dict.fromkeys(("Table", "read_table"), "table"),
+    **dict.fromkeys(("ColumnTable", "read_table"), "table"),
     "Store": "live",
     "describe": "summary",
     "RunWriter": "writer",

@@ -13,14 +13,14 @@ from dataclasses import asdict, dataclass
 from hashlib import sha256
 from typing import Any
 
-from labcal.store.items import Row
+from labcal.store.items import ItemRow
 
 FORMAT = "labcal-chain/1"  # stated in the head of a run that has one
 START = "0" * 64
 COLUMNS = {  # by table: the values that a link binds
     "run": ("run_id", "header"),
     "status": ("status", "utc"),
-    "item": Row._fields,
+    "item": ItemRow._fields,
     "bundle": ("run_json", "samples_csv"),
     "origin": ("chain_jsonl",),
 }

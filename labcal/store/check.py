@@ -15,14 +15,14 @@ from labcal.errors import InputError, InstrumentError
 from labcal.store import chain, schema
 from labcal.store.bundle import Bundle
 from labcal.store.database import PATIENCE_S, named_faults
-from labcal.store.items import KINDS, SAMPLES, Row, from_row, header_from_json
+from labcal.store.items import KINDS, SAMPLES, ItemRow, from_row, header_from_json
 from labcal.store.origin import ends
 
-ITEM = f"SELECT number, {', '.join(Row._fields)} FROM item WHERE run = ? ORDER BY number"
+ITEM = f"SELECT number, {', '.join(ItemRow._fields)} FROM item WHERE run = ? ORDER BY number"
 
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class StoreCheck:
     """What was looked through, up to the first `fault`; "" where everything fits.
 
     `parsed`: how many rows' raw frames were parsed again.
@@ -34,7 +34,7 @@ class Checked:
     parsed: int = 0
 
 
-def check_store(path: Path, run_id: str | None = None) -> Checked:
+def check_store(path: Path, run_id: str | None = None) -> StoreCheck:
     """Look through the file, then every row of the run `run_id`, or of all runs.
 
     Raises InputError where there is no such file or run, InstrumentError where another program keeps it locked.
@@ -49,10 +49,10 @@ def check_store(path: Path, run_id: str | None = None) -> Checked:
             for number, name in _runs(store, path, run_id):
                 _check_run(store, number, name, looked)
     except chain.Misfit as misfit:
-        return Checked(looked.runs, looked.items, str(misfit))
+        return StoreCheck(looked.runs, looked.items, str(misfit))
     except sqlite3.Error as error:
-        return Checked(looked.runs, looked.items, _told(error, path))
-    return Checked(looked.runs, looked.items)
+        return StoreCheck(looked.runs, looked.items, _fault_in_words(error, path))
+    return StoreCheck(looked.runs, looked.items)
 
 
 @dataclass
@@ -61,7 +61,7 @@ class _Look:
     items: int = 0
 
 
-def _told(error: sqlite3.Error, path: Path) -> str:
+def _fault_in_words(error: sqlite3.Error, path: Path) -> str:
     """What SQLite met, in words. Raises InstrumentError where it could not look at all."""
     try:
         with named_faults(path):
@@ -104,7 +104,7 @@ def _check_run(store: sqlite3.Connection, number: int, run_id: str, looked: _Loo
         if wrong:
             raise chain.Misfit(f"run {run_id}: {wrong}")
     for row_number, *row in store.execute(ITEM, (number,)):
-        item = Row(*row)
+        item = ItemRow(*row)
         if wrong := "it lies in an imported run" if imported else _of_item(item):
             raise chain.Misfit(f"run {run_id}, row {row_number} ({item.kind}): {wrong}")
         looked.items += 1
@@ -143,7 +143,7 @@ def _of_head(run_id: str, header: str, imported: tuple[bytes, bytes] | None) -> 
     return "" if named == run_id else f"its head is of run {named}"
 
 
-def _of_item(row: Row) -> str:
+def _of_item(row: ItemRow) -> str:
     """What is wrong with a row of the timeline."""
     if row.kind not in KINDS:
         return "no labcal writes such a row"
@@ -156,13 +156,13 @@ def _of_item(row: Row) -> str:
     return ""
 
 
-def _of_words(row: Row) -> str:
+def _of_words(row: ItemRow) -> str:
     if not (row.stamps is row.samples is row.raw is None):
         return "it has samples and is no block"
     return "" if json.loads(row.content)["t_s"] == row.t_s else "its time is not the one it states"
 
 
-def _of_block(row: Row) -> str:
+def _of_block(row: ItemRow) -> str:
     columns, stamps = json.loads(row.content)["columns"], row.stamps or b""
     if len(stamps) % SAMPLES.itemsize or not stamps:
         return f"{len(stamps)} bytes of stamps are no numbers"

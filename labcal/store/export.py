@@ -25,8 +25,8 @@ def csv_table(bundle: Bundle) -> bytes:
     """The samples of `bundle`, byte for byte. Raises InputError where a spreadsheet would run one of the cells."""
     if found := first_formula(bundle.samples_csv.decode(errors="replace")):
         line, cell = found
-        told = f"a spreadsheet would take {cell[:40]!r} for a formula; --format bundle writes it as it stands"
-        raise InputError(told, file=bundle.source / SAMPLES_CSV, line=line)
+        text = f"a spreadsheet would take {cell[:40]!r} for a formula; --format bundle writes it as it stands"
+        raise InputError(text, file=bundle.source / SAMPLES_CSV, line=line)
     return bundle.samples_csv
 
 

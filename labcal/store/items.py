@@ -30,7 +30,7 @@ def _kind(of: type) -> str:
 KINDS: dict[str, type] = {_kind(of): of for of in get_args(Item)}
 
 
-class Row(NamedTuple):
+class ItemRow(NamedTuple):
     """What the table `item` holds of one item; the last three only of a block."""
 
     kind: str  # "block", "segment-opened", "step" …
@@ -41,7 +41,7 @@ class Row(NamedTuple):
     raw: bytes | None = None
 
 
-def to_row(item: Item) -> Row:
+def to_row(item: Item) -> ItemRow:
     """The row that stands for `item`. Raises ValueError for a block whose stamps, columns and values disagree."""
     if isinstance(item, Block):
         shape = (len(item.t_s), len(item.columns))
@@ -49,28 +49,28 @@ def to_row(item: Item) -> Row:
             raise ValueError(f"{item.source}: a block of shape {item.values.shape} where {shape} is stated")
         content = _block_content(item.stream, item.source, item.columns)
         stamps, samples = (np.ascontiguousarray(part, SAMPLES).tobytes() for part in (item.t_s, item.values))
-        return Row("block", float(item.t_s[0]) + 0.0 if len(item) else 0.0, content, stamps, samples, item.raw)
-    return Row(_kind(type(item)), float(item.t_s) + 0.0, to_json(asdict(item)))
+        return ItemRow("block", float(item.t_s[0]) + 0.0 if len(item) else 0.0, content, stamps, samples, item.raw)
+    return ItemRow(_kind(type(item)), float(item.t_s) + 0.0, to_json(asdict(item)))
 
 
-def merged(rows: Iterable[Row]) -> Iterator[Row]:
+def merged(rows: Iterable[ItemRow]) -> Iterator[ItemRow]:
     """The same timeline in fewer rows: blocks of one stream between two other items become one block, or a few."""
     for group in _groups(rows):
-        blocks: dict[str, list[Row]] = {}
+        blocks: dict[str, list[ItemRow]] = {}
         for row in group:
             blocks.setdefault(row.content, []).append(row)
         yield from map(_joined, blocks.values()) if group[0].kind == "block" else group
 
 
-def whole(rows: Sequence[Row]) -> int:
+def whole(rows: Sequence[ItemRow]) -> int:
     """How many of the first `rows` will be merged as they are now, whatever comes after them."""
     *_, last = [[], *_groups(rows)]
     return len(rows) - (len(last) if last and last[0].kind == "block" else 0)
 
 
-def _groups(rows: Iterable[Row]) -> Iterator[list[Row]]:
+def _groups(rows: Iterable[ItemRow]) -> Iterator[list[ItemRow]]:
     """Rows that are merged with each other: where one ends depends on no row behind the next one."""
-    group: list[Row] = []
+    group: list[ItemRow] = []
     for row in rows:
         if group and (row.kind != "block" or row.t_s - group[0].t_s >= SPAN_S or len(group) >= MOST_BLOCKS):
             yield group
@@ -83,12 +83,12 @@ def _groups(rows: Iterable[Row]) -> Iterator[list[Row]]:
         yield group
 
 
-def _joined(rows: Sequence[Row]) -> Row:
+def _joined(rows: Sequence[ItemRow]) -> ItemRow:
     stamps, samples, raw = (b"".join(part or b"" for part in parts) for parts in list(zip(*rows, strict=True))[3:])
-    return Row("block", rows[0].t_s, rows[0].content, stamps, samples, raw)
+    return ItemRow("block", rows[0].t_s, rows[0].content, stamps, samples, raw)
 
 
-def from_row(row: Row) -> Item:
+def from_row(row: ItemRow) -> Item:
     """The item that `row` stands for."""
     if row.kind == "block":
         content = json.loads(row.content)

@@ -28,7 +28,7 @@ from labcal.store.database import (
     require_sound,
     transaction,
 )
-from labcal.store.items import Row, from_row, header_from_json, to_json, to_row
+from labcal.store.items import ItemRow, from_row, header_from_json, to_json, to_row
 from labcal.store.limits import shortened
 from labcal.store.listing import (
     FILE,
@@ -184,11 +184,11 @@ class Store:
 
         `but` leaves one kind out ("block"); without `raw` the frames as they came over the wire stay in the file.
         """
-        number, what = self._number(run_id), ", ".join(Row._fields if raw else Row._fields[:-1])
+        number, what = self._number(run_id), ", ".join(ItemRow._fields if raw else ItemRow._fields[:-1])
         with named_faults(self.path):
             query = f"SELECT {what} FROM item WHERE run = ? AND kind <> ? ORDER BY number LIMIT -1 OFFSET ?"
             for row in self._connection.execute(query, (number, but, skip)):
-                yield from_row(Row(*row))
+                yield from_row(ItemRow(*row))
 
     def end_s(self, run_id: str) -> float:
         """The last stamp of a recorded run: where the clock of one that is resumed must go on, not begin again."""
@@ -222,8 +222,8 @@ class Store:
             try:
                 return chain.walk(self._connection, number)
             except chain.Misfit as misfit:
-                told = f"run {run_id} does not fit its hash chain: {misfit}; {NOT_USED}"
-                raise InputError(told, file=self.path) from None
+                words = f"run {run_id} does not fit its hash chain: {misfit}; {NOT_USED}"
+                raise InputError(words, file=self.path) from None
 
     def head_of(self, run_id: str) -> str | None:
         """The head of a run's chain as it stands, its rows not looked at; None where it has none."""

@@ -133,8 +133,8 @@ def _begun(pid: int) -> str:
     """When a process began, in ticks of the system; "-" where that is not told, "dead" where nobody reaped it."""
     try:
         with open(f"/proc/{pid}/stat", encoding="ascii", errors="replace") as stat:
-            told = stat.read().rpartition(")")[2].split()
-        return "dead" if told[0] in "ZX" else told[19]
+            stat_fields = stat.read().rpartition(")")[2].split()
+        return "dead" if stat_fields[0] in "ZX" else stat_fields[19]
     except (OSError, IndexError):
         return "-"
 

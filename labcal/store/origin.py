@@ -21,7 +21,7 @@ from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
 from labcal.record.stream import Event, Item
 from labcal.store.chain import COLUMNS, FORMAT, START, Chain, link, parts, values_of
-from labcal.store.items import Row, from_row, header_from_json
+from labcal.store.items import ItemRow, from_row, header_from_json
 from labcal.store.run_json import read_run_json, write_run_json
 from labcal.store.samples_csv import read_samples, write_samples
 from labcal.store.schema import CORRECTED
@@ -65,7 +65,7 @@ def shown(content: bytes, run_json: bytes, samples_csv: bytes, file: object) -> 
             if (table == "run") != (number == 1) or link(chain.head, table, values) != stated:
                 raise ValueError("this row is not as it was recorded, or its link is not")
             header = _header(values) if table == "run" else header
-            items += [from_row(Row(*values))] if table == "item" else []
+            items += [from_row(ItemRow(*values))] if table == "item" else []
             ended = ended or (table == "status" and ends(str(values[0])))
         except (ValueError, KeyError, TypeError, RecursionError) as error:
             raise InputError(_what(error), file=file, line=number) from None

@@ -16,7 +16,7 @@ from labcal.record import Channel, Dut, Reference, Run
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.store.limits import listed, shortened
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
-from labcal.store.table import Table, read_table, require_increasing
+from labcal.store.table import ColumnTable, read_table, require_increasing
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def write_samples(run: Run) -> bytes:
     return text.getvalue().encode()
 
 
-def _table(data: bytes, header: RunJson, file: str) -> Table:
+def _table(data: bytes, header: RunJson, file: str) -> ColumnTable:
     known = {*FIXED_COLUMNS, *header.channels}
     texts = {"segment", "mode"}
     required = ("t_s", "segment", *DUT, *REFERENCE[header.reference.kind])
@@ -84,7 +84,7 @@ def _table(data: bytes, header: RunJson, file: str) -> Table:
     return table
 
 
-def _refuse_beyond(table: Table, name: str, most_nT: float) -> None:
+def _refuse_beyond(table: ColumnTable, name: str, most_nT: float) -> None:
     """Raise InputError for a field that no lab can have made; what a DUT says for one is its own affair."""
     values = table.numbers[name]
     if (beyond := np.flatnonzero(np.abs(values) > most_nT)).size:
@@ -92,7 +92,7 @@ def _refuse_beyond(table: Table, name: str, most_nT: float) -> None:
         raise table.fault(f"expected at most {most_nT:g} nT either way, found {values[row]:g}", row, name)
 
 
-def _segment_index(table: Table, ids: Sequence[str]) -> NDArray[np.intp]:
+def _segment_index(table: ColumnTable, ids: Sequence[str]) -> NDArray[np.intp]:
     place = {name: index for index, name in enumerate(ids)}
     cells = table.texts["segment"]
     if not place.keys() >= set(cells):
@@ -101,7 +101,7 @@ def _segment_index(table: Table, ids: Sequence[str]) -> NDArray[np.intp]:
     return np.array([place[cell] for cell in cells], dtype=np.intp)
 
 
-def _row_mode(table: Table) -> NDArray[np.str_] | None:
+def _row_mode(table: ColumnTable) -> NDArray[np.str_] | None:
     if "mode" not in table.texts:
         return None
     cells = table.texts["mode"]

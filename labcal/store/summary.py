@@ -25,7 +25,7 @@ def describe(
 
     `chain` is the head of its hash chain; None where its origin is not shown.
     """
-    told: dict[str, Any] = {
+    entry: dict[str, Any] = {
         "run_id": run.run_id,
         "status": status,
         "chain": None if origin is None else origin.stated(),
@@ -43,17 +43,17 @@ def describe(
         ],
     }
     if run.specification is not None:
-        told["specification"] = stated_specification(run.specification)
+        entry["specification"] = stated_specification(run.specification)
     if header is not None:
-        told["procedure"] = {
+        entry["procedure"] = {
             "name": header.procedure,
             "parameters": header.parameters,
             "source_sha256": header.source_sha256,
             "software": header.software,
         }
-        told["instruments"] = header.instruments
-        told["measurements"] = [_measurement(item) for item in items if isinstance(item, Measurement)]
-    return told
+        entry["instruments"] = header.instruments
+        entry["measurements"] = [_measurement(item) for item in items if isinstance(item, Measurement)]
+    return entry
 
 
 def _segment(run: Run, index: int, segment: Segment) -> dict[str, Any]:
@@ -84,5 +84,5 @@ def _range(values: np.ndarray[Any, np.dtype[np.float64]]) -> list[float] | None:
 
 
 def _measurement(item: Measurement) -> dict[str, Any]:
-    told = {**asdict(item), "verdict": item.verdict}
-    return {key: None if isinstance(value, float) and not np.isfinite(value) else value for key, value in told.items()}
+    entry = {**asdict(item), "verdict": item.verdict}
+    return {key: None if isinstance(value, float) and not np.isfinite(value) else value for key, value in entry.items()}

@@ -55,7 +55,7 @@ class Piece:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Table:
+class ColumnTable:
     """Those columns of a table that were asked for. Row i is line i + 2 of the file."""
 
     file: str
@@ -139,7 +139,7 @@ def read_table(
     texts: Collection[str] = (),
     required: Collection[str] = (),
     must_end: bool = False,
-) -> Table:
+) -> ColumnTable:
     """The whole of a table that is in memory, as `TableReader`. Raises InputError at the first fault."""
     if must_end and data and not data.endswith(b"\n"):
         line = data.count(b"\n") + 1
@@ -152,7 +152,7 @@ def read_table(
     words: dict[str, dict[str, str]] = {}
     pieces = [_with_few_words(piece, words) for piece in reader.pieces()]
     names = [name for name in reader.header if name in {*numbers, *texts}]
-    return Table(
+    return ColumnTable(
         reader.file,
         reader.header,
         sum(map(len, pieces)),
@@ -172,7 +172,7 @@ def _with_few_words(piece: Piece, words: dict[str, dict[str, str]]) -> Piece:
     return replace(piece, lines=(), texts=texts)
 
 
-def require_increasing(table: Table | Piece, column: str = "t_s", last: float = -np.inf) -> float:
+def require_increasing(table: ColumnTable | Piece, column: str = "t_s", last: float = -np.inf) -> float:
     """Raise InputError at the first row whose `column` is empty or not after the row before; the first, after `last`.
 
     Returns the last row's.

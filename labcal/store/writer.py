@@ -15,7 +15,7 @@ from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Item
 from labcal.store import chain
 from labcal.store.database import connect, transaction
-from labcal.store.items import Row, merged, to_row, whole
+from labcal.store.items import ItemRow, merged, to_row, whole
 from labcal.store.liveness import Alive
 from labcal.store.place import require_same
 
@@ -56,7 +56,7 @@ class RunWriter:
         self._path, self._run, self._alive = path, run, alive
         self._connection = connect(path)
         self._connection.execute(f"PRAGMA busy_timeout = {ASK_AGAIN_MS}")
-        self._pending: list[Row] = []
+        self._pending: list[ItemRow] = []
         self._since_s: float | None = None  # when the oldest row that is not on the disk was handed in
         self._hand, self._committing = threading.Lock(), threading.Lock()
         self._fault: Exception | None = None  # of the last commit
@@ -146,10 +146,10 @@ class RunWriter:
             with transaction(self._connection, self._path):
                 chain.append(self._connection, self._run, "status", (status, self._utc()))
         except InstrumentError as fault:
-            told = self._with_wait(fault)
+            error = self._with_wait(fault)
             if fault.fault not in PASSING or time.monotonic() > deadline:
-                raise told from None
-            return told
+                raise error from None
+            return error
         require_same(self._path, self._connection.files)
         return None
 
@@ -157,7 +157,7 @@ class RunWriter:
         """How many of the rows that are there may go to the disk."""
         return whole(self._pending) if self.repeats and not self._closing.is_set() else len(self._pending)
 
-    def _insert(self, rows: Sequence[Row]) -> None:
+    def _insert(self, rows: Sequence[ItemRow]) -> None:
         with transaction(self._connection, self._path):
             for row in merged(rows):
                 chain.append(self._connection, self._run, "item", row)

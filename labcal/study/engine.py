@@ -66,8 +66,8 @@ def _refuse_deadly(left: dict[str, Job], deaths: Counter[str]) -> None:
     deadly = [job for key, job in left.items() if deaths[key] >= DEATHS]
     if deadly:
         names = "; ".join(job.name for job in deadly)
-        told = f"{DEATHS} workers ended while these jobs were at hand (too little memory?): {names}"
-        raise InputError(f"{told}; what was done is kept, the same command goes on with it")
+        text = f"{DEATHS} workers ended while these jobs were at hand (too little memory?): {names}"
+        raise InputError(f"{text}; what was done is kept, the same command goes on with it")
 
 
 @contextmanager

@@ -10,7 +10,7 @@ import numpy as np
 from labcal.certificate.report.page import Plot
 from labcal.certificate.report.style import GOOD, INKS, MUTED, WARNING, ink
 from labcal.study.job import Row
-from labcal.study.specification import Blind, Design, Fleet, MonteCarlo, Simulated
+from labcal.study.specification import Blind, Design, FleetStudy, MonteCarlo, Simulated
 from labcal.study.summary import MOVED_U, Summary
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ FOUND = ("right", "among others", "rival", "missed", "wrong", "failed")
 MOST_NAMED = 12  # points of a grid that are named beside a figure
 
 
-def figure_of(study: Simulated | Fleet, rows: Sequence[Row], summary: Summary) -> Plot | None:
+def figure_of(study: Simulated | FleetStudy, rows: Sequence[Row], summary: Summary) -> Plot | None:
     """The figure of the study's kind; None where no job gave what it would show."""
     match study:
         case MonteCarlo() if any(line["direction_error_95_deg"] is not None for line in summary.lines):
@@ -32,7 +32,7 @@ def figure_of(study: Simulated | Fleet, rows: Sequence[Row], summary: Summary) -
             return Plot(lambda figure: draw_design(figure, summary), 2.6, caption)
         case Blind():
             return Plot(lambda figure: draw_blind(figure, summary), 1.6, "What became of the hidden effects.")
-        case Fleet() if any(row.get("worst_change_U") is not None for row in rows):
+        case FleetStudy() if any(row.get("worst_change_U") is not None for row in rows):
             caption = "Largest change of each calibration in units of its own U, the largest first."
             return Plot(lambda figure: draw_fleet(figure, rows), 2.4, caption)
     return None

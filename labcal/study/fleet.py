@@ -21,14 +21,14 @@ from labcal.session.signing import CALIBRATIONS
 from labcal.session.working_out import made_by, version, way_of, work_out
 from labcal.store import Bundle, load_bundle
 from labcal.study.job import Cell, Job, Row
-from labcal.study.specification import Fleet
+from labcal.study.specification import FleetStudy
 from labcal.uncertainty.conformity.change import SHOWN
 from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 
 COVERAGE = 2.0
 
 
-def fleet_jobs(study: Fleet) -> tuple[list[Job], list[str]]:
+def fleet_jobs(study: FleetStudy) -> tuple[list[Job], list[str]]:
     """A job for each calibration whose run is at hand, by file name; remarks on those whose run is not."""
     _check_way(study)
     folder = study.calibrations or study.runs or home() / CALIBRATIONS
@@ -49,14 +49,14 @@ def fleet_jobs(study: Fleet) -> tuple[list[Job], list[str]]:
     return jobs, [f"{len(without)} calibrations whose run is not at hand: {', '.join(without)}"] if without else []
 
 
-def _check_way(study: Fleet) -> None:
+def _check_way(study: FleetStudy) -> None:
     if study.by not in ("as-made", "close-loop", *methods()):
         raise InputError(f"by: {study.by!r} is none of as-made, close-loop, {', '.join(methods())}")
     if study.effect is not None and find(study.effect.id) is None:
         raise InputError(f"effect: no installed package describes the effect {study.effect.id!r}")
 
 
-def _job(study: Fleet, file: Path, folder: Path, stated: Calibration, place: str) -> Job:
+def _job(study: FleetStudy, file: Path, folder: Path, stated: Calibration, place: str) -> Job:
     effect = None if study.effect is None else {"id": study.effect.id, "channels": list(study.effect.channels)}
     settings = {
         "calibration_sha256": _sha256(file), "run_sha256": stated.run_sha256, "by": study.by,

@@ -14,14 +14,14 @@ ROOTS = ("lab", "settings")  # the tables of a study that a dimension may change
 
 
 @dataclass(frozen=True, slots=True)
-class Point:
+class GridPoint:
     """One combination: its labels for the table, and what it changes in the study's tables."""
 
     labels: Mapping[str, Cell]
     changes: Mapping[str, Any]
 
 
-def points(grid: Mapping[str, Any]) -> list[Point]:
+def points(grid: Mapping[str, Any]) -> list[GridPoint]:
     """All combinations, the last dimension running fastest. Raises ValueError where a dimension says nothing."""
     dimensions = list(_dimensions(grid))
     found = []
@@ -29,7 +29,7 @@ def points(grid: Mapping[str, Any]) -> list[Point]:
         labels, changes = dict[str, Cell](), dict[str, Any]()
         for (name, _), (label, change) in zip(dimensions, combination, strict=True):
             labels[name], changes = label, merged(changes, change)
-        found.append(Point(labels, changes))
+        found.append(GridPoint(labels, changes))
     return found
 
 

@@ -15,21 +15,21 @@ from labcal.errors import InputError
 from labcal.files.toml_file import named_files, read_toml
 from labcal.fit.registry import methods
 from labcal.runner import find
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.session.working_out import version
 from labcal.study.fleet import fleet_jobs
-from labcal.study.grid import Point, merged, points
+from labcal.study.grid import GridPoint, merged, points
 from labcal.study.job import Cell, Job, canonical
 from labcal.study.optimal import MOST
-from labcal.study.specification import MOST_JOBS, Blind, Design, Fleet, MonteCarlo, Simulated, texts
+from labcal.study.specification import MOST_JOBS, Blind, Design, FleetStudy, MonteCarlo, Simulated, texts
 from labcal.twin import open_twin
 
 Table = Mapping[str, Any]
 
 
-def jobs_of(study: Simulated | Fleet, file: Path) -> tuple[list[Job], list[str]]:
+def jobs_of(study: Simulated | FleetStudy, file: Path) -> tuple[list[Job], list[str]]:
     """All jobs in the order of the table, and remarks on what makes none. Raises InputError naming `file`."""
-    if isinstance(study, Fleet):
+    if isinstance(study, FleetStudy):
         return fleet_jobs(study)
     try:
         return list(_simulated(study, file)), []
@@ -68,7 +68,7 @@ def _asked(study: Simulated) -> list[dict[str, Cell]]:
     return [{"accuracy_deg": deg} for deg in study.accuracies_deg] if isinstance(study, Design) else [{}]
 
 
-def _common(study: Simulated, procedure: Found, bench: Table, point: Point) -> dict[str, Any]:
+def _common(study: Simulated, procedure: FoundProcedure, bench: Table, point: GridPoint) -> dict[str, Any]:
     """What all seeds at one point share, checked."""
     stated = merged({"lab": study.lab, "settings": study.settings}, point.changes)
     table, given = merged(bench, stated["lab"]), texts(stated["settings"])

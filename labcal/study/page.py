@@ -9,7 +9,7 @@ from labcal.certificate.report.page import Facts, Page, Prose, Table, section, s
 from labcal.certificate.report.style import NOTHING, number
 from labcal.study.figures import figure_of
 from labcal.study.job import Cell, Job, Row
-from labcal.study.specification import Fleet, Simulated
+from labcal.study.specification import FleetStudy, Simulated
 from labcal.study.summary import Summary
 from labcal.study.table import columns
 from labcal.version import __version__
@@ -24,12 +24,17 @@ WORDS = {
 
 
 def study_page(
-    study: Simulated | Fleet, name: str, jobs: Sequence[Job], rows: Sequence[Row], summary: Summary, remarks: list[str]
+    study: Simulated | FleetStudy,
+    name: str,
+    jobs: Sequence[Job],
+    rows: Sequence[Row],
+    summary: Summary,
+    remarks: list[str],
 ) -> Page:
     """The page of a study that is done; nothing on it tells how long the computer took."""
     faults = [f"{job.name}: {row['why_not']}" for job, row in zip(jobs, rows, strict=True) if row.get("why_not")]
     more = [f"and {len(faults) - MOST_FAULTS} more"] if len(faults) > MOST_FAULTS else []
-    simulated = not isinstance(study, Fleet)
+    simulated = not isinstance(study, FleetStudy)
     return Page(
         kind="Study",
         title=WORDS[study.kind],

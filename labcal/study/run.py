@@ -17,7 +17,7 @@ from labcal.study.engine import on_processes
 from labcal.study.job import Job, Row
 from labcal.study.jobs import jobs_of
 from labcal.study.page import study_page
-from labcal.study.specification import Fleet, Simulated, read_study
+from labcal.study.specification import FleetStudy, Simulated, read_study
 from labcal.study.summary import Summary, summarise
 from labcal.study.table import csv_text, has_parquet, write_parquet
 
@@ -26,7 +26,7 @@ Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Done:
+class StudyResult:
     """What a study gave, and the files that it left."""
 
     summary: Summary
@@ -45,7 +45,7 @@ def run_study(
     progress: Progress = lambda done, of: None,
     tell: Callable[[str], None] = lambda remark: None,
     force: bool = False,
-) -> Done:
+) -> StudyResult:
     """Do every job of the study `file` that `out` does not hold yet, then write table, summary and report there.
 
     Raises InputError for a file that says nothing sensible, before the first job.
@@ -67,7 +67,7 @@ def run_study(
     summary = summarise(study, jobs, table)
     _write(study, file, jobs, table, summary, remarks, outputs)
     without = sum(bool(row.get("why_not")) for row in table)
-    return Done(summary, len(jobs), before, without, tuple(o.path for o in outputs.values() if o.path.exists()))
+    return StudyResult(summary, len(jobs), before, without, tuple(o.path for o in outputs.values() if o.path.exists()))
 
 
 def _claimed(out: Path, file: Path, force: bool) -> dict[str, Output]:
@@ -87,7 +87,7 @@ def _engine(
 
 
 def _write(
-    study: Simulated | Fleet,
+    study: Simulated | FleetStudy,
     file: Path,
     jobs: Sequence[Job],
     rows: Sequence[Row],

@@ -26,7 +26,7 @@ START = datetime(2026, 1, 5, 8, 0, tzinfo=UTC)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Recorded:
+class SimulatedRun:
     """A simulated run: lab time [s], the names of the limits that it missed, and each step with its lab time [s]."""
 
     run: Run
@@ -35,7 +35,7 @@ class Recorded:
     steps: tuple[tuple[str, float], ...]
 
 
-def record(settings: Mapping[str, Any]) -> Recorded:
+def record(settings: Mapping[str, Any]) -> SimulatedRun:
     """Run `settings["procedure"]` on the bench `settings["bench"]` (a table) with `given` (texts) and `seed`.
 
     Raises as `session.run` does, and what an emulated instrument failed by.
@@ -59,7 +59,7 @@ def record(settings: Mapping[str, Any]) -> Recorded:
             run = kept.run(outcome.run_id)
     ends = [t for _, t in steps[1:]] + [clock.now()]
     lasted = tuple((name, end - begun) for (name, begun), end in zip(steps, ends, strict=True))
-    return Recorded(run, clock.now(), tuple(m.name for m in outcome.failed), lasted)
+    return SimulatedRun(run, clock.now(), tuple(m.name for m in outcome.failed), lasted)
 
 
 def truth(bench: Mapping[str, Any]) -> AffineMap:

@@ -85,7 +85,7 @@ class NamedEffect(BaseModel):
     channels: tuple[str, ...] = ()
 
 
-class Fleet(_Stated):
+class FleetStudy(_Stated):
     """Existing calibrations, worked out again from their runs."""
 
     kind: Literal["fleet"]
@@ -95,19 +95,19 @@ class Fleet(_Stated):
     effect: NamedEffect | None = None
 
     @model_validator(mode="after")
-    def _one_way(self) -> Fleet:
+    def _one_way(self) -> FleetStudy:
         if self.effect is not None and self.by != "as-made":
             raise ValueError("by: an effect that is named is added to each calibration as made; leave `by` out")
         return self
 
 
 Simulated = MonteCarlo | Blind | Design
-Study = Annotated[MonteCarlo | Blind | Design | Fleet, Field(discriminator="kind")]
-_ADAPTER: TypeAdapter[MonteCarlo | Blind | Design | Fleet] = TypeAdapter(Study)
+Study = Annotated[MonteCarlo | Blind | Design | FleetStudy, Field(discriminator="kind")]
+_ADAPTER: TypeAdapter[MonteCarlo | Blind | Design | FleetStudy] = TypeAdapter(Study)
 KINDS = ("monte-carlo", "blind", "design", "fleet")
 
 
-def read_study(path: Path) -> MonteCarlo | Blind | Design | Fleet:
+def read_study(path: Path) -> MonteCarlo | Blind | Design | FleetStudy:
     """Read a study file. Raises InputError with the file, the line and the key; paths count from its own folder."""
     text, table = read_toml(path)
     if table.get("kind") not in KINDS:

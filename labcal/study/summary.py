@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from labcal.study.job import Cell, Job, Row
-from labcal.study.specification import Blind, Design, Fleet, MonteCarlo, Simulated
+from labcal.study.specification import Blind, Design, FleetStudy, MonteCarlo, Simulated
 
 OFTEN = 0.95  # of the runs at a point have to be within an accuracy
 MOVED_U = 1.0  # a figure that moves by more than its own U has changed
@@ -23,11 +23,11 @@ class Summary:
     reached: bool  # whether what was asked for was found
 
 
-def summarise(study: Simulated | Fleet, jobs: Sequence[Job], rows: Sequence[Row]) -> Summary:
+def summarise(study: Simulated | FleetStudy, jobs: Sequence[Job], rows: Sequence[Row]) -> Summary:
     """The summary of the rows, which stand in the order of jobs."""
     groups = dict[tuple[tuple[str, Cell], ...], list[Row]]()
     for job, row in zip(jobs, rows, strict=True):
-        point = () if isinstance(study, Fleet) else tuple((k, v) for k, v in job.labels.items() if k != "seed")
+        point = () if isinstance(study, FleetStudy) else tuple((k, v) for k, v in job.labels.items() if k != "seed")
         groups.setdefault(point, []).append(row)
     line, answer = _of(study)
     lines = tuple({**dict(point), "jobs": len(some), **line(some)} for point, some in groups.items())
@@ -39,7 +39,7 @@ Line = Callable[[list[Row]], Row]
 Answer = Callable[[tuple[Row, ...]], tuple[str, bool]]
 
 
-def _of(study: Simulated | Fleet) -> tuple[Line, Answer]:
+def _of(study: Simulated | FleetStudy) -> tuple[Line, Answer]:
     match study:
         case MonteCarlo():
             return monte_carlo_line, lambda lines: _quickest(lines, study.accuracy_deg)

@@ -15,7 +15,7 @@ from labcal.record import Run
 from labcal.study.accuracy import direction_U_deg, errors, sensitivities
 from labcal.study.job import Row
 from labcal.study.optimal import LabTime, Mask, quickest_first
-from labcal.study.simulated import Recorded, record, truth
+from labcal.study.simulated import SimulatedRun, record, truth
 from labcal.twin.pick import pick_effect
 
 TRIES = 20  # choices that a fit is asked about before the search gives up
@@ -99,7 +99,7 @@ def design(settings: Mapping[str, Any]) -> Row:
     return {"why_not": f"no choice of these rotations reaches {wanted:g} deg", **done, "choices_looked_at": looked}
 
 
-def _chosen(recorded: Recorded, chosen: Mask, lab_s: float, U: float) -> Row:
+def _chosen(recorded: SimulatedRun, chosen: Mask, lab_s: float, U: float) -> Row:
     names = [s.id for s, taken in zip(recorded.run.segments, chosen, strict=True) if taken]
     return {"rotations": "; ".join(names), "number": len(names), "lab_s": lab_s, "predicted_U_deg": U}
 
@@ -109,7 +109,7 @@ def part(run: Run, chosen: Mask) -> Run:
     return run.select(chosen[run.segment_index])
 
 
-def lab_time(recorded: Recorded, mount_s: float) -> LabTime:
+def lab_time(recorded: SimulatedRun, mount_s: float) -> LabTime:
     """What each part of a preflight took in the lab; a mounting takes its person `mount_s` besides."""
     segments = recorded.run.segments
     lasted, mountings = dict(recorded.steps), list(dict.fromkeys(s.mounting for s in segments))

@@ -20,8 +20,8 @@ def work(job: Job) -> Row:
     from labcal.session.working_out import version
 
     if job.settings["version"] != version():
-        told = f"this worker has {version()}, the study was begun by {job.settings['version']}: install the same"
-        raise InputError(told)
+        text = f"this worker has {version()}, the study was begun by {job.settings['version']}: install the same"
+        raise InputError(text)
     with _one_at_a_time, serially():
         try:
             return {name: _finite(value) for name, value in _row(job).items()}

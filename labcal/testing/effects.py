@@ -31,7 +31,7 @@ SHA256 = "0" * 64
 
 
 @dataclass(frozen=True)
-class Trial:
+class EffectTrial:
     """An effect, a run without it, what it would be there, and the same by a formula of its author's."""
 
     family: Family
@@ -61,8 +61,8 @@ class Trial:
     def term(self) -> Term:
         """The term of its candidates that has just the parameters of the truth, at the truth."""
         terms = list(self.family.candidates(self.made.run))
-        told = f"{self.id}: candidates(run) is empty on a run with the channels {self._channels()}: what does it need?"
-        require(terms, told)
+        text = f"{self.id}: candidates(run) is empty on a run with the channels {self._channels()}: what does it need?"
+        require(terms, text)
         named = [t for t in terms if {n for n, _ in t.parameters} | {s.name for s in t.shape} == set(self.truth)]
         has = "; ".join(", ".join([n for n, _ in t.parameters] + [s.name for s in t.shape]) for t in terms)
         require(named, f"{self.id}: no candidate has just the parameters of `truth`; they have: {has}.")
@@ -107,24 +107,24 @@ def _trial(
     channels: Callable[[Array], Sequence[Channel]] | Sequence[Channel],
     rows: int,
     noise_nT: float,
-) -> Trial:
+) -> EffectTrial:
     try:
         found = family(effect)
     except InputError as error:
-        told = f'{error}: declare it in [project.entry-points."labcal.effects"] and install again.'
-        raise AssertionError(told) from error
+        text = f'{error}: declare it in [project.entry-points."labcal.effects"] and install again.'
+        raise AssertionError(text) from error
     times = made_up_run(rows=rows).run.t_s
     recorded = channels(times) if callable(channels) else channels
-    return Trial(found, made_up_run(rows=rows, noise_nT=noise_nT, channels=recorded), truth, formula)
+    return EffectTrial(found, made_up_run(rows=rows, noise_nT=noise_nT, channels=recorded), truth, formula)
 
 
 def check_family(found: Family) -> None:
     """It says what would show it."""
-    told = f"effect {found.id!r} names no experiment: Family(…, experiment='what would show it')."
-    require(found.experiment, told)
+    text = f"effect {found.id!r} names no experiment: Family(…, experiment='what would show it')."
+    require(found.experiment, text)
 
 
-def check_derivative(trial: Trial) -> None:
+def check_derivative(trial: EffectTrial) -> None:
     """Each column is the formula's derivative, also beside the truth of each nonlinear parameter."""
     term = trial.term()
     _check_columns(trial, term, trial.truth)
@@ -134,25 +134,25 @@ def check_derivative(trial: Trial) -> None:
             _check_columns(trial, term.with_values(**{shape.name: beside[shape.name]}), beside)
 
 
-def _check_columns(trial: Trial, term: Term, values: Mapping[str, float]) -> None:
+def _check_columns(trial: EffectTrial, term: Term, values: Mapping[str, float]) -> None:
     columns, counted = term.columns(trial.scene), _counted(trial.scene, term)
     wanted = (len(trial.scene), 3, len(term.parameters))
-    told = f"the kernel of {trial.id} gives columns of shape {columns.shape}, not (rows, 3, parameters) = {wanted}."
-    require(columns.shape == wanted, told)
+    text = f"the kernel of {trial.id} gives columns of shape {columns.shape}, not (rows, 3, parameters) = {wanted}."
+    require(columns.shape == wanted, text)
     at = ", ".join(f"{s.name} = {values[s.name]:g}" for s in term.shape)
     for number, (name, unit) in enumerate(term.parameters):
         step = STEP * (abs(values[name]) or 1.0)
         up, down = (trial.formula(counted, {**values, name: values[name] + sign * step}) for sign in (1, -1))
         numeric = (up - down) / (2 * step)
         off = float(np.max(np.abs(columns[:, :, number] - numeric)))
-        told = f"column {name} [{unit}] of {trial.id} is not the derivative of the formula{' at ' + at if at else ''}"
+        text = f"column {name} [{unit}] of {trial.id} is not the derivative of the formula{' at ' + at if at else ''}"
         allowed = AGREE * max(float(np.max(np.abs(numeric))), 1e-12)
-        require(off <= allowed, f"{told}, by {off:.3g} nT per unit: look at sign, unit and reference value.")
-    told = f"{trial.id} is not its columns times its parameters{' at ' + at if at else ''}: a constant is left over."
+        require(off <= allowed, f"{text}, by {off:.3g} nT per unit: look at sign, unit and reference value.")
+    text = f"{trial.id} is not its columns times its parameters{' at ' + at if at else ''}: a constant is left over."
     beta = np.array([values[name] for name, _ in term.parameters])
     whole = trial.formula(counted, values)
     scale = AGREE * max(float(np.max(np.abs(whole))), 1e-12)
-    require(np.max(np.abs(columns @ beta - whole)) <= scale, told)
+    require(np.max(np.abs(columns @ beta - whole)) <= scale, text)
 
 
 def _counted(scene: Scene, term: Term) -> Scene:
@@ -161,62 +161,62 @@ def _counted(scene: Scene, term: Term) -> Scene:
     return replace(scene, channels=counted)
 
 
-def check_left_where_it_is_not(trial: Trial) -> None:
+def check_left_where_it_is_not(trial: EffectTrial) -> None:
     """The run without it is clean."""
     closed = close_loop(trial.made.run)
     named = [e.effect for e in closed.accepted]
-    told = f"{trial.id} is named in a run that has not got it: are its columns far more than its parameters?"
-    require(trial.family.id not in named, told)
+    text = f"{trial.id} is named in a run that has not got it: are its columns far more than its parameters?"
+    require(trial.family.id not in named, text)
     require(closed.verdict == "clean", f"The run without {trial.id} is {closed.verdict}, not clean: {closed.summary}")
 
 
-def check_found(trial: Trial) -> ClosedLoop:
+def check_found(trial: EffectTrial) -> ClosedLoop:
     """The run with it is explained by it alone, with the parameters of the truth."""
     closed = close_loop(trial.run())
     named = [e.effect for e in closed.accepted]
-    told = f"The run with {trial.id} is {closed.verdict} by {', '.join(named) or 'nothing'}"
-    told += f": is `truth` large beside the noise, and is a grid near its nonlinear parameter? {closed.summary}"
-    require((closed.verdict, named) == ("explained", [trial.family.id]), told)
+    text = f"The run with {trial.id} is {closed.verdict} by {', '.join(named) or 'nothing'}"
+    text += f": is `truth` large beside the noise, and is a grid near its nonlinear parameter? {closed.summary}"
+    require((closed.verdict, named) == ("explained", [trial.family.id]), text)
     _check_values(trial, closed.accepted[0])
     return closed
 
 
-def _check_values(trial: Trial, record: EffectRecord) -> None:
+def _check_values(trial: EffectTrial, record: EffectRecord) -> None:
     found = {p.name: p for p in record.parameters}
-    told = f"{trial.id} is found with the parameters {', '.join(found)}, not with those of `truth`."
-    require(set(found) == set(trial.truth), told)
+    text = f"{trial.id} is found with the parameters {', '.join(found)}, not with those of `truth`."
+    require(set(found) == set(trial.truth), text)
     for name, true in trial.truth.items():
         p = found[name]
         require(np.isfinite(p.u) and p.u > 0, f"{trial.id}: parameter {name} has no uncertainty.")
         off = abs(p.value - true)
-        told = f"{trial.id}: {name} = {p.value:.5g} ± {p.u:.2g} {p.unit} where the truth is {true:.5g}: sign or scale."
-        require(off <= WITHIN_u * p.u + SHARE * abs(true), told)
+        text = f"{trial.id}: {name} = {p.value:.5g} ± {p.u:.2g} {p.unit} where the truth is {true:.5g}: sign or scale."
+        require(off <= WITHIN_u * p.u + SHARE * abs(true), text)
 
 
-def check_round_trip(trial: Trial, closed: ClosedLoop) -> None:
+def check_round_trip(trial: EffectTrial, closed: ClosedLoop) -> None:
     """From a calibration file it is the same effect, and `apply` takes it off."""
     run = trial.run()
     made = draft_calibration(run, closed.fit(), SHA256, metrics=closed.metrics())
     back = parse_calibration(calibration_bytes(made), "the calibration file")
     if trial.family.belongs_to != "sensor":
-        told = (
+        text = (
             f"{trial.id} belongs to the {trial.family.belongs_to} and must stand among the findings of a calibration."
         )
-        require([e.effect for e in back.findings] == [trial.family.id] and not back.effects, told)
+        require([e.effect for e in back.findings] == [trial.family.id] and not back.effects, text)
         return
-    told = f"{trial.id} is another after a calibration file: name its nonlinear parameters in Family(…, shapes=…)."
+    text = f"{trial.id} is another after a calibration file: name its nonlinear parameters in Family(…, shapes=…)."
     one, other = (load(c.effects[0]).predict(trial.scene) for c in (made, back))
-    require(np.array_equal(one, other), told)
+    require(np.array_equal(one, other), text)
     shapes = {s.name: s.value for s in load(back.effects[0]).term.shape}
-    require(set(shapes) == {s.name for s in trial.term().shape}, told)
+    require(set(shapes) == {s.name for s in trial.term().shape}, text)
     _check_applied(trial, run, back)
 
 
-def _check_applied(trial: Trial, run: Run, calibration: Calibration) -> None:
+def _check_applied(trial: EffectTrial, run: Run, calibration: Calibration) -> None:
     channels = {c.name: c.values for c in run.channels}
     applied = apply(calibration, Readings(run.reading, run.t_s, run.segment_index, run.mode, channels))
     error = applied.field_nT - trial.made.field_nT
     rms = float(np.sqrt(np.mean(error**2)))
     noise = float(run.dut.noise_nT or 0.0) * float(np.linalg.norm(trial.made.true.K, 2))
-    told = f"apply leaves {rms:.1f} nT of the run with {trial.id}, where the noise is {noise:.1f} nT"
-    require(rms <= LEFT * noise, f"{told}: what the calibration file states does not give back the effect.")
+    text = f"apply leaves {rms:.1f} nT of the run with {trial.id}, where the noise is {noise:.1f} nT"
+    require(rms <= LEFT * noise, f"{text}: what the calibration file states does not give back the effect.")

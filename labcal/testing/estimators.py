@@ -48,7 +48,7 @@ def check_estimator(
     as much as that says, over `seeds` runs. It must refuse a run that determines nothing. Raises AssertionError.
     """
     name, function = _named(estimator)
-    tried = Trial(name, partial(function, **options))
+    tried = EstimatorTrial(name, partial(function, **options))
     check_refusals(tried)
     for kind in offers:
         check_pure(tried, kind)
@@ -57,7 +57,7 @@ def check_estimator(
         check_covariance(tried, kind, seeds)
 
 
-class Trial:
+class EstimatorTrial:
     """An estimator and how it is spoken of."""
 
     def __init__(self, name: str, function: Callable[[Run], Fit]) -> None:
@@ -76,8 +76,8 @@ class Trial:
     def map_of(self, run: Run, what: str) -> tuple[AffineMap, Fit]:
         """The map that it must find here."""
         found = self(run)
-        told = f"{self.name} gives no answer on {what} ({found.why_not}): leave that kind out of `offers`, or mend it."
-        require(found.ok and found.affine is not None, told)
+        text = f"{self.name} gives no answer on {what} ({found.why_not}): leave that kind out of `offers`, or mend it."
+        require(found.ok and found.affine is not None, text)
         assert found.affine is not None
         return found.affine, found
 
@@ -89,7 +89,7 @@ def _named(estimator: str | Estimator) -> tuple[str, Estimator]:
         return estimator, load_method(estimator)
 
 
-def check_refusals(tried: Trial) -> None:
+def check_refusals(tried: EstimatorTrial) -> None:
     """A run without a reference, and one turned about one axis in one field, get `ok=False` and a reason."""
     run = made_up_run(offers="scalar", rows=ROWS).run
     nothing = replace(run, reference=replace(run.reference, kind="none"), reference_magnitude=None)
@@ -97,32 +97,32 @@ def check_refusals(tried: Trial) -> None:
     few = run.select(np.arange(3))
     for what, poor in (("without a reference", nothing), ("about one axis", one_axis), ("of three rows", few)):
         found = tried(poor)
-        told = f"{tried.name} calibrates a run {what}: answer Fit(method, ok=False, why_not='…'), affine None."
-        require(not found.ok and found.affine is None, told)
+        text = f"{tried.name} calibrates a run {what}: answer Fit(method, ok=False, why_not='…'), affine None."
+        require(not found.ok and found.affine is None, text)
         require(found.why_not, f"{tried.name} refuses a run {what} without a word: say in why_not what is missing.")
 
 
-def check_pure(tried: Trial, kind: Offers) -> None:
+def check_pure(tried: EstimatorTrial, kind: Offers) -> None:
     """The same run gives the same answer, and is left as it was."""
     run = made_up_run(offers=kind, rows=ROWS, noise_nT=NOISE_nT).run
     before = copy.deepcopy(run.reading)
     first, _ = tried.map_of(run, f"a {kind} run")
     require(np.array_equal(run.reading, before), f"{tried.name} changes the readings that it is given: copy them.")
     again, _ = tried.map_of(run, f"a {kind} run")
-    told = f"{tried.name} answers the same run twice differently: take a fixed seed."
-    require(np.array_equal(first.parameters, again.parameters), told)
+    text = f"{tried.name} answers the same run twice differently: take a fixed seed."
+    require(np.array_equal(first.parameters, again.parameters), text)
 
 
-def check_without_noise(tried: Trial, kind: Offers, exact: float) -> None:
+def check_without_noise(tried: EstimatorTrial, kind: Offers, exact: float) -> None:
     """Readings without noise give the map that they were made with."""
     made = made_up_run(offers=kind, rows=ROWS, noise_nT=0.0)
     run = replace(made.run, dut=replace(made.run.dut, noise_nT=1.0))
     found, fit = tried.map_of(run, f"a {kind} run without noise")
     error = _distance(found, truth(made.true, fit.frame_known), _sizes(made.true))
-    told = (
+    text = (
         f"{tried.name} is off by {error:.1e} of the map without noise on a {kind} run (frame_known={fit.frame_known})"
     )
-    require(error <= exact, f"{told}: K m − k is the field, K symmetric where the rotation is not resolved.")
+    require(error <= exact, f"{text}: K m − k is the field, K symmetric where the rotation is not resolved.")
 
 
 def truth(true: AffineMap, frame_known: bool) -> AffineMap:
@@ -133,7 +133,7 @@ def truth(true: AffineMap, frame_known: bool) -> AffineMap:
     return AffineMap(K, K @ np.linalg.solve(true.K, true.k_nT))
 
 
-def check_equivariance(tried: Trial, kind: Offers) -> None:
+def check_equivariance(tried: EstimatorTrial, kind: Offers) -> None:
     """Readings that are turned turn the answer back; readings in another unit scale K and leave k."""
     run = made_up_run(offers=kind, rows=ROWS, noise_nT=NOISE_nT).run
     found, fit = tried.map_of(run, f"a {kind} run")
@@ -152,8 +152,8 @@ def check_equivariance(tried: Trial, kind: Offers) -> None:
         unit = UNIT_nT if other is scaled else 1.0
         allowed, of = _allowed(fit, found, unit)
         error = _distance(moved, expected, allowed)
-        told = f"{tried.name} gives another answer to {what} of a {kind} run, by {error:.1g} of {of}"
-        require(error <= 1, f"{told}: it must be {words}.")
+        text = f"{tried.name} gives another answer to {what} of a {kind} run, by {error:.1g} of {of}"
+        require(error <= 1, f"{text}: it must be {words}.")
 
 
 def _allowed(fit: Fit, found: AffineMap, unit: float) -> tuple[Array, str]:
@@ -164,7 +164,7 @@ def _allowed(fit: Fit, found: AffineMap, unit: float) -> tuple[Array, str]:
     return SAME_u * np.r_[np.full(9, u[:9].max()), np.full(3, u[9:].max())] * per, f"{SAME_u:g} of its uncertainty"
 
 
-def check_covariance(tried: Trial, kind: Offers, seeds: int) -> None:
+def check_covariance(tried: EstimatorTrial, kind: Offers, seeds: int) -> None:
     """Over many runs the squared error is what the covariance says, from both sides."""
     squares = list[float]()
     for seed in range(seeds):
@@ -178,8 +178,8 @@ def check_covariance(tried: Trial, kind: Offers, seeds: int) -> None:
     ratio = float(np.sqrt(np.mean(squares)))
     band = RATIO + 3.3 / np.sqrt(2 * free * seeds)  # of rms chi-squared, 99.9 %
     size = "too small" if ratio > 1 else "too large"
-    told = f"Over {seeds} {kind} runs the errors of {tried.name} are {ratio:.2f} times its stated uncertainty"
-    require(1 - band <= ratio <= 1 + band, f"{told}: its covariance is {size}. Mend it, or state covariance=None.")
+    text = f"Over {seeds} {kind} runs the errors of {tried.name} are {ratio:.2f} times its stated uncertainty"
+    require(1 - band <= ratio <= 1 + band, f"{text}: its covariance is {size}. Mend it, or state covariance=None.")
 
 
 def _squared(error: Array, covariance: Array, free: int, name: str) -> float:
@@ -189,8 +189,8 @@ def _squared(error: Array, covariance: Array, free: int, name: str) -> float:
     require(np.isfinite(u).all() and (u > 0).all(), f"{name}: covariance has no positive diagonal.")
     values, vectors = np.linalg.eigh(covariance / np.outer(u, u))
     along = vectors[:, -free:].T @ (error / u)
-    told = f"{name}: its covariance has not the rank {free} that frame_known says (9 where K is symmetric)."
-    require(values[-free] > 1e-9 * values[-1], told)
+    text = f"{name}: its covariance has not the rank {free} that frame_known says (9 where K is symmetric)."
+    require(values[-free] > 1e-9 * values[-1], text)
     return float(np.sum(along**2 / values[-free:]))
 
 

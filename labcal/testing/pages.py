@@ -102,8 +102,8 @@ def _named(page: str | Callable[..., QWidget]) -> tuple[EntryPoint, Callable[...
     if not isinstance(page, str):
         name = getattr(page, "__name__", "page")
         return EntryPoint(name, f"{getattr(page, '__module__', '?')}:{name}", "labcal.pages"), page
-    told = f'Register {page!r} in [project.entry-points."labcal.pages"] and install again.'
-    require(page in pages(), f"There is no page {page!r}; there are {', '.join(pages())}. {told}")
+    what = f'Register {page!r} in [project.entry-points."labcal.pages"] and install again.'
+    require(page in pages(), f"There is no page {page!r}; there are {', '.join(pages())}. {what}")
     return pages()[page], None
 
 
@@ -151,8 +151,8 @@ def check_begins_nothing(entry: EntryPoint, state: app_state.AppState) -> None:
     workers: dict[str, Any] = {"bench": state.bench_worker, "fit": state.fit_worker, "off": state.off_worker}
     for name, worker in workers.items():
         begun = [type(one).__name__ for one in (*worker.commands(), *worker.said)]
-        told = f"page {entry.name!r} asks the {name} worker for {', '.join(begun)} as it is shown"
-        require(not begun, f"{told}: a person's click begins such work; to know something, use app_state.request.")
+        what = f"page {entry.name!r} asks the {name} worker for {', '.join(begun)} as it is shown"
+        require(not begun, f"{what}: a person's click begins such work; to know something, use app_state.request.")
 
 
 def check_buttons(entry: EntryPoint, widget: QWidget) -> None:
@@ -161,21 +161,21 @@ def check_buttons(entry: EntryPoint, widget: QWidget) -> None:
         if isinstance(button.parentWidget(), QLineEdit | QTabBar | QAbstractItemView):
             continue  # Qt's own: what clears a field, scrolls tabs, or stands in a table's corner
         words = button.text() or button.accessibleName() or button.toolTip()
-        told = f"a {type(button).__name__} of page {entry.name!r} has no words: give it a text or an accessible name."
-        require(words, told)
+        what = f"a {type(button).__name__} of page {entry.name!r} has no words: give it a text or an accessible name."
+        require(words, what)
         if type(button).__name__ == "QPushButton":
-            told = f"button {words!r} of page {entry.name!r} is not found by Tab: leave its focus policy as it is."
-            require(button.focusPolicy() & Qt.FocusPolicy.TabFocus, told)
-            told = f"button {words!r} of page {entry.name!r} has no tool tip: say what it does (widgets.common.button)."
-            require(button.toolTip(), told)
+            what = f"button {words!r} of page {entry.name!r} is not found by Tab: leave its focus policy as it is."
+            require(button.focusPolicy() & Qt.FocusPolicy.TabFocus, what)
+            what = f"button {words!r} of page {entry.name!r} has no tool tip: say what it does (widgets.common.button)."
+            require(button.toolTip(), what)
 
 
 def check_size(entry: EntryPoint, widget: QWidget) -> None:
     """It fits into the smallest window."""
     least = widget.minimumSizeHint()
     fits = least.width() <= SMALLEST[0] and least.height() <= SMALLEST[1]
-    told = f"page {entry.name!r} needs {least.width()} × {least.height()} px, the smallest window has"
-    require(fits, f"{told} {SMALLEST[0]} × {SMALLEST[1]}: let texts wrap, or put it into a QScrollArea.")
+    what = f"page {entry.name!r} needs {least.width()} × {least.height()} px, the smallest window has"
+    require(fits, f"{what} {SMALLEST[0]} × {SMALLEST[1]}: let texts wrap, or put it into a QScrollArea.")
 
 
 def check_theme(entry: EntryPoint, make: Callable[..., QWidget] | None, state: app_state.AppState) -> None:
@@ -185,8 +185,8 @@ def check_theme(entry: EntryPoint, make: Callable[..., QWidget] | None, state: a
         place = LazyPage(entry, state, lambda: themes[-1], lambda: f"QLabel {{ color: {themes[-1].text}; }}")
         page = place.built()
         layout = page.layout() is not None
-    told = f"page {entry.name!r} has no layout: what stands in its layouts is styled as the window's own pages are."
-    require(layout and styled_widgets(page), told)
+    what = f"page {entry.name!r} has no layout: what stands in its layouts is styled as the window's own pages are."
+    require(layout and styled_widgets(page), what)
     for theme in (DARK, LIGHT):
         themes.append(theme)
         for update in place.theme_updates(theme):

@@ -18,7 +18,7 @@ from labcal.bench.steps import Procedure
 from labcal.demo import simulated_bench
 from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened, Step
 from labcal.runner import Control, find, run_procedure
-from labcal.runner.catalogue import Found
+from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.drive import Drive, Ending
 from labcal.runner.prompts import Answer, first_choice
 from labcal.store import Store
@@ -34,15 +34,15 @@ class PutIn(Exception):
 
 
 @dataclass
-class Trial:
+class ProcedureTrial:
     """One run of a procedure on a bench of its own, to which `happens` is done when item `at` has been kept."""
 
-    found: Found
+    found: FoundProcedure
     given: Mapping[str, str]
     bench_file: Path
     answer: Answer
     at: int = -1
-    happens: Callable[[Trial], None] = lambda trial: None
+    happens: Callable[[ProcedureTrial], None] = lambda trial: None
     control: Control = field(default_factory=Control)
     items: list[Item] = field(default_factory=list)
     left_A: float = 0.0  # the largest true current as the procedure itself was over, before the runner zeroes anything
@@ -77,22 +77,22 @@ def largest_A(bench: Bench) -> float:
     return max(abs(float(coil.at(now)[0])) for coil in lab._lab.coils.values())
 
 
-def stop(trial: Trial) -> None:
+def stop(trial: ProcedureTrial) -> None:
     """The operator stops."""
     trial.control.stop()
 
 
-def abort(trial: Trial) -> None:
+def abort(trial: ProcedureTrial) -> None:
     """The operator aborts: the runner zeroes the coils first."""
     trial.control.abort()
 
 
-def ctrl_c(trial: Trial) -> None:
+def ctrl_c(trial: ProcedureTrial) -> None:
     """In a script, where nobody turns it into a stop."""
     raise KeyboardInterrupt
 
 
-def exception(trial: Trial) -> None:
+def exception(trial: ProcedureTrial) -> None:
     """A fault where the procedure next listens or sets a current."""
 
     def faulty(*_: Any, **__: Any) -> Any:
@@ -103,7 +103,7 @@ def exception(trial: Trial) -> None:
     trial.bench.cage.set_currents = faulty  # type: ignore[method-assign]
 
 
-WAYS_OUT: dict[Callable[[Trial], None], tuple[str, str]] = {
+WAYS_OUT: dict[Callable[[ProcedureTrial], None], tuple[str, str]] = {
     stop: ("a stop", "stopped"),
     abort: ("an abort", "failed: aborted by the operator"),
     ctrl_c: ("Ctrl-C", "stopped"),
@@ -125,7 +125,7 @@ def check_procedure(
     is over, by its own undo: at its end and after a stop, an abort, Ctrl-C and an exception at each moment. `bench` is
     a bench file with emulated links, the simulated bench where it is not stated. Raises AssertionError.
     """
-    trial = Trial(_found(procedure), given or {}, bench or simulated_bench(), answer)
+    trial = ProcedureTrial(_found(procedure), given or {}, bench or simulated_bench(), answer)
     check_words(trial.found)
     check_record(trial)
     items = check_normal_end(trial)
@@ -134,26 +134,26 @@ def check_procedure(
             check_way_out(trial, way, at, items[at])
 
 
-def _found(procedure: str | Callable[..., Procedure]) -> Found:
+def _found(procedure: str | Callable[..., Procedure]) -> FoundProcedure:
     if isinstance(procedure, str):
         with answered("Register it in labcal.procedures, or name its file."):
             return find(procedure)
     name = getattr(procedure, "__name__", "?")
-    told = f"{name} is no generator function: it yields what it measures, and is given the bench."
-    require(inspect.isgeneratorfunction(procedure), told)
+    text = f"{name} is no generator function: it yields what it measures, and is given the bench."
+    require(inspect.isgeneratorfunction(procedure), text)
     source = Path(inspect.getsourcefile(procedure) or "")
-    return Found(name.replace("_", "-"), procedure, parameters_of(procedure), source)
+    return FoundProcedure(name.replace("_", "-"), procedure, parameters_of(procedure), source)
 
 
-def check_words(found: Found) -> None:
+def check_words(found: FoundProcedure) -> None:
     """It says what it does, and each setting its meaning."""
     require(inspect.getdoc(found.function), f"{found.name} has no docstring: its first line is its title.")
     for spec in found.parameters:
-        told = f"setting {spec.name} of {found.name} has no words: Annotated[…, Limits(…), 'what it is']"
-        require(spec.help, told)
+        text = f"setting {spec.name} of {found.name} has no words: Annotated[…, Limits(…), 'what it is']"
+        require(spec.help, text)
 
 
-def check_record(trial: Trial) -> None:
+def check_record(trial: ProcedureTrial) -> None:
     """It finishes through the runner, and its record can be read back."""
     with (
         tempfile.TemporaryDirectory() as folder,
@@ -161,38 +161,38 @@ def check_record(trial: Trial) -> None:
         Store.open(Path(folder) / "store.sqlite") as store,
     ):
         outcome = run_procedure(bench, trial.found, trial.given, store=store, answer=trial.answer, dut_serial="T-1")
-        told = f"{trial.found.name} ends as {outcome.status!r} on the simulated bench, not as 'finished'."
-        require(outcome.status == "finished", told)
+        text = f"{trial.found.name} ends as {outcome.status!r} on the simulated bench, not as 'finished'."
+        require(outcome.status == "finished", text)
         require(list(store.items(outcome.run_id)), f"{trial.found.name} records nothing: yield what is measured.")
 
 
-def check_normal_end(trial: Trial) -> list[Item]:
+def check_normal_end(trial: ProcedureTrial) -> list[Item]:
     """It leaves zero at its end and asked before it energised; what it yielded."""
     ending = trial.run()
     require(ending.status == "finished", f"{trial.found.name} ends as {ending.status!r} when it is run a second time.")
     _at_zero(trial, "at its end")
     energised = next((n for n, item in enumerate(trial.items) if _energises(item)), len(trial.items))
     asked = any(isinstance(item, Prompt) and item.acts for item in trial.items[:energised])
-    told = f"{trial.found.name} energises before it has asked: yield from ready(bench, 'The coils go on. Hands off?')."
-    require(asked or energised == len(trial.items), told)
+    text = f"{trial.found.name} energises before it has asked: yield from ready(bench, 'The coils go on. Hands off?')."
+    require(asked or energised == len(trial.items), text)
     return trial.items
 
 
-def check_way_out(trial: Trial, way: Callable[[Trial], None], at: int, item: Item) -> None:
+def check_way_out(trial: ProcedureTrial, way: Callable[[ProcedureTrial], None], at: int, item: Item) -> None:
     """It is at zero after this way out at item number `at`, and the status says how it ended."""
-    again = Trial(trial.found, trial.given, trial.bench_file, trial.answer, at, way)
+    again = ProcedureTrial(trial.found, trial.given, trial.bench_file, trial.answer, at, way)
     ending, (words, status) = again.run(), WAYS_OUT[way]
     when = f"after {words} at {_named(item)}"
     _at_zero(again, when)
     if way is exception and not again.raised:
         return  # it neither listened nor set a current any more
-    told = f"{again.found.name} ends as {ending.status!r} {when}, not as {status!r}: let what it does not know pass."
-    require(ending.status.startswith(status), told)
+    text = f"{again.found.name} ends as {ending.status!r} {when}, not as {status!r}: let what it does not know pass."
+    require(ending.status.startswith(status), text)
 
 
-def _at_zero(trial: Trial, when: str) -> None:
-    told = f"{trial.found.name} leaves {trial.left_A:.3g} A in a coil {when}: {UNDO}."
-    require(trial.left_A <= ZERO_A, told)
+def _at_zero(trial: ProcedureTrial, when: str) -> None:
+    text = f"{trial.found.name} leaves {trial.left_A:.3g} A in a coil {when}: {UNDO}."
+    require(trial.left_A <= ZERO_A, text)
 
 
 def chosen(items: Sequence[Item], most: int) -> list[int]:

@@ -60,7 +60,7 @@ class Housekeeping:
         channels["temp_board"] = 23.0 + 0.5 * warm + 0.4 * np.sin(2 * np.pi * t_s / 1310 + self._ripple[2])
         return channels
 
-    def told(self, true: Mapping[str, Array]) -> dict[str, Array]:
+    def with_noise(self, true: Mapping[str, Array]) -> dict[str, Array]:
         """The channels as they are sent: with the noise of their own converters."""
         sigma = np.array([{"i": self.noise_A, "t": self.noise_C, "v": 0.01}[name[0]] for name in true])
         noise = sigma * self.rng.standard_normal((len(next(iter(true.values()))), len(true)))

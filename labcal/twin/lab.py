@@ -128,7 +128,7 @@ class Lab:
     def dut_reading(self, t_s: Array) -> tuple[Array, dict[str, Array]]:
         """Readings (n, 3) of the DUT in its own unit, and the housekeeping (n,) that it sends with them."""
         true, late_s = self.housekeeping.true(t_s), sum(f.late_s for f in self._faults)
-        told = self.housekeeping.told(true)
+        sent = self.housekeeping.with_noise(true)
         moment = self.moment(t_s - late_s) if late_s else self.moment(t_s, true)
         field = moment.field_cage + self.ambient.mains(moment.t_s, self._dut.bandwidth_hz)
         for rig in self._rig_effects:
@@ -137,7 +137,7 @@ class Lab:
         for effect in self._sensor_effects:
             seen = seen + effect(moment, seen)
         reading = self._dut.read(seen, self._rng_dut)
-        return self._corrupt(reading), told
+        return self._corrupt(reading), sent
 
     def _of_coils(self, t_s: Array, currents_A: Array, place_m: Array) -> Array:
         """What the coils make (n, 3) [nT, C] at `place_m` (3,), each pair with both halves alike or opposed."""

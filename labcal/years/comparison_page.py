@@ -9,7 +9,7 @@ import numpy as np
 
 from labcal.certificate.report.page import Facts, Mark, Page, Plot, Table, section, sections
 from labcal.certificate.report.style import BAD, GOOD, INKS, NOTHING, decimals_for, number
-from labcal.quality.intercomparison import Comparison
+from labcal.quality.intercomparison import Intercomparison
 from labcal.version import __version__
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 E_N = "E_n = difference / U of the difference, k = 2: beyond ±1 they do not agree."
 
 
-def comparison_page(serial: str, found: Mapping[str, tuple[str, Comparison]], simulated: bool) -> Page:
+def comparison_page(serial: str, found: Mapping[str, tuple[str, Intercomparison]], simulated: bool) -> Page:
     """E_n of every bench and figure, and how well those agree that make the reference value."""
     worst = [(abs(d.e_n), name, d) for name, (_, one) in found.items() for d in one.degrees if d.e_n is not None]
     size, figure, degree = max(worst, key=lambda one: one[0])
@@ -44,7 +44,7 @@ def comparison_page(serial: str, found: Mapping[str, tuple[str, Comparison]], si
     )
 
 
-def _table(found: Mapping[str, tuple[str, Comparison]]) -> Table:
+def _table(found: Mapping[str, tuple[str, Intercomparison]]) -> Table:
     rows = []
     for name, (unit, one) in found.items():
         decimals = decimals_for([d.U for d in one.degrees])
@@ -56,7 +56,7 @@ def _table(found: Mapping[str, tuple[str, Comparison]]) -> Table:
     return Table(header, tuple(rows), frozenset({2, 3, 4, 5, 7}), E_N)
 
 
-def draw_e_n(figure: FigureBase, found: Mapping[str, tuple[str, Comparison]]) -> None:
+def draw_e_n(figure: FigureBase, found: Mapping[str, tuple[str, Intercomparison]]) -> None:
     """E_n of every result, a colour for each bench."""
     axes = figure.subplots()
     benches = list(dict.fromkeys(d.bench for _, one in found.values() for d in one.degrees))

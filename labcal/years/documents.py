@@ -8,7 +8,7 @@ from math import isfinite
 from typing import Any
 
 from labcal.quality.control_chart import Chart, spread_false_alarm_rate
-from labcal.quality.intercomparison import Comparison
+from labcal.quality.intercomparison import Intercomparison
 from labcal.quality.western_electric import average_run_length
 from labcal.session.check_standard import Charts, why
 from labcal.years.study_of_gage import Study
@@ -96,7 +96,7 @@ def _trend(trend: Trend) -> dict[str, Any]:
     }
 
 
-def comparison_document(serial: str, found: Mapping[str, tuple[str, Comparison]]) -> dict[str, Any]:
+def comparison_document(serial: str, found: Mapping[str, tuple[str, Intercomparison]]) -> dict[str, Any]:
     """`labcal-intercomparison/1`."""
     figures = [{"quantity": name, "unit": unit, **asdict(one)} for name, (unit, one) in found.items()]
     return {"format": "labcal-intercomparison/1", "serial": serial, "figures": figures}

@@ -13,7 +13,7 @@ from labcal.certificate import looks_like_calibration
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
-from labcal.session.figures import Figure, figures_of_calibration
+from labcal.session.figures import SensorFigure, figures_of_calibration
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING
 
 DAYS_A_YEAR = 365.25
@@ -33,8 +33,8 @@ class Calibrated:
     model: str
     utc: datetime
     simulated: bool
-    figures: Mapping[str, Figure]
-    effects: Mapping[str, Figure]
+    figures: Mapping[str, SensorFigure]
+    effects: Mapping[str, SensorFigure]
     hours: float = 0.0
 
     @property
@@ -114,7 +114,7 @@ def _calibrated(calibration: Calibration, path: Path, started: Mapping[str, str]
         )
     span = (calibration.span_s[1] - calibration.span_s[0]) / 3600
     dut = calibration.dut
-    effects = {_named(e.effect, e.channels, p.name): Figure(p.name, p.value, p.u, p.unit)
+    effects = {_named(e.effect, e.channels, p.name): SensorFigure(p.name, p.value, p.u, p.unit)
                for e in calibration.effects for p in e.parameters}  # fmt: skip
     figures = figures_of_calibration(calibration)
     utc = moment(stated) if stated else UNDATED
@@ -126,9 +126,9 @@ def _named(effect: str, channels: Sequence[str], parameter: str) -> str:
 
 
 def _archived(rows: list[dict[str, Any]]) -> Calibrated:
-    first, figures, effects = rows[0], dict[str, Figure](), dict[str, Figure]()
+    first, figures, effects = rows[0], dict[str, SensorFigure](), dict[str, SensorFigure]()
     for row in rows:
-        one = Figure(row["name"], row["value"], row["u"], row["unit"])
+        one = SensorFigure(row["name"], row["value"], row["u"], row["unit"])
         if row["of"] == "figure":
             figures[one.quantity] = one
         elif row["belongs_to"] == "sensor":

@@ -227,7 +227,7 @@ def intervals_in_words(found: Sequence[Trend]) -> str:
     moving = [t.quantity for t in found if isinstance(t.drift, Drift) and t.drift.significant]
     said = f"A drift is seen of {', '.join(moving)}. " if moving else "No figure drifts by more than its uncertainty. "
     if not any(isinstance(t.drift, Drift) for t in found):
-        said = f"No drift can be told: {found[0].drift}. "
+        said = f"No drift can be estimated: {found[0].drift}. "
     by = shortest(found)
     each = "; ".join(f"{method} {days:.0f} days ({quantity})" for method, (days, quantity) in by.items())
     return f"{said}Calibrate again after: {each}." if by else said.strip()

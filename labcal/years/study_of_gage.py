@@ -24,7 +24,7 @@ LARGEST_BYTES = 2**24
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class GageRow:
     """One measurement: three factors' levels ("" where not stated) and the value."""
 
     levels: tuple[str, str, str]
@@ -45,7 +45,7 @@ class Study:
 
 
 def studied(
-    rows: Sequence[Row], quantity: str, unit: str, tolerance: float | None = None, *, simulated: bool = False
+    rows: Sequence[GageRow], quantity: str, unit: str, tolerance: float | None = None, *, simulated: bool = False
 ) -> Study:
     """The study of these rows. Raises InputError where a cell is empty or a factor has one level alone."""
     used, remarks = _factors(rows)
@@ -73,7 +73,7 @@ def studied(
     )
 
 
-def _factors(rows: Sequence[Row]) -> tuple[list[int], list[str]]:
+def _factors(rows: Sequence[GageRow]) -> tuple[list[int], list[str]]:
     """The factors that vary, and a sentence about each that does not. Raises InputError for one DUT alone."""
     several = [len({row.levels[i] for row in rows}) > 1 for i in range(3)]
     if not several[0]:
@@ -85,14 +85,14 @@ def _factors(rows: Sequence[Row]) -> tuple[list[int], list[str]]:
 
 def rows_of_runs(
     runs: Sequence[str], quantity: str, progress: Callable[[str], None] = lambda one: None
-) -> tuple[list[Row], str, bool]:
+) -> tuple[list[GageRow], str, bool]:
     """A row for each run, in its mounting where its segments share one; the unit; whether the runs are simulated.
 
     Raises InputError where a run gives no figures, is named twice, or is simulated among real ones.
     """
     if len(set(runs)) < len(runs):
         raise InputError(f"the run {next(r for r in runs if runs.count(r) > 1)} is named twice")
-    rows, unit, kinds = list[Row](), "", set[bool]()
+    rows, unit, kinds = list[GageRow](), "", set[bool]()
     for name in runs:
         progress(name)
         run, found = session.load_run(name), figures_of_run(name)
@@ -100,7 +100,7 @@ def rows_of_runs(
             raise InputError(f"{quantity!r} is none of the figures {', '.join(found)}")
         mountings = {segment.mounting or "" for segment in run.segments}
         mounting = mountings.pop() if len(mountings) == 1 else ""
-        rows.append(Row((run.dut.serial, run.operator, mounting), found[quantity].value))
+        rows.append(GageRow((run.dut.serial, run.operator, mounting), found[quantity].value))
         unit = found[quantity].unit
         kinds.add(run.simulated)
         if len(kinds) > 1:
@@ -108,7 +108,7 @@ def rows_of_runs(
     return rows, unit, True in kinds
 
 
-def rows_of_table(path: Path) -> list[Row]:
+def rows_of_table(path: Path) -> list[GageRow]:
     """The rows of a CSV with the columns dut, operator, mounting (if there is one) and value. Raises InputError."""
     try:
         text = read_limited(path, LARGEST_BYTES).decode("utf-8-sig")
@@ -125,7 +125,7 @@ def rows_of_table(path: Path) -> list[Row]:
         raise InputError(f"is no CSV: {fault}", file=path, line=reader.line_num) from None
 
 
-def _row(one: dict[str, str | None], path: Path, line: int) -> Row:
+def _row(one: dict[str, str | None], path: Path, line: int) -> GageRow:
     try:
         value = float(one.get("value") or "")
     except ValueError:
@@ -133,4 +133,4 @@ def _row(one: dict[str, str | None], path: Path, line: int) -> Row:
     if not isfinite(value):
         raise InputError(f"{one.get('value')!r} is no number", file=path, line=line, column="value")
     dut, operator, mounting = ((one.get(name) or "").strip() for name in COLUMNS[:3])
-    return Row((dut, operator, mounting), value)
+    return GageRow((dut, operator, mounting), value)

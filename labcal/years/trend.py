@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.quality.drift import Drift, drift
-from labcal.quality.intercomparison import Comparison, compare_benches
-from labcal.quality.recalibration import Proposal, proposals
+from labcal.quality.intercomparison import Intercomparison, compare_benches
+from labcal.quality.recalibration import IntervalProposal, proposals
 from labcal.years.history import DAYS_A_YEAR, Calibrated
 
 Array = NDArray[np.float64]
@@ -34,7 +34,7 @@ class Trend:
     values: Array
     u: Array
     drift: Drift | str
-    proposals: tuple[Proposal, ...] = ()
+    proposals: tuple[IntervalProposal, ...] = ()
 
 
 def trends(
@@ -50,7 +50,7 @@ def trends(
     days = np.array([one.days for one in found])
     days = days - days[0]
     if len(days) > 1 and np.diff(days).min() <= 0:
-        raise InputError("two calibrations began at the same moment: which was first cannot be told")
+        raise InputError("two calibrations began at the same moment: which was first is not known")
     if interval_d is None:
         interval_d = float(days[-1] - days[-2]) if len(days) > 1 else USUAL_D
     hours = np.cumsum([one.hours for one in found])
@@ -68,7 +68,7 @@ def _trend(
     except ValueError as few:
         line = str(few)
     limit = permitted.get(name) or permitted.get(name.split()[0])
-    proposed: tuple[Proposal, ...] = ()
+    proposed: tuple[IntervalProposal, ...] = ()
     if limit is not None:
         try:
             proposed = proposals(days, values, u, limit[0], interval_d, hours)
@@ -96,7 +96,7 @@ def shortest(found: Sequence[Trend]) -> dict[str, tuple[float, str]]:
 
 def compared(
     benches: Sequence[str], found: Sequence[Calibrated], pilot: str | None = None
-) -> dict[str, tuple[str, Comparison]]:
+) -> dict[str, tuple[str, Intercomparison]]:
     """Of each figure its unit and the comparison of `benches`, each of whom measured the calibration in its place.
 
     Raises InputError where they are of several sensors, or cannot be compared.
@@ -104,7 +104,7 @@ def compared(
     if len({one.serial for one in found}) > 1:
         raise InputError(f"these are several sensors: {', '.join(sorted({one.serial for one in found}))}")
     when = np.array([one.days for one in found]) / DAYS_A_YEAR
-    made: dict[str, tuple[str, Comparison]] = {}
+    made: dict[str, tuple[str, Intercomparison]] = {}
     for name, figure in found[0].figures.items():
         values, u = columns(found, name)
         try:

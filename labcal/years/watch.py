@@ -17,7 +17,7 @@ from labcal import session
 from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.session import archiving
-from labcal.years.told import Way, tell
+from labcal.years.notify import Way, notify
 
 STATE, FORMAT = "watched.json", "labcal-watch/1"
 SETTLED_S = 5.0  # a file that was written to since may not be whole yet
@@ -27,7 +27,7 @@ New = Iterator[tuple[str, str, Callable[[], Path]]]  # key, name and the way to 
 
 
 @dataclass(frozen=True, slots=True)
-class Watched:
+class WatchedRun:
     """What became of one run: `key` tells it from every other, `needs` says what needs a person's eyes."""
 
     key: str
@@ -71,7 +71,7 @@ class Source:
                 yield key, place.name, lambda place=place: place  # type: ignore[misc]
 
 
-def look(source: Source, out: Path, ways: Sequence[Way], say: Say = lambda one: None) -> list[Watched]:
+def look(source: Source, out: Path, ways: Sequence[Way], say: Say = lambda one: None) -> list[WatchedRun]:
     """Look once: work out what is new, then tell of it and of what nobody could be told before; returns what is new.
 
     Raises InputError where the source is away, `out` cannot be written, or telling failed; what was found is kept.
@@ -118,7 +118,7 @@ def watch(
         wait(every_s)
 
 
-def _worked_out(key: str, name: str, place: Path, out: Path) -> Watched:
+def _worked_out(key: str, name: str, place: Path, out: Path) -> WatchedRun:
     """One run fitted, looped and drafted; whatever is wrong with it is what it needs eyes for."""
     try:
         run = session.load_run(place)
@@ -127,30 +127,30 @@ def _worked_out(key: str, name: str, place: Path, out: Path) -> Watched:
         closed = session.close_loop(place, draft, report=report, force=True)
     except Exception as fault:  # a watch outlives every run
         kind = "" if isinstance(fault, InputError) else f"{type(fault).__name__}: "
-        return Watched(key, name, needs=(f"{kind}{fault}",))
+        return WatchedRun(key, name, needs=(f"{kind}{fault}",))
     needs = [] if closed.verdict in GOOD else [f"the verdict is {closed.verdict}"]
     if closed.next_experiment is not None and closed.verdict not in GOOD:
         needs.append(f"next: {closed.next_experiment.do}")
     lines = closed.conformity.lines if closed.conformity is not None else ()
     needs += [f"{line.quantity}: {line.result}" for line in lines if line.result not in ("pass", "conditional-pass")]
     files = str(draft), str(report)
-    return Watched(key, run.run_id, run.dut.serial, closed.verdict, closed.summary, tuple(needs), *files)
+    return WatchedRun(key, run.run_id, run.dut.serial, closed.verdict, closed.summary, tuple(needs), *files)
 
 
-def _tell(ways: Sequence[Way], found: Sequence[Watched]) -> None:
+def _tell(ways: Sequence[Way], found: Sequence[WatchedRun]) -> None:
     eyes = [one for one in found if one.needs]
     subject = f"labcal: {len(found)} new runs, {len(eyes)} need eyes" if len(found) > 1 else _subject(found[0])
     order = [*eyes, *(one for one in found if not one.needs)]
     drafts = "Drafts only: nothing is signed until a person approves and signs it."
     text = "\n\n".join([*(one.in_words() for one in order), drafts]) + "\n"
-    tell(ways, subject, text, {"format": FORMAT, "runs": [document(one) for one in order]})
+    notify(ways, subject, text, {"format": FORMAT, "runs": [document(one) for one in order]})
 
 
-def _subject(one: Watched) -> str:
+def _subject(one: WatchedRun) -> str:
     return f"labcal: {one.run} {'needs eyes' if one.needs else f'is {one.verdict}'}"
 
 
-def document(one: Watched) -> dict[str, Any]:
+def document(one: WatchedRun) -> dict[str, Any]:
     """As JSON has it."""
     return {name: value for name, value in asdict(one).items() if name not in ("key", "told")}
 
@@ -179,7 +179,7 @@ def _changed(place: Path) -> tuple[float, int] | None:
         return None
 
 
-def _read(path: Path) -> dict[str, Watched]:
+def _read(path: Path) -> dict[str, WatchedRun]:
     """What was looked at so far. Raises InputError where the file is none of a watch's."""
     if not path.exists():
         return {}
@@ -187,12 +187,12 @@ def _read(path: Path) -> dict[str, Watched]:
         stated = json.loads(path.read_bytes())
         if stated["format"] != FORMAT:
             raise ValueError
-        found = [Watched(**{**one, "needs": tuple(one["needs"])}) for one in stated["runs"]]
+        found = [WatchedRun(**{**one, "needs": tuple(one["needs"])}) for one in stated["runs"]]
     except (ValueError, KeyError, TypeError):
         raise InputError("is not what a watch keeps: name another folder", file=path) from None
     return {one.key: one for one in found}
 
 
-def _write(path: Path, kept: dict[str, Watched]) -> None:
+def _write(path: Path, kept: dict[str, WatchedRun]) -> None:
     told = {"format": FORMAT, "runs": [asdict(one) for one in kept.values()]}
     write_text(path, json.dumps(told, indent=1, ensure_ascii=False) + "\n")

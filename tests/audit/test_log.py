@@ -209,5 +209,5 @@ def test_a_run_that_was_chained_anew_or_taken_out_is_told_by_the_log(capsys: pyt
 def test_a_run_that_the_log_does_not_take_says_so_and_is_kept() -> None:
     (home() / FILE).mkdir()
     with Store.open() as store:
-        told = note_run(Outcome("r1", "finished", None, told="finished"), store, "Ada").told
+        told = note_run(Outcome("r1", "finished", None, ending="finished"), store, "Ada").ending
     assert told.startswith(f"finished; {home() / FILE}: done (run), but not in the audit log")

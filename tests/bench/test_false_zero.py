@@ -234,10 +234,10 @@ def test_the_doubt_outlives_the_session_and_is_lifted_by_name(monkeypatch: pytes
     assert StoredDoubt(["tcp://192.0.2.2:9221"]).doubt is None
     later.lift("Ada, 0.1 µT")
     assert StoredDoubt(PORTS).doubt is None
-    told = StoredDoubt(PORTS).told()
+    told = StoredDoubt(PORTS).take_lifted()
     assert told is not None
     assert told.lifted == "Ada, 0.1 µT"
-    assert StoredDoubt(PORTS).told() is None
+    assert StoredDoubt(PORTS).take_lifted() is None
 
 
 def test_a_doubt_that_cannot_be_read_is_a_doubt() -> None:

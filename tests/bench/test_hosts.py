@@ -104,5 +104,5 @@ def test_a_doubt_stays_where_a_supply_gets_another_address(monkeypatch: pytest.M
     again = StoredDoubt(links)
     assert again.doubt is not None
     again.lift("both agree")
-    assert again.told() is not None
+    assert again.take_lifted() is not None
     assert StoredDoubt(links).doubt is None

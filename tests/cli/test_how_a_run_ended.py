@@ -14,7 +14,7 @@ from labcal.errors import InstrumentError
 from labcal.record.stream import NOT_KEPT, Event
 from labcal.runner import Outcome
 
-TOLD = "interrupted by its store: s: the store was locked by process 42 (python); every row is kept by now"
+ENDING = "interrupted by its store: s: the store was locked by process 42 (python); every row is kept by now"
 LOCKED = InstrumentError("s: the store was locked by process 42 (python).", fault="store locked")
 
 
@@ -24,19 +24,19 @@ LOCKED = InstrumentError("s: the store was locked by process 42 (python).", faul
 )
 @pytest.mark.parametrize("as_json", [True, False])
 def test_an_interrupted_run_says_why_and_how_to_go_on(monkeypatch, capsys, resumable, end, as_json):
-    outcome = Outcome("R1", "interrupted", LOCKED, told=TOLD, resumable=resumable)
+    outcome = Outcome("R1", "interrupted", LOCKED, ending=ENDING, resumable=resumable)
     monkeypatch.setattr(session, "run", lambda *_, **__: outcome)
     words = ["run", "preflight", "--bench", "my bench.toml", "--yes", "--progress", "json" if as_json else "none"]
     assert cli.execute(words) == 3
     said = capsys.readouterr()
     last, fault = said.err.splitlines()
-    assert (json.loads(last)["text"] if as_json else last) == f"{TOLD}; coils not read back in this session{end}"
+    assert (json.loads(last)["text"] if as_json else last) == f"{ENDING}; coils not read back in this session{end}"
     assert fault == f"labcal: {LOCKED}"
     assert said.out == "R1\n"
 
 
 def test_a_run_that_goes_on_is_named_by_its_number_alone(monkeypatch, capsys):
-    outcome = Outcome("R1", "interrupted", LOCKED, told=TOLD, resumable=True)
+    outcome = Outcome("R1", "interrupted", LOCKED, ending=ENDING, resumable=True)
     monkeypatch.setattr(session, "resume", lambda *_, **__: outcome)
     assert cli.execute(["run", "--resume", "R1", "--bench", str(Path("b.toml")), "--progress", "none"]) == 3
     assert "`labcal run --resume R1 --bench b.toml` goes on with it" in capsys.readouterr().err

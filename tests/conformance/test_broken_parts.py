@@ -29,7 +29,7 @@ from labcal.record import Channel, Run
 from labcal.testing import check_driver, check_estimator, check_procedure
 from labcal.testing.drivers import DriverCase, stages, streams
 from labcal.testing.drivers.rig import installed
-from labcal.testing.effects import Trial, check_derivative, check_found, check_left_where_it_is_not
+from labcal.testing.effects import EffectTrial, check_derivative, check_found, check_left_where_it_is_not
 from labcal.testing.made_up_runs import made_up_run
 
 FORBIDDEN = [b"*RST\n"]
@@ -91,7 +91,7 @@ class Late(TtiEmulator):
         (WaitsForZero, TtiEmulator, r"raised InstrumentError .* The orders of zero and off wait for no answer"),
         (Clips, TtiEmulator, r"set_current\(99\) must raise LimitError that says '99 A' and 'nothing was sent'"),
         (AllowsReset, TtiEmulator, r"could send b'\*RST\\n': add a pattern that matches it to `never`"),
-        (TtiSupply, Talks, r"fails when it is told .*: answer as the instrument would"),
+        (TtiSupply, Talks, r"fails when it is sent .*: answer as the instrument would"),
         (TtiSupply, Late, r"due_s\(\) of the emulator says"),
     ],
 )
@@ -200,12 +200,12 @@ def formula(scene: Scene, values: Mapping[str, float]) -> np.ndarray:
     return np.maximum(scene.t_s - 100.0, 0.0)[:, None] * [values["c_x"], values["c_y"], values["c_z"]]
 
 
-def trial(kernel: Callable[..., np.ndarray], size: float = 1.0) -> Trial:
+def trial(kernel: Callable[..., np.ndarray], size: float = 1.0) -> EffectTrial:
     def candidates(run: Run) -> list[Term]:
         return [replace(term, kernel=kernel) for term in late(run)]
 
     truth = {"c_x": size, "c_y": -size, "c_z": size}
-    return Trial(Family("offset-drift", "sensor", kernel, candidates), made_up_run(rows=50), truth, formula)
+    return EffectTrial(Family("offset-drift", "sensor", kernel, candidates), made_up_run(rows=50), truth, formula)
 
 
 @pytest.mark.parametrize(
@@ -235,7 +235,7 @@ def test_an_effect_that_is_named_where_it_is_not() -> None:
     run = made.with_effect((warm.values - 20)[:, None] * [40.0, -30.0, 20.0])
     spoilt = replace(made, run=replace(run, channels=(warm,)))
     with pytest.raises(AssertionError, match="'offset-temperature' is named in a run that has not got it"):
-        check_left_where_it_is_not(Trial(family("offset-temperature"), spoilt, {}, formula))
+        check_left_where_it_is_not(EffectTrial(family("offset-temperature"), spoilt, {}, formula))
 
 
 def scaled(by: float) -> Callable[..., Fit]:

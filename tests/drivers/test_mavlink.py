@@ -196,7 +196,7 @@ def test_a_one_way_stream_is_read_and_says_that_it_tells_nothing() -> None:
     driver._link._emulator.take = lambda t_s, data: None
     assert driver.identify().model == "HIGHRES_IMU of system 1"
     driver.start()
-    assert "not told" in driver.events()[0].text
+    assert "not stated" in driver.events()[0].text
 
 
 @pytest.mark.parametrize("noise", [b"", b"\xfd\xff\x00\xc0\n" * 50, bytes(range(256))])

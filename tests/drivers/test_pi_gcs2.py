@@ -10,7 +10,7 @@ from drivers.pi_gcs2 import PiStage
 from labcal.bench.driver_kit.testing import SILENT, Exchange, scripted
 from labcal.errors import InstrumentError
 from labcal.testing.drivers import installed
-from labcal.testing.drivers.rig import Rig
+from labcal.testing.drivers.rig import DriverRig
 
 FINE: Exchange = (b"ERR?\n", b"0\n")
 WHO: Exchange = (
@@ -102,7 +102,7 @@ def test_a_stop_is_no_error_and_another_error_with_it_is() -> None:
 
 
 def test_a_reference_that_somebody_stopped_is_none() -> None:
-    rig: Rig = installed("pi-gcs2", forbidden=[]).rig()
+    rig: DriverRig = installed("pi-gcs2", forbidden=[]).rig()
     rig.driver.identify()
     rig.lab.platform.move(rig.clock.now(), 40.0, 40.0)
     rig.wait(10.0)
@@ -117,7 +117,7 @@ def test_a_reference_that_somebody_stopped_is_none() -> None:
 def test_pis_own_library_drives_the_emulator() -> None:
     pipython = pytest.importorskip("pipython", reason="needs pipython, which is not installed")
     gateway = pytest.importorskip("pipython.pidevice.interfaces.pigateway").PIGateway
-    rig: Rig = installed("pi-gcs2", forbidden=[]).rig()
+    rig: DriverRig = installed("pi-gcs2", forbidden=[]).rig()
 
     class Gateway(gateway):  # type: ignore[misc,valid-type]
         timeout, connected, connectionid = 500, True, 0

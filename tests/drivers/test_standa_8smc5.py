@@ -13,7 +13,7 @@ from drivers.standa_8smc5 import StandaStage
 from labcal.bench.driver_kit.testing import Exchange, scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.testing.drivers import installed
-from labcal.testing.drivers.rig import Rig
+from labcal.testing.drivers.rig import DriverRig
 
 HOMED, RUNS, HOME_RUNS, HOME_DONE, HOME_FAILED = 0x20, 0x81, 0x86, 0x06, 0x46
 SPEED = (800, 0, 800, 800, 80, 0, 0)  # 10 deg/s of 28 800 steps a turn
@@ -51,7 +51,7 @@ def test_the_bytes_of_the_makers_library_are_those_of_this_one() -> None:
 
 
 def test_the_emulator_answers_the_makers_library() -> None:
-    rig: Rig = installed("standa-8smc5", forbidden=[]).rig()
+    rig: DriverRig = installed("standa-8smc5", forbidden=[]).rig()
 
     def heard(said: bytes, wait_s: float = 0.1) -> bytes:
         rig.emulator.take(rig.clock.now(), said)

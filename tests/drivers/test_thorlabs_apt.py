@@ -11,7 +11,7 @@ from drivers.thorlabs_apt import AptStage
 from labcal.bench.driver_kit.testing import SILENT, Exchange, scripted
 from labcal.errors import InstrumentError
 from labcal.testing.drivers import installed
-from labcal.testing.drivers.rig import Rig
+from labcal.testing.drivers.rig import DriverRig
 
 COMPLETED = bytes.fromhex("6404 0E00 81 50 0100 55150200 00000000 00010080")
 HOMED_REST, MOVING, HOMING = 0x80000500, 0x80000510, 0x80000310
@@ -124,7 +124,7 @@ def test_a_stop_brakes() -> None:
 
 
 def test_homing_that_somebody_stopped_is_no_home() -> None:
-    rig: Rig = installed("thorlabs-apt", forbidden=[]).rig()
+    rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()
     rig.driver.identify()
     rig.lab.platform.move(rig.clock.now(), 40.0, 40.0)
     rig.wait(10.0)
@@ -138,7 +138,7 @@ def test_homing_that_somebody_stopped_is_no_home() -> None:
 
 def test_a_foreign_library_reads_what_the_emulator_says_and_it_hears_what_that_says() -> None:
     foreign = pytest.importorskip("thorlabs_apt_protocol", reason="needs thorlabs-apt-protocol, which is not installed")
-    rig: Rig = installed("thorlabs-apt", forbidden=[]).rig()
+    rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()
     unpack = foreign.Unpacker()
 
     def heard(said: bytes, wait_s: float) -> list[Any]:

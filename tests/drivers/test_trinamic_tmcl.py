@@ -12,7 +12,7 @@ from drivers.trinamic_tmcl import TmclStage
 from labcal.bench.driver_kit.testing import Exchange, scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.testing.drivers import installed
-from labcal.testing.drivers.rig import Rig
+from labcal.testing.drivers.rig import DriverRig
 
 NO_SUCH = 3
 
@@ -129,7 +129,7 @@ def test_the_makers_library_drives_the_emulator() -> None:
     interface = pytest.importorskip("pytrinamic.connections.tmcl_interface").TmclInterface
     module = pytest.importorskip("pytrinamic.modules").TMCM1260
     refused = pytest.importorskip("pytrinamic.tmcl").TMCLReplyStatusError
-    rig: Rig = installed("trinamic-tmcl", forbidden=[]).rig()
+    rig: DriverRig = installed("trinamic-tmcl", forbidden=[]).rig()
 
     class Line(interface):  # type: ignore[misc,valid-type]
         def _send(self, host_id: int, module_id: int, data: bytes) -> None:

@@ -10,7 +10,7 @@ from drivers.velmex_vxm import VelmexStage
 from labcal.bench.driver_kit.testing import SILENT, Exchange, scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.testing.drivers import installed
-from labcal.testing.drivers.rig import Rig
+from labcal.testing.drivers.rig import DriverRig
 
 READY, BUSY = (b"V\r", b"R"), (b"V\r", b"B")
 MOVE: Exchange = (b"C,S1M240,IA1M1220,R\r", SILENT)  # 30.5 deg at 6 deg/s of 14 400 steps a turn
@@ -88,14 +88,14 @@ def test_a_speed_it_does_not_have_sends_nothing(rate: float) -> None:
 
 
 def test_a_relative_index_is_never_sent_but_to_a_switch() -> None:
-    rig: Rig = installed("velmex-vxm", forbidden=[]).rig()
+    rig: DriverRig = installed("velmex-vxm", forbidden=[]).rig()
     for said in (b"C,S1M80,I1M400,R\r", b"I1M5\r", b"N\r", b"C,S1M80,I1M-0,I1M5,R\r", b"setM1M4\r"):
         with pytest.raises(InstrumentError, match="never sent"):
             rig.driver._link.send(said)
 
 
 def test_a_stop_on_the_way_home_sets_no_zero() -> None:
-    rig: Rig = installed("velmex-vxm", forbidden=[], settings={"home": "negative"}).rig()
+    rig: DriverRig = installed("velmex-vxm", forbidden=[], settings={"home": "negative"}).rig()
     rig.driver.identify()
     rig.lab.platform.move(rig.clock.now(), 40.0, 40.0)
     rig.wait(10.0)

@@ -59,7 +59,7 @@ def test_without_channels_it_is_the_nonlinear_form():
 def test_slopes_are_the_numerical_derivatives():
     run = run_with_currents(3)
     current = np.column_stack(list(housekeeping(1000).values()))
-    rows = telemetry.Rows(run.reading / 4e4, run.reference_magnitude / 4e4, current, 1e-6 * np.eye(3), 0.0)
+    rows = telemetry.ScaledRows(run.reading / 4e4, run.reference_magnitude / 4e4, current, 1e-6 * np.eye(3), 0.0)
     q = np.random.default_rng(0).normal(0, 0.05, 18)
 
     def square(at, reading=rows.reading):

@@ -29,7 +29,7 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
     StateRead,
 )
-from labcal.gui.ipc.past import Past
+from labcal.gui.ipc.past import PastMessages
 from labcal.gui.ipc.worker import carried_out
 from labcal.record.stream import Event, Prompt, Step
 
@@ -221,7 +221,7 @@ def answer_later(seconds):
 
 
 def test_who_comes_back_is_not_asked_again_what_was_answered():
-    past = Past(GoesOn(ORDER, "now", session_bench()))
+    past = PastMessages(GoesOn(ORDER, "now", session_bench()))
     asked_again = replace(QUESTION, t_s=3.0)
     answered = Event(2.0, "answer", "done", {"key": "ready"})
     past.keep(Recorded((Prompt(0.0, "mount-x", "Mount.", ("done",)), QUESTION, answered, asked_again)))

@@ -43,7 +43,7 @@ def test_a_wrong_unit_is_named(stated: str, factor: float, tmp_path: Path) -> No
 def test_a_reading_with_a_large_offset_is_told_and_taken(tmp_path: Path) -> None:
     made = tumble()
     found = imported(tmp_path, table(replace(made, reading=made.reading + [300e3, 0, 0])))
-    assert any("a large offset" in one for one in found.told)
+    assert any("a large offset" in one for one in found.remarks)
 
 
 @pytest.mark.parametrize("axes", [["y", "x", "-z"], ["x", "-y", "-z"], ["z", "x", "y"], ["-x", "y", "z"]])
@@ -54,7 +54,7 @@ def test_swapped_axes_are_named_as_the_mapping_would_state_them(axes: list[str],
     told = refused(tmp_path, table(other), "axes")
     stated = "[" + ", ".join(f'"{axis}"' for axis in axes) + "]"
     assert stated in told
-    assert imported(tmp_path, table(other), (CAGE[0], f"axes = {stated}\n{CAGE[0]}")).told == ()
+    assert imported(tmp_path, table(other), (CAGE[0], f"axes = {stated}\n{CAGE[0]}")).remarks == ()
 
 
 def test_an_attitude_the_other_way_round_is_named(tmp_path: Path) -> None:
@@ -67,7 +67,7 @@ def test_an_attitude_the_other_way_round_is_named(tmp_path: Path) -> None:
     made = Made(t, body + noise, np.tile(field, (300, 1)), 0 * t)
     q = {"qw": np.cos(angle / 2), "qx": 0 * t, "qy": 0 * t, "qz": np.sin(angle / 2)}
     more = '[attitude]\ncolumns = ["qw", "qx", "qy", "qz"]\norder = "wxyz"\nmaps = "{}"\n'
-    assert imported(tmp_path, table(made, **q), CAGE, more=more.format("body-to-cage")).told == ()
+    assert imported(tmp_path, table(made, **q), CAGE, more=more.format("body-to-cage")).remarks == ()
     told = refused(tmp_path, table(made, **q), "attitude", CAGE, more=more.format("cage-to-body"))
     assert "`maps` inverted" in told
 
@@ -87,14 +87,14 @@ def test_a_delay_and_a_drift_between_two_streams_are_told(offset_s: float, rate_
     theirs = made.t_s * (1 - rate_ppm * 1e-6) - offset_s
     csv(tmp_path / "ref.csv", {"t": theirs, **{n: v for n, v in table(made).items() if n[0] == "r"}})
     own = 'kind = "vector"\nfile = "ref.csv"\n'
-    told = imported(tmp_path, table(made), ('kind = "vector"\n', own)).told
+    told = imported(tmp_path, table(made), ('kind = "vector"\n', own)).remarks
     clock = next(one for one in told if "two clocks" in one)
     assert ("clock_rate_ppm" in clock) == (rate_ppm != 0)
     if not rate_ppm:
         assert f"{offset_s:.3g} s more" in clock
     mended = f"clock_offset_s = {offset_s}\nclock_rate_ppm = {rate_ppm * (1 + rate_ppm * 1e-6)}\n"
     again = imported(tmp_path, table(made), ('kind = "vector"\n', f"{own}{mended}"))
-    assert not [one for one in again.told if "two clocks" in one]
+    assert not [one for one in again.remarks if "two clocks" in one]
 
 
 def test_a_constant_reading_is_refused_and_a_constant_channel_told(tmp_path: Path) -> None:
@@ -103,7 +103,7 @@ def test_a_constant_reading_is_refused_and_a_constant_channel_told(tmp_path: Pat
     stuck[:, 2] = 7.0
     assert "z is 7" in refused(tmp_path, table(replace(made, reading=stuck)), "constant")
     more = '[channels.i]\ncolumn = "i"\nunit = "mA"\n'
-    told = imported(tmp_path, table(made, i=np.full(400, 5.0)), more=more).told
+    told = imported(tmp_path, table(made, i=np.full(400, 5.0)), more=more).remarks
     assert told == ("channel i is 0.005 A throughout: it can explain nothing",)
 
 
@@ -114,7 +114,7 @@ def test_gaps_and_missing_values_are_counted(tmp_path: Path) -> None:
     )
     columns = table(late)
     columns["my"] = np.where(np.arange(400) % 50 == 0, np.nan, columns["my"])
-    told = imported(tmp_path, columns).told
+    told = imported(tmp_path, columns).remarks
     assert "reading: 2 gaps, the longest 30.25 s" in told
     assert "reading: 8 of 400 rows have no value (NaN or empty)" in told
 
@@ -126,4 +126,4 @@ def test_a_unit_of_time_that_cannot_be_is_named(tmp_path: Path) -> None:
 
 
 def test_a_good_recording_is_taken_without_a_word(tmp_path: Path) -> None:
-    assert imported(tmp_path, table(tumble())).told == ()
+    assert imported(tmp_path, table(tumble())).remarks == ()

@@ -195,7 +195,7 @@ def test_a_file_that_is_cut_or_damaged_is_one_sentence(
         for guess in (False, True):
             out = None if guess else tmp_path / f"out-{number}"
             try:
-                session.import_foreign(session.Asked(source, name, None if guess else mapping, guess, out))
+                session.import_foreign(session.ImportRequest(source, name, None if guess else mapping, guess, out))
             except InputError as error:  # and nothing else
                 told.append(str(error))
         assert capfd.readouterr().err == ""  # nor does a parser print

@@ -28,7 +28,7 @@ def told_of(folder: Path, text: str, *changes: tuple[str, str], more: str = "") 
 def test_a_table_is_the_run_that_it_says(tmp_path: Path) -> None:
     made = tumble()
     found = imported(tmp_path, made, more='[channels.temp_dut]\ncolumn = "temp"\nunit = "degC"\n')
-    assert found.told == ()
+    assert found.remarks == ()
     assert np.array_equal(found.run.reading, made.reading)
     assert np.array_equal(found.run.channel("temp_dut").values, made.temperature_C)
     assert found.run.segments[0].reference_frame == "body"

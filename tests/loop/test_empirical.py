@@ -26,7 +26,7 @@ from labcal.testing.made_up_runs import MadeUp, made_up_run
 
 ROWS, NOISE_nT = 60, 25.0
 ALONG = np.array([200.0, -120.0, 90.0])
-BLIND = Path(__file__).parents[1] / "blind" / "nameless.py"
+BLIND = Path(__file__).parents[1] / "blind" / "empirical_term.py"
 
 
 def _bent(volts: np.ndarray) -> np.ndarray:

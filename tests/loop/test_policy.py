@@ -19,52 +19,63 @@ from labcal.loop.data.outliers import hampel_outliers
 ROOT = Path(__file__).parents[2]
 LOOP = ROOT / "labcal" / "loop"
 SPELT_OUT = (0, 0.5, 1, 2, 3)  # numbers that say no more than words do: none, half, all, both, the axes
-TOLERANCE = 1e-3  # a smaller number in a comparison is arithmetic's
+TOLERANCE = 1e-3  # a smaller number is arithmetic's
+TURN_deg = 360.0  # with 100 % and 1000 nT in a µT, which stand in sentences: units, and the only ones
+UNITS_IN_SENTENCES = (100, 1000)
 KINDS = {
     "budget of a search": (
-        "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS BELOW_NYQUIST",
-        "data.checks:OFFSETS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED",
-        "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
+        "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS SKIRT BELOW_NYQUIST",
+        "data.checks:OFFSETS_S STEPS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED AMPLE",
+        "selection.crossval:FOLDS BLOCKS CORRELATION_TIMES BLOCK_ROWS DRAWS TWO_BLOCKS INTERVAL_95",
+        "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
         "selection.discrepancy:NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
         "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION",
-        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
+        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG", "candidates.refine:BRACKETINGS",
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.gaps:TWO_SAMPLES", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.saturation:NEIGHBOUR_READINGS",
         "data.outliers:WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
-        "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
+        "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS LONGEST_LAG",
     ),
     "setting of an estimator": (
-        "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST",
-        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
+        "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD USUAL_TURN LINE_CONTRAST",
+        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE ANGLE_DECIMALS",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
-        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "noise.marginal:RATIOS",
+        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS BELOW_LOWEST", "noise.marginal:RATIOS",
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
-        "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
+        "noise.periodogram:FINER MEDIAN_WIDTH LONGEST PADDING", "noise.cross_correlation:TAPERED",
+        "selection.related:RANDOM_DIRECTIONS DECIMALS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
-        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "telling:QUIET_s", "closures:SHARE SETTLED_S",
+        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "closures:SHARE SETTLED_S",
+        "progress_report:SILENT_s",
         "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
-        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "findings.run_findings:ONE_SIGNAL",
+        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:APART WILD", "data.base_model:ITERATIONS",
+        "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
         "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
     ),
+    "constant of mathematics": (
+        "data.noise_floor:ROUNDING", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
+        "findings.residual_tests:SPIRAL",
+    ),
     "run that is simulated": (
-        "design.experiments:ROWS MIN_ROWS HALF_TURN GAP_S WARMER_C CYCLES",
+        "design.experiments:ROWS MIN_ROWS HALF_TURN GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "
+        "ROWS_A_LEVEL ROWS_A_MODE WARM_ROW_S WARM_TURNS WEAK_FIELD",
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
     "words for what is left, beside the verdict": (
-        "empirical.words:POINTS NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
+        "empirical.words:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
-        "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS",
+        "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS EDGE LOW_BAND QUARTERS_deg LEAST_EXCESS",
     ),
 }  # fmt: skip
 
@@ -92,13 +103,27 @@ def _constants(tree: ast.Module) -> Iterator[str]:
             yield from (n.id for target in targets for n in ast.walk(target) if isinstance(n, ast.Name))
 
 
-def _anonymous(tree: ast.Module) -> Iterator[str]:
-    """Comparisons that hold a number with a meaning of its own."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Compare):
-            numbers = [n.value for side in (node.left, *node.comparators) for n in ast.walk(side) if _is_number(n)]
-            if any(number not in SPELT_OUT and abs(number) > TOLERANCE for number in numbers):
-                yield f"line {node.lineno}: {ast.unparse(node)}"
+def _numbers(node: ast.AST, *, in_words: bool = False, index: bool = False) -> Iterator[ast.Constant]:
+    """Numbers below `node` with a meaning of their own: neither an `index` nor a unit within a sentence."""
+    if isinstance(node, ast.Constant):
+        known = (*SPELT_OUT, TURN_deg, *(UNITS_IN_SENTENCES if in_words else ()))
+        if _is_number(node) and not index and node.value not in known and abs(node.value) > TOLERANCE:
+            yield node
+    elif isinstance(node, ast.Subscript):
+        yield from _numbers(node.value, in_words=in_words)
+        yield from _numbers(node.slice, in_words=in_words, index=True)
+    else:
+        index = index and isinstance(node, ast.Slice | ast.Tuple | ast.UnaryOp)
+        in_words = in_words or isinstance(node, ast.FormattedValue)
+        for part in ast.iter_child_nodes(node):
+            yield from _numbers(part, in_words=in_words, index=index)
+
+
+def _anonymous(tree: ast.Module) -> Iterator[ast.Constant]:
+    """Numbers of a module that nothing names: in comparisons, arithmetic, calls, and as what holds by default."""
+    for statement in tree.body:
+        if not isinstance(statement, (ast.Assign, ast.AnnAssign)):
+            yield from _numbers(statement)
 
 
 def test_no_number_in_the_loop_is_a_judgement_outside_the_policy() -> None:
@@ -107,8 +132,9 @@ def test_no_number_in_the_loop_is_a_judgement_outside_the_policy() -> None:
     assert _listed() - found == set(), "listed, and there no more"
 
 
-def test_no_threshold_stands_anonymously_in_a_comparison() -> None:
-    assert {module: said for module, tree in _modules() if (said := list(_anonymous(tree)))} == {}
+def test_no_number_stands_anonymously_in_a_function() -> None:
+    found = {module: [(number.lineno, number.value) for number in _anonymous(tree)] for module, tree in _modules()}
+    assert {module: numbers for module, numbers in found.items() if numbers} == {}
 
 
 @pytest.mark.parametrize("source", ["A = 1.5", "A: float = 3.0", "A, B = 7, 8", "A = np.arange(5)"])
@@ -116,9 +142,21 @@ def test_a_new_constant_is_seen(source: str) -> None:
     assert list(_constants(ast.parse(source))) in (["A"], ["A", "B"])
 
 
-@pytest.mark.parametrize("source", ["x > 0.7", "x < 4 * y", "0.1 <= x", "f(x, 12) == y", "x > 1.15 * level.nT"])
-def test_an_anonymous_threshold_is_seen(source: str) -> None:
+@pytest.mark.parametrize(
+    "source",
+    ["x > 0.7", "x < 4 * y", "0.1 <= x", "f(x, 12) == y", "x > 1.15 * level.nT", "max(5 * correlation_s, step)",
+     "max(x, 0.3)", "def f(x, level=1.5): ...", "def f(*, rows=24): ...", "y[: len(y) // 4]", "np.zeros((12, n))",
+     "f'{x:.0f} of {7 * n}'", "x > 100", "class A:\n    rows: int = 60"],
+)  # fmt: skip
+def test_an_anonymous_number_is_seen(source: str) -> None:
     assert len(list(_anonymous(ast.parse(source)))) == 1
+
+
+@pytest.mark.parametrize(
+    "source", ["x[5]", "x[:, 3:7]", "x[-4]", "0.5 * x**2", "x > 1e-9", "f'{100 * x:.0f} %'", "np.mod(x, 360.0)"]
+)
+def test_what_says_no_more_than_words_or_a_unit_is_let_be(source: str) -> None:
+    assert not list(_anonymous(ast.parse(source)))
 
 
 def test_every_judgement_is_read_somewhere() -> None:

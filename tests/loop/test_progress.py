@@ -1,4 +1,4 @@
-"""What a run says while it is weighed: how long it still takes, and what is known so far."""
+"""What a run says while it is scored: how long it still takes, and what is known so far."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop import close, telling
+from labcal.loop import close, progress_report
 
 
 def test_a_long_run_says_how_long_and_what_is_known_so_far(
@@ -54,9 +54,9 @@ def _stopped_in(place: str, making: ModuleType, folder: Path, patch: pytest.Monk
     ("place", "doing", "known"),
     [
         ("close.check_data", "fitting the base model", "nothing is known yet"),
-        ("selection.select.likelier_forms", "weighing", "so far offset-current (i_load), not proven yet"),
-        ("selection.proof.nested_selection", "weighing the selection on each part", "so far offset-current"),
-        ("close.final_fit", "weighing what does as well", "so far offset-current (i_load), not proven yet"),
+        ("selection.select.likelier_forms", "scoring", "so far offset-current (i_load), not proven yet"),
+        ("selection.proof.nested_selection", "scoring the selection on each part", "so far offset-current"),
+        ("close.final_fit", "scoring what does as well", "so far offset-current (i_load), not proven yet"),
     ],
 )  # fmt: skip
 def test_stopped_it_tells_what_it_did_and_what_it_knows(
@@ -68,10 +68,10 @@ def test_stopped_it_tells_what_it_did_and_what_it_knows(
 
 
 def test_a_long_search_says_what_it_weighs(making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(telling, "QUIET_s", -1.0)
+    monkeypatch.setattr(progress_report, "SILENT_s", -1.0)
     rows, segments = making.recorded(seconds=30.0)
     rows["dut"] = rows["dut"] + 200 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
     said: list[str] = []
     close.close_loop(session.load_run(str(making.written(tmp_path, rows, segments))), said.append)
-    assert any(text.startswith("weighing every effect beside offset-current (i_load); so far") for text in said)
-    assert any(text.startswith("weighing what does as well beside offset-current (i_load)") for text in said)
+    assert any(text.startswith("scoring every effect beside offset-current (i_load); so far") for text in said)
+    assert any(text.startswith("scoring what does as well beside offset-current (i_load)") for text in said)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from labcal.fit import fit
 from labcal.fit.swarm.loci import loci_of
 from labcal.fit.swarm.polish import WhiteIn, polish
-from labcal.fit.swarm.search import PUBLISHED, Found, objective_of, search
+from labcal.fit.swarm.search import PUBLISHED, SwarmResult, objective_of, search
 from labcal.fit.vector.ml import estimate
 from labcal.geometry import rotate
 from labcal.model.affine import jacobian
@@ -121,7 +121,7 @@ def magnitudes_of(run: Run) -> Run:
     )
 
 
-def published(run: Run, seed: int) -> Found:
+def published(run: Run, seed: int) -> SwarmResult:
     """The method as printed: Table I, 500 iterations, Algorithm 3, weights 1 and 4e4."""
     return search(loci_of(run), 1.0, PUBLISHED, seed)
 

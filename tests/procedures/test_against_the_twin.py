@@ -32,7 +32,7 @@ def test_ambient_finds_mean_and_noise_and_names_the_mains_that_a_rate_folds_to_z
     assert xyz(found, "noise ref_{}") == pytest.approx([quantised] * 3, rel=0.15)
     assert "50 Hz is seen as a steady field at 10 dut samples/s" in found.event("ambient").text
     notes = [i.text for i in found.items if getattr(i, "kind", "") == "note"]
-    assert "100 Hz is not told from 50 Hz at 30/s" in notes
+    assert "100 Hz is not distinguishable from 50 Hz at 30/s" in notes
     assert [(s.id, s.kind) for s in session.load_run(found.outcome.run_id).segments] == [("room", "static")]
 
 

@@ -17,14 +17,14 @@ from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.links import EmulatedLink, Link
-from labcal.bench.streams.field_datagrams import Ended, Wanted, answer, parse
+from labcal.bench.streams.field_datagrams import EndOfSource, WantedField, answer, parse
 from labcal.bench.streams.field_source import FieldSource, open_line
 from labcal.errors import InputError, InstrumentError, LimitError
 from labcal.record.stream import Event, Measurement, Prompt
 from labcal.runner import find
 from labcal.runner.drive import Ending
 from labcal.runner.prompts import first_choice
-from labcal.testing.procedures import Trial
+from labcal.testing.procedures import ProcedureTrial
 from procedures.play_field import play_field
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "field-source.md"
@@ -85,7 +85,7 @@ class Played:
         said = {"source": "udp://127.0.0.1:5700", "duration_s": "10", "limit_nT": "5000"}
         said |= {key: str(value) for key, value in given.items()}
         self.simulator = simulator
-        self._trial = Trial(find("play-field"), said, bench, first_choice)
+        self._trial = ProcedureTrial(find("play-field"), said, bench, first_choice)
         self.ending: Ending = self._trial.run()
         self.left_A = self._trial.left_A
         self.events = [i for i in self._trial.items if isinstance(i, Event)]
@@ -135,7 +135,7 @@ def is_told_what_stands(done: Played, n: int) -> None:
     for words in told:
         assert words[:2] == ["labcal-field/1", "set"]
         wanted = parse(good(int(words[2])), 0.0)
-        assert isinstance(wanted, Wanted)
+        assert isinstance(wanted, WantedField)
         assert np.array(words[4:], float) == pytest.approx(wanted.b_nT, abs=200)  # a milliampere is 50 nT
 
 
@@ -242,12 +242,12 @@ def test_nobody_sends_and_nothing_is_energised(bench_file: BenchFile, monkeypatc
 )
 def test_numbers_as_programs_write_them(data: bytes, number: int) -> None:
     wanted = parse(data, 3.0)
-    assert isinstance(wanted, Wanted)
+    assert isinstance(wanted, WantedField)
     assert (wanted.number, wanted.t_s, wanted.b_nT.tolist(), wanted.arrived_s) == (number, 1.5, [-1e3, 2.5, 0], 3.0)
 
 
 def test_words_of_the_protocol() -> None:
-    assert parse(b"labcal-field/1,8,end\n", 0.0) == Ended(8)
+    assert parse(b"labcal-field/1,8,end\n", 0.0) == EndOfSource(8)
     assert parse(b"labcal-field/2,8,end\n", 0.0) is None
     assert answer(8, 0.4567, np.array([1.0, -2.04, 0.0])) == b"labcal-field/1,set,8,0.4567,1.0,-2.0,0.0\n"
 

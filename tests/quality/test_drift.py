@@ -7,7 +7,7 @@ import pytest
 
 from labcal.quality.drift import drift
 from labcal.quality.intercomparison import compare_benches
-from labcal.quality.recalibration import LONGEST_D, METHODS, SHORTEST_D, Proposal, proposals
+from labcal.quality.recalibration import LONGEST_D, METHODS, SHORTEST_D, IntervalProposal, proposals
 
 
 @pytest.mark.parametrize("beyond", [0.0, 3.0])
@@ -38,7 +38,7 @@ def test_too_few_calibrations_have_no_drift() -> None:
         drift([1, 1, 1], [1, 2, 3], [1, 1, 1])
 
 
-def proposed(values: list[float], permitted: float, hours: list[float] | None = None) -> dict[str, Proposal]:
+def proposed(values: list[float], permitted: float, hours: list[float] | None = None) -> dict[str, IntervalProposal]:
     days = 365.25 * np.arange(float(len(values)))
     u = np.full(len(values), 0.1)
     used = None if hours is None else np.array(hours)

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from drivers.emulators.line import Pieces
-from drivers.emulators.streaming import Beat
+from drivers.emulators.streaming import SampleClock
 from labcal.bench import open_bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.record.stream import Block, Item, Measurement
@@ -36,7 +36,7 @@ MOST_GROWTH = 8 << 20  # bytes: what waits for the next commit comes and goes
 def test_no_sample_of_a_thousand_a_second_is_lost(bench_file: Callable[..., Path], clock: Clock) -> None:
     with closing(open_bench(bench_file(), clock=clock, seed=2)) as bench, Store.open() as store:
         wire: Any = bench.dut
-        wire._link._emulator._beat = Beat(RATE_HZ, clock.now())
+        wire._link._emulator._beat = SampleClock(RATE_HZ, clock.now())
         given = {"rate_deg_per_s": "20", "zero_s": "2", "inclination_deg": "50"}
         outcome = run_procedure(bench, find("rotate-axis"), given, store=store, answer=yes_to_all(True))
         items, run = list(store.items(outcome.run_id)), store.run(outcome.run_id)
@@ -81,7 +81,7 @@ def listened(bench_file: Path, seconds: float, tell: Callable[[Item], None]) -> 
     clock = VirtualClock(START)
     with closing(open_bench(bench_file, clock=clock, seed=2)) as bench, Store.open() as store:
         emulator = cast(Any, bench.dut)._link._emulator
-        emulator._beat, each = Beat(RATE_HZ, clock.now()), emulator.emit
+        emulator._beat, each = SampleClock(RATE_HZ, clock.now()), emulator.emit
         emulator.emit = lambda until_s: together(each(until_s))
         given, answer = {"duration_s": f"{seconds}", "mains_s": "5"}, yes_to_all(True)
         return run_procedure(bench, find("ambient"), given, store=store, answer=answer, tell=tell)

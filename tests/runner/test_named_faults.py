@@ -168,8 +168,8 @@ def test_a_stop_whose_end_the_store_does_not_keep_tells_both(
         outcome = preflight(bench, tell, control=control)
         holder[0].close()
     assert outcome.status == "interrupted"
-    assert outcome.told.startswith("stopped, but the store has not kept its end and shows it as interrupted: ")
-    assert "the store was locked" in outcome.told
+    assert outcome.ending.startswith("stopped, but the store has not kept its end and shows it as interrupted: ")
+    assert "the store was locked" in outcome.ending
     assert outcome.resumable
     assert isinstance(outcome.fault, InstrumentError), "a run that can be gone on with is no stopped one"
     assert outcome.fault.fault == "store locked"
@@ -181,4 +181,4 @@ def test_an_end_that_waited_for_the_disk_says_so(bench_file: BenchFile, monkeypa
     with opened(bench_file) as bench:
         outcome = preflight(bench)
     assert outcome.status == "finished"
-    assert outcome.told == "finished, kept by the store 0 s later"
+    assert outcome.ending == "finished, kept by the store 0 s later"

@@ -145,8 +145,8 @@ def test_the_coils_go_first_and_what_waits_is_kept_when_the_store_is_whole_again
     monkeypatch.setattr(writer, "PATIENCE_S", LONG_S)
     run = Broken(bench_file, monkeypatch, breaks, mend=True)
     goes_first(run, fault)
-    assert run.outcome.told.startswith("interrupted by its store: ")
-    assert run.outcome.told.endswith("to be kept; every row is kept by now")
+    assert run.outcome.ending.startswith("interrupted by its store: ")
+    assert run.outcome.ending.endswith("to be kept; every row is kept by now")
     assert run.outcome.resumable
     with Store.open() as store:
         assert store.status("R") == "interrupted"
@@ -165,7 +165,7 @@ def test_rows_for_a_file_that_lies_there_no_more_are_never_called_kept(
     monkeypatch.setattr(writer, "PATIENCE_S", 0.5)
     run = Broken(bench_file, monkeypatch, breaks)
     goes_first(run, "store gone")
-    assert run.outcome.told.endswith("while it was written to; what was not committed is lost") or breaks is replaced
+    assert run.outcome.ending.endswith("while it was written to; what was not committed is lost") or breaks is replaced
     assert not run.outcome.resumable
     for mend in run.mended:
         mend()

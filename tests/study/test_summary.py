@@ -6,7 +6,7 @@ from typing import Any
 
 from labcal.study.job import Job, Row
 from labcal.study.page import cell_text, heading
-from labcal.study.specification import Blind, Design, Fleet, MonteCarlo
+from labcal.study.specification import Blind, Design, FleetStudy, MonteCarlo
 from labcal.study.summary import Summary, summarise
 
 FAILED: Row = {"why_not": "the supply is silent"}
@@ -53,7 +53,7 @@ def test_blind_trials_are_counted_and_a_wrong_name_is_a_negative_result() -> Non
 
 
 def test_a_fleet_counts_what_moves_by_more_than_its_U() -> None:
-    asked = Fleet(format="labcal-study/1", kind="fleet")
+    asked = FleetStudy(format="labcal-study/1", kind="fleet")
     rows = [("a", Row(why_not="", worst_change_U=-3.0, effects="lag", effects_before="")),
             ("b", Row(why_not="", worst_change_U=0.5, effects="", effects_before=""))]  # fmt: skip
     found = summary(asked, rows)

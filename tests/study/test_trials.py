@@ -18,7 +18,7 @@ from labcal.study.engine import on_processes
 from labcal.study.job import Job
 from labcal.study.jobs import jobs_of
 from labcal.study.run import run_study
-from labcal.study.simulated import Recorded, record, truth
+from labcal.study.simulated import SimulatedRun, record, truth
 from labcal.study.specification import read_study
 from labcal.study.trials import design, lab_time
 from labcal.study.work import work
@@ -55,13 +55,13 @@ def settings(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def recorded(settings: Mapping[str, Any], tmp_path_factory: pytest.TempPathFactory) -> Recorded:
+def recorded(settings: Mapping[str, Any], tmp_path_factory: pytest.TempPathFactory) -> SimulatedRun:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("LABCAL_HOME", str(tmp_path_factory.mktemp("home")))
         return record(settings)
 
 
-def test_the_truth_is_the_map_that_a_fit_comes_near(recorded: Recorded, settings: Mapping[str, Any]) -> None:
+def test_the_truth_is_the_map_that_a_fit_comes_near(recorded: SimulatedRun, settings: Mapping[str, Any]) -> None:
     found = fit(recorded.run, holdout=False)
     assert found.affine is not None
     turned, longer = errors(found.affine, truth(settings["bench"]), 50_000.0)
@@ -69,7 +69,7 @@ def test_the_truth_is_the_map_that_a_fit_comes_near(recorded: Recorded, settings
     assert 0 < longer < 60
 
 
-def test_lab_time_of_all_rotations_is_that_of_the_run_and_the_hands(recorded: Recorded) -> None:
+def test_lab_time_of_all_rotations_is_that_of_the_run_and_the_hands(recorded: SimulatedRun) -> None:
     time_ = lab_time(recorded, 180.0)
     everything = np.ones((1, 2), dtype=np.bool_)
     assert [segment.mounting for segment in recorded.run.segments] == ["x", "y"]
@@ -80,7 +80,7 @@ def test_lab_time_of_all_rotations_is_that_of_the_run_and_the_hands(recorded: Re
     assert time_.of(one)[0] == pytest.approx(time_.of(everything)[0] - y)
 
 
-def recorded_before(recorded: Recorded) -> float:
+def recorded_before(recorded: SimulatedRun) -> float:
     """Lab time before the first step: instruments are greeted."""
     return recorded.lab_s - sum(seconds for _, seconds in recorded.steps)
 

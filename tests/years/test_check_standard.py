@@ -16,7 +16,7 @@ from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Event
 from labcal.session import new_key, read_audit
 from labcal.session.check_standard import NAMESPACE
-from labcal.session.figures import Figure, place_of
+from labcal.session.figures import SensorFigure, place_of
 from labcal.store import Store
 
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -54,8 +54,8 @@ def measured(bench: Path, offsets: list[float], *, of: str = "CS-1", first: int 
             store.begin(header).finish("finished")
         place = place_of(header.run_id)
         place.parent.mkdir(exist_ok=True)
-        others = [Figure(f"{kind} {axis}", i % 3, 1.0, "ppm") for kind in ("offset", "scale") for axis in "xyz"]
-        figures = [*others[1:], Figure("offset x", offset, 1.0, "nT")]
+        others = [SensorFigure(f"{kind} {axis}", i % 3, 1.0, "ppm") for kind in ("offset", "scale") for axis in "xyz"]
+        figures = [*others[1:], SensorFigure("offset x", offset, 1.0, "nT")]
         place.write_text(json.dumps([asdict(one) for one in figures]))
 
 

@@ -18,7 +18,7 @@ from labcal.errors import InputError
 from labcal.store import save_bundle
 from labcal.store.bundle import bundle_of
 from labcal.testing.made_up_runs import made_up_run
-from labcal.years.told import Mail, Webhook, tell
+from labcal.years.notify import Mail, Webhook, notify
 from labcal.years.watch import Source, look, watch
 
 S = TypeVar("S", bound=socketserver.BaseServer)
@@ -146,7 +146,7 @@ def test_who_could_not_be_told_is_told_at_the_next_look(tmp_path: Path, mailbox:
     folder.mkdir()
     (folder / "broken.zip").write_bytes(b"nothing")
     nobody = Mail(("ada@example.org",), "labcal@localhost", "127.0.0.1:1")
-    with pytest.raises(InputError, match=r"nobody was told by mail over 127\.0\.0\.1:1"):
+    with pytest.raises(InputError, match=r"nobody was notified by mail over 127\.0\.0\.1:1"):
         look(Source(folder, settled_s=0), out, [nobody])
     assert look(Source(folder, settled_s=0), out, [replace(nobody, server=mailbox.name)]) == []
     assert "broken.zip" in mailbox.mails[0]
@@ -155,7 +155,7 @@ def test_who_could_not_be_told_is_told_at_the_next_look(tmp_path: Path, mailbox:
 def test_a_webhook_that_fails_keeps_no_mail_back_and_its_address_is_not_said(mailbox: Mailbox) -> None:
     for refusing in serving(Hook(500)):
         with pytest.raises(InputError, match=r"webhook at 127\.0\.0\.1") as told:
-            tell([Webhook(refusing.url), Mail(("a@b",), "c@d", mailbox.name)], "s", "t", {})
+            notify([Webhook(refusing.url), Mail(("a@b",), "c@d", mailbox.name)], "s", "t", {})
         assert "secret-path" not in str(told.value)
     assert len(mailbox.mails) == 1
 

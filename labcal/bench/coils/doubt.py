@@ -90,7 +90,7 @@ class StoredDoubt:
         if self._kept is not None:
             self._keep(replace(self._kept, lifted=by))
 
-    def told(self) -> Doubt | None:
+    def take_lifted(self) -> Doubt | None:
         """The doubt that was lifted and stands in no record yet; it is forgotten by this."""
         kept = self._kept
         if kept is None or not kept.lifted:

@@ -42,14 +42,14 @@ class Watch:
     def __init__(self, path: Path, bench: Briefing, handed: Handover, *, succeeds: bool) -> None:
         self._path, self._bench, self._succeeds = path, bench, succeeds
         self._guardian = Guardian(path, bench.config, note, handed)
-        self._told_to_end = threading.Event()
+        self._end_requested = threading.Event()
         self._standbys = Standbys(bench, self._guardian)
 
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
         ports.announce(card | {"bench": str(self._path), "named": os.path.abspath(self._bench.named)})
-        signal.signal(signal.SIGTERM, lambda *_: self._told_to_end.set())
+        signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
         self._guardian.zero("the one before is gone, its successor begins" if self._succeeds else "a session begins")
@@ -84,7 +84,7 @@ class Watch:
                 if not (ports.still_held() and wire.still_there(card)):
                     self._guardian.zero("its lock or its socket was removed: nobody could find it")
                     return
-            if self._told_to_end.is_set():
+            if self._end_requested.is_set():
                 self._guardian.zero("the guardian was told to end")
                 return
             lonely = server.had_session or time.monotonic() - begun > alone_s

@@ -19,7 +19,7 @@ REMEDY = "Look at the simulator; nothing it sends is taken until play-field is b
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Wanted:
+class WantedField:
     """One field `b_nT` (3,) in C, of the source's own time `t_s`; it came at `arrived_s` of the bench's clock."""
 
     number: int
@@ -29,13 +29,13 @@ class Wanted:
 
 
 @dataclass(frozen=True, slots=True)
-class Ended:
+class EndOfSource:
     """The source says that it has no more."""
 
     number: int
 
 
-def parse(data: bytes, arrived_s: float) -> Wanted | Ended | None:
+def parse(data: bytes, arrived_s: float) -> WantedField | EndOfSource | None:
     """What a datagram says; None for one that does not begin as ours do. Raises InstrumentError (wrong reply)."""
     if not data.startswith(NAME):
         return None
@@ -43,13 +43,13 @@ def parse(data: bytes, arrived_s: float) -> Wanted | Ended | None:
     if len(data) > LONGEST or not re.fullmatch("[0-9]{1,15}", words[0]):
         raise _no_field(data)
     if words[1:] == ["end"]:
-        return Ended(int(words[0]))
+        return EndOfSource(int(words[0]))
     if len(words) != 5 or not all(NUMBER.fullmatch(word) for word in words[1:]):
         raise _no_field(data)
     t_s, *b_nT = map(float, words[1:])
     if max(map(abs, b_nT)) > LARGEST_FIELD_nT or abs(t_s) > 1e12:
         raise _no_field(data)
-    return Wanted(int(words[0]), t_s, np.array(b_nT), arrived_s)
+    return WantedField(int(words[0]), t_s, np.array(b_nT), arrived_s)
 
 
 def answer(number: int, latency_s: float, b_nT: Array) -> bytes:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link, open_link
-from labcal.bench.streams.field_datagrams import REMEDY, Ended, Wanted, answer, parse
+from labcal.bench.streams.field_datagrams import REMEDY, EndOfSource, WantedField, answer, parse
 from labcal.errors import InputError, InstrumentError
 
 Array = NDArray[np.float64]
@@ -74,8 +74,8 @@ class FieldSource:
         self._link, self._clock, self._refuse, self._ramp_s = link, clock, refuse, ramp_s
         self.silent_s, self._max_age_s = silent_s, max_age_s
         self.counts, self.offsets = Counts(), Offsets()
-        self._last: Wanted | None = None
-        self._taken: list[Wanted] = []
+        self._last: WantedField | None = None
+        self._taken: list[WantedField] = []
         self.ended = False  # the source has said so
         self._since_s = clock.now()
 
@@ -94,12 +94,12 @@ class FieldSource:
                 f"the field source has sent no new field for {silent_s:.1f} s.", fault="silent", remedy=REMEDY
             )
 
-    def taken(self) -> list[Wanted]:
+    def taken(self) -> list[WantedField]:
         """The fields believed since this was asked last, the newest at the end."""
         taken, self._taken = self._taken, []
         return taken
 
-    def tell(self, wanted: Wanted, latency_s: float, b_nT: Array) -> None:
+    def tell(self, wanted: WantedField, latency_s: float, b_nT: Array) -> None:
         """Tell the source that a field stands."""
         self._link.send(answer(wanted.number, latency_s, b_nT))
 
@@ -107,17 +107,17 @@ class FieldSource:
         """Let go of the port."""
         self._link.close()
 
-    def _take(self, said: Wanted | Ended | None) -> None:
+    def _take(self, said: WantedField | EndOfSource | None) -> None:
         if said is None:
             self.counts.foreign += 1
         elif self._last is not None and said.number <= self._last.number:
             self.counts.repeated += 1
-        elif isinstance(said, Ended):
+        elif isinstance(said, EndOfSource):
             self.ended = True
         elif not self.ended:
             self._believe(said)
 
-    def _believe(self, wanted: Wanted) -> None:
+    def _believe(self, wanted: WantedField) -> None:
         self._refuse(wanted.b_nT)
         self.offsets.take(wanted.arrived_s - wanted.t_s)
         self._refuse_time(wanted)
@@ -129,7 +129,7 @@ class FieldSource:
         self._last = wanted
         self._since_s = wanted.arrived_s
 
-    def _refuse_time(self, wanted: Wanted) -> None:
+    def _refuse_time(self, wanted: WantedField) -> None:
         """Its clock must go on, neither late nor ahead of the bench's by more than the age that is allowed."""
         offset_s, seen = wanted.arrived_s - wanted.t_s, self.offsets
         if self._last is not None and wanted.t_s <= self._last.t_s:
@@ -139,7 +139,7 @@ class FieldSource:
         if (ahead_s := seen.first - offset_s) > self._max_age_s:
             raise _stale(wanted, f"whose time has run {ahead_s:.2f} s ahead of ours since it began")
 
-    def _refuse_jump(self, wanted: Wanted, last: Wanted) -> None:
+    def _refuse_jump(self, wanted: WantedField, last: WantedField) -> None:
         step_nT, given_s = wanted.b_nT - last.b_nT, wanted.t_s - last.t_s
         if (needed_s := self._ramp_s(step_nT)) > given_s:
             raise InstrumentError(
@@ -150,7 +150,7 @@ class FieldSource:
             )
 
 
-def _stale(wanted: Wanted, why: str) -> InstrumentError:
+def _stale(wanted: WantedField, why: str) -> InstrumentError:
     return InstrumentError(
         f"the field source sent a field (number {wanted.number}) {why}.", fault="stale", remedy=REMEDY
     )

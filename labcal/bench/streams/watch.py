@@ -30,7 +30,7 @@ class StreamWatch:
         self._last_s = self._changed_s = self._excused_s = now_s
         self._longest_s: float | None = None  # between two samples; None before there were two
         self._quiet = False
-        self._told: list[Event] = []
+        self._pending: list[Event] = []
         self._value: Array | None = None
         self._same = 0
 
@@ -45,8 +45,8 @@ class StreamWatch:
 
     def news(self) -> list[Event]:
         """Silences that began or ended since this was asked last."""
-        told, self._told = self._told, []
-        return told
+        pending, self._pending = self._pending, []
+        return pending
 
     def see(self, blocks: list[Block], now_s: float, wrong: str = "") -> None:
         """Look at what has come up to `now_s`; `wrong` is what is known to keep it from sending."""
@@ -76,7 +76,7 @@ class StreamWatch:
             self._tell(now_s, "silent", f"no sample for {pause_s:.1f} s")
 
     def _tell(self, t_s: float, fault: str, text: str) -> None:
-        self._told.append(Event(t_s, "stream", f"{self.name}: {text}", {"fault": fault}))
+        self._pending.append(Event(t_s, "stream", f"{self.name}: {text}", {"fault": fault}))
 
     def _note(self, block: Block) -> None:
         if self._quiet:
@@ -105,7 +105,7 @@ class Look:
     def __init__(self, names: Sequence[str], ask: Callable[[str], None]) -> None:
         self._names, self._ask, self._next_s = tuple(names), ask, 0.0
         self._wrong: dict[str, str] = {}
-        self._told: list[Event] = []
+        self._pending: list[Event] = []
 
     def at(self, now_s: float) -> None:
         """Look, where it is time. Raises InstrumentError where another instrument answers than before."""
@@ -121,8 +121,8 @@ class Look:
 
     def news(self) -> list[Event]:
         """What has gone or come back since this was asked last."""
-        told, self._told = self._told, []
-        return told
+        pending, self._pending = self._pending, []
+        return pending
 
     def _look(self, name: str, now_s: float) -> None:
         try:
@@ -131,11 +131,11 @@ class Look:
             if fault.fault == "another instrument":
                 raise
             if name not in self._wrong:
-                self._told.append(Event(now_s, "stream", f"{name}: {fault.what}", {"fault": fault.fault}))
+                self._pending.append(Event(now_s, "stream", f"{name}: {fault.what}", {"fault": fault.fault}))
             self._wrong[name] = fault.fault
             return
         if self._wrong.pop(name, None) is not None:
-            self._told.append(Event(now_s, "stream", f"{name}: it answers again", {"fault": "heard again"}))
+            self._pending.append(Event(now_s, "stream", f"{name}: it answers again", {"fault": "heard again"}))
 
 
 class TemperatureLimit:

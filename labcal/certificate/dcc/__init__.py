@@ -52,11 +52,11 @@ def write_dcc(
         why = "; ".join(found.against())
         raise InputError(f"is no certificate: {why}; nothing was written", file=found.file)
     if run is None:
-        told = f"a certificate states when it was measured; run {calibration.run_id} is not in this lab's store"
-        raise InputError(f"{told} (`labcal import` takes its bundle in)")
+        what = f"a certificate states when it was measured; run {calibration.run_id} is not in this lab's store"
+        raise InputError(f"{what} (`labcal import` takes its bundle in)")
     if said.administrative.laboratory is None or said.administrative.customer is None:
-        told = f"a certificate names its laboratory and its customer: state both in bench.toml, or here {WANTED}"
-        raise InputError(told, file=laboratory)
+        what = f"a certificate names its laboratory and its customer: state both in bench.toml, or here {WANTED}"
+        raise InputError(what, file=laboratory)
     xml = dcc_xml(calibration, found.content, found.file.name, run, said, found.signers, changed)
     atomic.write_bytes(out, xml if xml_key is None else signed_xml(xml, xml_key))
     return lacks(xml)

@@ -7,7 +7,7 @@ from typing import Any
 from labcal.certificate.dcc.parts import Makers
 from labcal.uncertainty.conformity import Change, Changes
 
-TOLD = (
+DIFFERENCE = (
     "As found by the calibration of run {found}, as left by this one. U is that of the difference, k = 2; "
     "E_n = (as left - as found) / U (ISO/IEC 17043): beyond 1 in size the sensor has changed."
 )
@@ -24,5 +24,5 @@ def _result(m: Makers, changed: Changes, row: Change) -> Any:
     if row.U is not None and row.e_n is not None:
         quantities.append(m.quantity(row.left - row.found, row.unit, row.U, name="change"))
         quantities.append(m.quantity(row.e_n, "1", name="E_n"))
-    said = " ".join([TOLD.format(found=changed.found), *changed.remarks])
+    said = " ".join([DIFFERENCE.format(found=changed.found), *changed.remarks])
     return m.result(f"since the calibration before: {row.quantity}", said, *quantities, ref_type="labcal_change")

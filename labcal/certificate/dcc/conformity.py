@@ -27,7 +27,7 @@ def _result(m: Makers, line: Judged) -> Any:
     decided = m.d.metaData(
         m.text("name", "conformity with the specification"),
         *(m.d.norm(guide) for guide in GUIDES),
-        m.text("declaration", _told(line)),
+        m.text("declaration", _declaration(line)),
         m.d.conformity(STATUS[line.result]),
         m.d.data(limit),
         refType="basic_conformity",
@@ -37,7 +37,7 @@ def _result(m: Makers, line: Judged) -> Any:
     return m.result(f"specification: {line.quantity}", "", quantity, ref_type="labcal_specification")
 
 
-def _told(line: Judged) -> str:
+def _declaration(line: Judged) -> str:
     tur = "" if line.tur is None else f" Test uncertainty ratio {line.tur:.3g}."
     risk = f"Specific risk of false acceptance {risk_in_words(line.risk)}."
     return f"Absolute value at most {line.limit:g} {line.unit}. Decision rule: {line.rule}. {risk}{tur}"

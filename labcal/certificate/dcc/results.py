@@ -68,8 +68,8 @@ def _indication(m: Makers, c: Calibration, point: Point, indicated: Any) -> Any:
             refType="basic_measurementError",
         ),
     )
-    told = f"Components x, y, z of the reading times {c.dut.nominal_nT_per_unit:g} nT, the nominal value of its unit."
-    return m.result(f"Indication of {point.says}", told, listed, ref_type="basic_result")
+    what = f"Components x, y, z of the reading times {c.dut.nominal_nT_per_unit:g} nT, the nominal value of its unit."
+    return m.result(f"Indication of {point.says}", what, listed, ref_type="basic_result")
 
 
 def _effect(m: Makers, i: int, effect: EffectRecord) -> Any:
@@ -84,8 +84,8 @@ def _effect(m: Makers, i: int, effect: EffectRecord) -> Any:
         m.quantity(value, "1", None, "labcal_channelReference", name) for name, value in effect.reference_value.items()
     ]
     channels = f" Channels: {', '.join(effect.channels)}." if effect.channels else ""
-    told = f"Formula: {formula}{channels}{f' {at}.' if at else ''}"
-    return m.result(f"effect {i}: {effect.effect}", told, m.d.list(*parameters, *reference), ref_type="labcal_effect")
+    what = f"Formula: {formula}{channels}{f' {at}.' if at else ''}"
+    return m.result(f"effect {i}: {effect.effect}", what, m.d.list(*parameters, *reference), ref_type="labcal_effect")
 
 
 def _joint(m: Makers, c: Calibration, per_reading: str) -> list[Any]:
@@ -99,20 +99,20 @@ def _joint(m: Makers, c: Calibration, per_reading: str) -> list[Any]:
         units |= {f"{i}:{p.name}": p.unit for p in effect.parameters}
     names = c.covariance_of
     joint = m.joint_list(names, [values[n] for n in names], [units[n] for n in names], c.covariance)
-    told = "K row by row, k, then the parameters of the effects by their number."
-    return [m.result("joint covariance", told, m.d.quantity(joint), ref_type="labcal_covariance")]
+    what = "K row by row, k, then the parameters of the effects by their number."
+    return [m.result("joint covariance", what, m.d.quantity(joint), ref_type="labcal_covariance")]
 
 
 def _budget(m: Makers, b: Mapping[str, Any]) -> Any:
     """What each source contributes to the standard uncertainty of one quantity, and in words what it comes to."""
     rows, at = b["rows"], f" at {b['at']}" if b["at"] else ""
     dof = "infinite" if b["dof"] is None else f"{b['dof']:.4g}"
-    told = f"U = {b['U']:.3g} {b['unit']}, k = {b['k']:.2f}, effective degrees of freedom {dof}. Sources: "
-    told += "; ".join(
+    what = f"U = {b['U']:.3g} {b['unit']}, k = {b['k']:.2f}, effective degrees of freedom {dof}. Sources: "
+    what += "; ".join(
         f"{r['source']} (type {r['type']}, {r['distribution']}, u = {r['u']:.3g} {r['unit']}, "
         f"sensitivity {r['sensitivity']:.3g}, {100 * r['share']:.1f} %)"
         for r in rows
     )
     parts = m.real_list([abs(r["u"] * r["sensitivity"]) for r in rows], b["unit"])
     name = f"Contributions to the standard uncertainty of {b['quantity']}{at}"
-    return m.result(name, told, m.d.quantity(parts), ref_type="labcal_budget")
+    return m.result(name, what, m.d.quantity(parts), ref_type="labcal_budget")

@@ -34,8 +34,8 @@ def px4(content: Content) -> str:
         or np.max(np.abs(_off(S))) > OFF_DIAGONAL_OF_PX4
     ):
         low, high = SCALE_OF_PX4
-        told = f"PX4 takes scales from {low} to {high} and off-diagonals up to {OFF_DIAGONAL_OF_PX4}"
-        raise InputError(f"{told}; these are {np.round(np.diag(S), 4).tolist()} and {np.round(_off(S), 4).tolist()}")
+        text = f"PX4 takes scales from {low} to {high} and off-diagonals up to {OFF_DIAGONAL_OF_PX4}"
+        raise InputError(f"{text}; these are {np.round(np.diag(S), 4).tolist()} and {np.round(_off(S), 4).tolist()}")
     values = {f"CAL_MAG0_{a}OFF": v for a, v in zip("XYZ", offset / GAUSS_nT, strict=True)}
     values |= {f"CAL_MAG0_{a}SCALE": v for a, v in zip("XYZ", np.diag(S), strict=True)}
     values |= {f"CAL_MAG0_{a}ODIAG": v for a, v in zip("XYZ", _off(S), strict=True)}
@@ -84,8 +84,8 @@ def _symmetric(content: Content, whose: str) -> tuple[Array, Array]:
     wrong, u = float(field * np.linalg.norm(turn, 2)), float(np.sqrt(np.mean(content.constant_nT2)))
     if wrong > (u if np.isfinite(u) else ROUNDING * field):
         angle = float(np.degrees(np.linalg.norm(turn, 2)))
-        told = f"{whose}'s matrix is symmetric, and this K turns the axes by {angle:.3g} deg, which such a one lacks"
-        raise InputError(f"{told}: {wrong:.3g} nT at {field:.0f} nT, more than u = {u:.3g} nT; --format c holds it")
+        text = f"{whose}'s matrix is symmetric, and this K turns the axes by {angle:.3g} deg, which such a one lacks"
+        raise InputError(f"{text}: {wrong:.3g} nT at {field:.0f} nT, more than u = {u:.3g} nT; --format c holds it")
     return (S + S.T) / 2, np.asarray(
         np.linalg.solve(affine.K, affine.k_nT) * content.calibration.dut.nominal_nT_per_unit
     )

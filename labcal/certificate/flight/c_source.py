@@ -91,8 +91,8 @@ def program_of(content: Content, vectors: Vectors) -> Program:
     instances = []
     for one, over in zip(content.effects, sizes, strict=True):
         if one.effect.family.in_c is None:
-            told = "its package states none (Family.in_c); --format json and mat take it"
-            raise InputError(f"{one.said} has no form in C: {told}")
+            words = "its package states none (Family.in_c); --format json and mat take it"
+            raise InputError(f"{one.said} has no form in C: {words}")
         size = float(np.mean(left_out_variance(content.calibration, one.record, one.effect, over)))
         form = one.effect.family.in_c(one.effect.term)
         if not isinstance(form, CForm):

@@ -103,9 +103,9 @@ def said_of(found: Verification) -> str:
         return "UNSIGNED: nobody stands for it"
     if found.status == "invalid":
         return f"NOT VALID: {next(iter(found.faults()), 'its run gives another')}"
-    told = f"{found.status.upper()}: signed by {', '.join(found.signers)}"
+    text = f"{found.status.upper()}: signed by {', '.join(found.signers)}"
     why = found.provisional if found.status == "provisional" else None
-    return f"{told} ({why})" if why else told
+    return f"{text} ({why})" if why else text
 
 
 def stamps(effect: Fitted) -> bool:

@@ -22,7 +22,18 @@ from labcal.certificate.report.circumstances import (
 from labcal.certificate.report.conformity import change_blocks, conformity_blocks, conformity_marks
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.front import NO_NUMBER, front_of
-from labcal.certificate.report.page import Block, Facts, Figure, Headline, Mark, Page, Prose, Table, section, sections
+from labcal.certificate.report.page import (
+    Block,
+    Facts,
+    Headline,
+    LargeNumber,
+    Mark,
+    Page,
+    Prose,
+    Table,
+    section,
+    sections,
+)
 from labcal.certificate.report.style import NOTHING, number, sentence, two_digits, with_uncertainty
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
@@ -152,7 +163,7 @@ def _marks(verification: Verification) -> tuple[Mark, ...]:
     return (Mark("SIGNED · VALID", "good"), *provisional)
 
 
-def _headline(c: Calibration) -> Figure | None:
+def _headline(c: Calibration) -> LargeNumber | None:
     """The largest U of the field's components over the working range; None where no budget tells it."""
     field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
     if not field:
@@ -163,7 +174,7 @@ def _headline(c: Calibration) -> Figure | None:
         f"largest expanded uncertainty of a component of the field from one reading, k = {worst['k']:.2f} "
         f"(about 95 %), over the working range of {low} to {high} nT"
     )
-    return Figure(f"U = {two_digits(worst['U'])}", "nT", caption)
+    return LargeNumber(f"U = {two_digits(worst['U'])}", "nT", caption)
 
 
 def _residuals(c: Calibration) -> Table | None:

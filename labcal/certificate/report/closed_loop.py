@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from labcal.certificate.report.calibration import effect_tables, headline_of, name_of
 from labcal.certificate.report.conformity import conformity_blocks
+from labcal.certificate.report.empirical_term import empirical_blocks
 from labcal.certificate.report.figures import segment_bounds, thin
-from labcal.certificate.report.nameless import nameless_blocks
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
 from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence, short
 from labcal.loop.result import ClosedLoop, ResidualTest, Verdict
@@ -54,7 +54,7 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("What to measure next", _next(result)),
             section("Is it in specification?", conformity_blocks(result.conformity.lines) if result.conformity else []),
             section("Residual before and after", _pictures(result, run)),
-            section("Without a name", nameless_blocks(result, run)),
+            section("Without a name", empirical_blocks(result, run)),
             section("Accepted", effect_tables(result.accepted)),
             section("Tests of what is left", [_tests(result)]),
             section("Tried and not accepted", [_rejected(result.rejected), _not_tried(result)]),
@@ -127,7 +127,7 @@ def _verdict_of(test: ResidualTest) -> str:
 
 def _twins(result: ClosedLoop) -> list[Block]:
     rows = tuple((pair.one, pair.other, pair.separated_by) for pair in result.twins)
-    return [Table(("This", "and this", "are told apart by"), rows)] if rows else []
+    return [Table(("This", "and this", "are separated by"), rows)] if rows else []
 
 
 WEIGHED = (

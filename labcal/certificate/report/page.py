@@ -31,7 +31,7 @@ class Headline:
 
 
 @dataclass(frozen=True, slots=True)
-class Figure:
+class LargeNumber:
     """One number large, and what it is."""
 
     value: str
@@ -115,7 +115,7 @@ class Page:
     sections: tuple[Section, ...]
     marks: tuple[Mark, ...] = ()
     summary: str = ""
-    headline: Headline | Figure | None = None
+    headline: Headline | LargeNumber | None = None
     footer: str = ""
     front: Front | None = None
 

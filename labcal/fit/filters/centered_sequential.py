@@ -34,7 +34,7 @@ def centered_sequential(run: Run) -> Fit:
         found = live.estimate()
     except (ArithmeticError, ValueError) as error:
         return Fit("centered-sequential", ok=False, why_not=str(error))
-    return as_fit(run, "centered-sequential", seen.louder(noise_scale(seen, found)), found)
+    return as_fit(run, "centered-sequential", seen.with_noise_times(noise_scale(seen, found)), found)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

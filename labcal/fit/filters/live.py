@@ -165,4 +165,4 @@ def fit_live(run: Run, method: str, kind: type[LiveFilter]) -> Fit:
     except (ArithmeticError, ValueError) as error:
         return Fit(method, ok=False, why_not=str(error))
     scale = noise_scale(seen, found)
-    return as_fit(run, method, seen.louder(scale), found)
+    return as_fit(run, method, seen.with_noise_times(scale), found)

@@ -49,7 +49,7 @@ class Scalars:
     noise: Array
     reference_noise: float = 0.0
 
-    def louder(self, scale: float) -> Scalars:
+    def with_noise_times(self, scale: float) -> Scalars:
         """The same with all noise times `scale`."""
         return Scalars(self.reading, self.magnitude, self.noise * scale**2, self.reference_noise * scale)
 
@@ -85,7 +85,7 @@ def settle(seen: Scalars, estimate: Estimator) -> tuple[Scalars, Estimate]:
     found = estimate(seen.reading, seen.magnitude, seen.noise, seen.reference_noise, unbiased=False)
     for _ in range(ROUNDS):
         scale = noise_scale(seen, found)
-        seen = seen.louder(scale)
+        seen = seen.with_noise_times(scale)
         found = estimate(seen.reading, seen.magnitude, seen.noise, seen.reference_noise, near=found)
         if abs(scale - 1) < 0.002:
             break

@@ -103,7 +103,7 @@ def settle_currents(seen: Scalars, current: Array) -> tuple[Scalars, TelemetryEs
     for _ in range(ROUNDS):
         r = residual(seen, current, found)
         scale = float(np.sqrt(r @ r / (len(r) - len(found.covariance))))
-        seen = seen.louder(scale)
+        seen = seen.with_noise_times(scale)
         found = estimate(seen.reading, seen.magnitude, current, seen.noise, seen.reference_noise, near=found)
         if abs(scale - 1) < 0.002:
             break
@@ -127,7 +127,7 @@ def estimate(
     """
     unit = float(np.sqrt(np.mean(magnitude**2)))
     ampere = np.sqrt(np.mean(current**2, axis=0))
-    rows = Rows(reading / unit, magnitude / unit, current / ampere, noise / unit**2, reference_noise / unit)
+    rows = ScaledRows(reading / unit, magnitude / unit, current / ampere, noise / unit**2, reference_noise / unit)
     to_unit = np.concatenate([np.full(3, unit), np.ones(6), np.repeat(unit / ampere, 3)])
     if near is None:
         q = np.zeros(9 + 3 * current.shape[1])
@@ -141,7 +141,7 @@ def estimate(
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rows:
+class ScaledRows:
     """Readings (n, 3), magnitudes (n,), currents (n, l) and noises in units in which they are of order one."""
 
     reading: Array
@@ -183,7 +183,7 @@ def symmetric(a: Array, b: Array) -> Array:
     return TWICE * (a[:, ROW] * b[:, COLUMN] + a[:, COLUMN] * b[:, ROW])
 
 
-def first_guess(rows: Rows) -> Array:
+def first_guess(rows: ScaledRows) -> Array:
     """B and D (9,) without the currents: where TWOSTEP starts, or a perfect sensor."""
     try:
         L, perfect, square = scalar_check.regressors(rows.reading.T), np.zeros(9), rows.magnitude**2
@@ -197,7 +197,7 @@ def first_guess(rows: Rows) -> Array:
     return np.concatenate([bias, scalar_check.stacked(D)])
 
 
-def descend(rows: Rows, q: Array, *, unbiased: bool) -> tuple[Array, Array]:
+def descend(rows: ScaledRows, q: Array, *, unbiased: bool) -> tuple[Array, Array]:
     """Parameters (p,) at the minimum and their covariance (p, p), by damped Gauss-Newton. Raises ArithmeticError."""
     damping, loss, before = 1e-6, np.inf, q
     for _ in range(STEPS):
@@ -229,7 +229,7 @@ def descend(rows: Rows, q: Array, *, unbiased: bool) -> tuple[Array, Array]:
 
 def residual(seen: Scalars, current: Array, found: TelemetryEstimate) -> Array:
     """|B|² − |H|² less its mean over its standard deviation (n,)."""
-    rows = Rows(seen.reading, seen.magnitude, current, seen.noise, seen.reference_noise)
+    rows = ScaledRows(seen.reading, seen.magnitude, current, seen.noise, seen.reference_noise)
     v, variance = rows.excess(*rows.field(np.concatenate([found.affine.theta, found.e.ravel()])))
     return np.asarray(v / np.sqrt(variance))
 

@@ -68,7 +68,7 @@ def polished_fit(method: str, run: Run, loci: Loci, theta: Array, basis: Array |
         found = polish(loci, theta, basis=basis, reference_noise_nT=run.reference.noise_nT or 0.0)
     except np.linalg.LinAlgError:
         return refused(method, "the run does not determine the parameters: the normal equations are singular")
-    if why_not := _vague(found, loci):
+    if why_not := _undetermined(found, loci):
         return refused(method, why_not)
     unit = np.concatenate([np.full(9, run.dut.nominal_nT_per_unit), np.ones(3)])
     affine, frame_known = map_of(run, found.theta), basis is None
@@ -108,7 +108,7 @@ def _open(values: Array, loci: Loci) -> str | None:
     )
 
 
-def _vague(found: Polished, loci: Loci) -> str | None:
+def _undetermined(found: Polished, loci: Loci) -> str | None:
     worst = worst_uncertainty_nT(loci, found)
     if found.converged and worst < LARGEST_UNCERTAINTY * np.mean(loci.magnitude):
         return None

@@ -41,14 +41,14 @@ PUBLISHED = Options(SwarmSettings(), refinements=0, sign="two-samples", log_det=
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class SwarmResult:
     """The swarm's best map (12,), a rotation's worth of it repaired, and its value F_g of (10) [nT]."""
 
     theta: Array
     value: float
 
 
-def search(loci: Loci, noise_nT: float, options: Options, seed: int, basis: Array | None = None) -> Found:
+def search(loci: Loci, noise_nT: float, options: Options, seed: int, basis: Array | None = None) -> SwarmResult:
     """Let the swarm minimise (10), or (8) alone where `basis` (12, q) leaves no rotation to find."""
     objective = objective_of(loci, noise_nT, options, axes=basis is None)
     basis = np.eye(12) if basis is None else basis
@@ -58,7 +58,7 @@ def search(loci: Loci, noise_nT: float, options: Options, seed: int, basis: Arra
     best = minimise(inside, -scale, scale, rng, options.settings)
     for _ in range(options.refinements):
         best = refine(inside, best, reach, rng, options.settings)
-    return Found(repaired(basis @ best.position), best.value)
+    return SwarmResult(repaired(basis @ best.position), best.value)
 
 
 def objective_of(loci: Loci, noise_nT: float, options: Options, *, axes: bool = True) -> RotationAxisObjective:

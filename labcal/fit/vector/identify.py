@@ -24,7 +24,7 @@ LEAST_OF_PLANES, LARGEST_U_OF_PLANES = 1.0, 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Identified:
+class Identifiability:
     """Rank, covariance and the worst uncertainty in the working range."""
 
     rank: int
@@ -41,7 +41,7 @@ def identify(
     found: Solution,
     loss: Loss = ROBUST,
     scale: float = 1.0,
-) -> Identified:
+) -> Identifiability:
     """Decide by rank and by the uncertainty propagated over the working range whether the map is determined.
 
     The phases are eliminated first. The scaled parameters are all in nT at the rms reading, so that their eigenvalues
@@ -61,7 +61,7 @@ def identify(
     rank = int(known.sum())
     if rank < q:
         why = _reason(seen, parameterisation, vectors[:, ~known], rank)
-        return Identified(rank, q, np.full((12, 12), np.nan), np.inf, why)
+        return Identifiability(rank, q, np.full((12, 12), np.nan), np.inf, why)
     inverse = vectors @ np.diag(1 / values) @ vectors.T
     own = scale**2 * (inverse @ N @ inverse)
     covariance = parameterisation.basis @ own @ parameterisation.basis.T
@@ -72,8 +72,8 @@ def identify(
     elif ratio.min() < CLEAR and _valley(seen, noise, parameterisation, found, loss, scale, weakest, own):
         more, rank = "; quite another map fits as well", rank - 1
     else:
-        return Identified(rank, q, covariance, worst, None)
-    return Identified(rank, q, covariance, worst, _reason(seen, parameterisation, weakest[:, None], rank, more))
+        return Identifiability(rank, q, covariance, worst, None)
+    return Identifiability(rank, q, covariance, worst, _reason(seen, parameterisation, weakest[:, None], rank, more))
 
 
 def _valley(

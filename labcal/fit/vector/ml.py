@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from labcal.fit.autocorrelation import variance_inflation
 from labcal.fit.result import Fit
 from labcal.fit.vector.declared import declared_contributions, residual_beside_declared
-from labcal.fit.vector.identify import Identified, identify
+from labcal.fit.vector.identify import Identifiability, identify
 from labcal.fit.vector.observations import SCALAR, Observations, observe
 from labcal.fit.vector.planes import in_planes, observe_planes
 from labcal.fit.vector.solve import (
@@ -45,7 +45,7 @@ class MaximumLikelihood:
     noise: Noise  # as used in the weights
     parameterisation: Parameterisation
     solution: Solution
-    identified: Identified
+    identified: Identifiability
     scale: float  # observed over expected standard deviation of the normalised residuals
 
     @property

@@ -103,13 +103,13 @@ class SwitchedOff:
 
 @dataclass(frozen=True, slots=True)
 class Ended:
-    """How a run has ended. `failed`: measurements beyond their limits. `told`: how it ended, in more than one word."""
+    """How a run has ended. `failed`: measurements beyond their limits. `ending`: how it ended, in words."""
 
     run_id: str
     status: str
     fault: Fault | None = None
     failed: tuple[str, ...] = ()
-    told: str = ""
+    ending: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,7 +44,7 @@ from labcal.record import Dut
 if TYPE_CHECKING:
     from labcal.bench.config import CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
-    from labcal.runner import Found, Outcome
+    from labcal.runner import FoundProcedure, Outcome
 
 
 def read_bench(channel: Channel, asked: ReadBench) -> Bench:
@@ -157,7 +157,7 @@ def _on_bench(
     fault = None
     if ended.fault is not None:
         fault = fault_of(ended.fault, "".join(traceback.format_exception(ended.fault)))
-    return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.told)
+    return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.ending)
 
 
 def _going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
@@ -193,7 +193,7 @@ def procedures(channel: Channel, asked: ListProcedures) -> Procedures:
     return Procedures(tuple(map(_procedure, found.values())), {name: str(e) for name, e in broken.items()})
 
 
-def _procedure(found: Found) -> Procedure:
+def _procedure(found: FoundProcedure) -> Procedure:
     return Procedure(found.name, found.title, found.resumable, found.needs, found.lasts_min, found.parameters)
 
 

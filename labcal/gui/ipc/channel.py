@@ -33,7 +33,7 @@ from labcal.gui.ipc.messages import (
     Stop,
     Word,
 )
-from labcal.gui.ipc.past import Past
+from labcal.gui.ipc.past import PastMessages
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
 from labcal.run_door import Caller, Door
@@ -69,7 +69,7 @@ class Channel:
         self._watched, self._hung_up, self._let_go = watched, False, let_go
         self._back_by_s = 0.0  # until then a window that broke off is being started, or has just been
         self._door: Door | None = None
-        self._past: Past | None = None
+        self._past: PastMessages | None = None
         self._comes: Caller | None = None  # let in, and not told yet how far the run is
         self._working_on, self._other_numbers = 0, dict[int, int]()  # requests of a window before as of this
 
@@ -103,7 +103,7 @@ class Channel:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
         self._on_bench, self.control = True, Control(to_be_resumed=True)
         if self._watched and going is not None:
-            self._past = Past(going)
+            self._past = PastMessages(going)
             with suppress(OSError):  # no place for its card: then none comes back, and the run ends with its window
                 self._door = self._door or Door()
         if not simulated:

@@ -152,7 +152,7 @@ def verify(channel: Channel, asked: VerifyFile) -> Standing:
     """Check a file that somebody dropped."""
     from labcal import session
 
-    return _standing(Path(asked.path), session.verify(Path(asked.path), progress=_telling(channel)))
+    return _standing(Path(asked.path), session.verify(Path(asked.path), progress=_progress_to(channel)))
 
 
 def _standing(path: Path, verification: Verification) -> Standing:
@@ -210,7 +210,7 @@ def approve(channel: Channel, asked: Approve) -> CalibrationFile:
     from labcal import session
 
     _may_sign(asked.name)
-    session.approve(Path(asked.path), asked.name, _telling(channel), _stated(asked))
+    session.approve(Path(asked.path), asked.name, _progress_to(channel), _stated(asked))
     return _calibration(Path(asked.path))
 
 
@@ -226,7 +226,7 @@ def sign(channel: Channel, asked: Sign) -> CalibrationFile:
 
     if (stated := _stated(asked)) != certificate.Stated():
         certificate.state(Path(asked.path), stated)
-    session.sign(Path(asked.path), asked.name, asked.passphrase, _telling(channel))
+    session.sign(Path(asked.path), asked.name, asked.passphrase, _progress_to(channel))
     return _calibration(Path(asked.path))
 
 
@@ -300,7 +300,7 @@ def simulated_bench(channel: Channel, asked: FindSimulatedBench) -> str:
     return str(found())
 
 
-def _telling(channel: Channel) -> Callable[[str], None]:
+def _progress_to(channel: Channel) -> Callable[[str], None]:
     """What hears each step of working a calibration out again."""
     return lambda step: channel.send(Progress(step))
 

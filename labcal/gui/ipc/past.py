@@ -11,7 +11,7 @@ ROWS = 60_000  # of samples; then every second block goes
 AT_ONCE = 200  # items of one message
 
 
-class Past:
+class PastMessages:
     """`keep` takes every message as it is said; `events` are those that bring a new window up to now."""
 
     def __init__(self, going: GoesOn) -> None:

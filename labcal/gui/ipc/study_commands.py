@@ -131,10 +131,10 @@ def loop(channel: Channel, asked: CloseLoop) -> Loop:
     path = calibration_path(measured.run_id)
     closed = session.close_loop(asked.run, path, lambda text: channel.send(Progress(text)), force=True)
     write_text(path.with_suffix(".loop"), json.dumps(closed.to_json()))
-    return _told(closed, str(path), _change(measured, closed.pictures))
+    return _loop_answer(closed, str(path), _change(measured, closed.pictures))
 
 
-def _told(closed: ClosedLoop, draft: str, change: Change) -> Loop:
+def _loop_answer(closed: ClosedLoop, draft: str, change: Change) -> Loop:
     from labcal.model.effects import families
 
     proposed = closed.next_experiment

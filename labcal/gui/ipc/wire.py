@@ -30,10 +30,10 @@ def item_to_json(item: Item) -> list[Any]:
 
 def item_from_json(said: list[Any]) -> Item:
     """The item that `item_to_json` wrote."""
-    from labcal.store.items import Row, from_row
+    from labcal.store.items import ItemRow, from_row
 
     kind, t_s, content, stamps, samples = said
-    return from_row(Row(kind, t_s, content, b64decode(stamps), b64decode(samples)))
+    return from_row(ItemRow(kind, t_s, content, b64decode(stamps), b64decode(samples)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -80,7 +80,7 @@ class AppState(QObject):
         self._said_of_dut = ""  # what the line below said last about the serial at the top
         self._asked_off = False  # of this bench, and no answer has come
         self.known: state.LabState | None = None  # the lab as a worker told it last, by the computer's monotonic clock
-        self._told_s = 0.0  # and when it did
+        self._known_s = 0.0  # and when it did
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self._age_timer = QTimer(self, interval=AGES_MS)
@@ -299,7 +299,7 @@ class AppState(QObject):
 
     def _know(self, told: state.LabState) -> None:
         """From here on this is how the lab is."""
-        self.known, self._told_s = told, time.monotonic()
+        self.known, self._known_s = told, time.monotonic()
         self._grow_old()
 
     def _now(self) -> LabNow:
@@ -308,7 +308,7 @@ class AppState(QObject):
         if self._asked_off:
             told = replace(told or state.LabState(()), coils=state.unread(), field=state.FieldReading())
         roles = {} if self.facts is None else {name: one.role for name, one in self.facts.instruments.items()}
-        now = lab_now(told, self._told_s, roles, time.monotonic())
+        now = lab_now(told, self._known_s, roles, time.monotonic())
         return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
     def _grow_old(self) -> None:

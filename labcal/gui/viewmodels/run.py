@@ -75,7 +75,7 @@ class RunViewModel(QObject):
         self.state: State = "idle"
         self.prompt: Prompt | None = None
         self.fault: Fault | None = None
-        self.run_id, self.status, self.message, self._told = "", "", "", ""
+        self.run_id, self.status, self.message, self._ending = "", "", "", ""
         self.step: Step | None = None
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
@@ -316,12 +316,12 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _done(self, result: Ended) -> None:
-        self.run_id, self.status, self._told = result.run_id, result.status, result.told
+        self.run_id, self.status, self._ending = result.run_id, result.status, result.ending
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
 
     def _last_words(self) -> str:
-        said = in_words(self._told or self.status)
+        said = in_words(self._ending or self.status)
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:

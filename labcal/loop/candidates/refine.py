@@ -15,6 +15,7 @@ from labcal.loop.noise.whitening import WhitenedNull
 
 Array = NDArray[np.float64]
 SECANT_ROUNDS = 6
+BRACKETINGS = 18  # of one line search, at most
 ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several parameters are searched in turn, and in the end
 
 
@@ -75,7 +76,7 @@ def _line_search(
         return -gain(cosine_transform(columns))
 
     found = minimize_scalar(
-        cost, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}
+        cost, bounds=(low, high), method="bounded", options={"maxiter": BRACKETINGS, "xatol": within * (high - low)}
     )
     if found.fun < cost(shape.value):
         return replace(candidate, term=candidate.term.with_values(**{name: float(found.x)}))

@@ -33,7 +33,7 @@ PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # of the length of a short run
 CACHE_NUMBERS = 12_000_000  # in all transformed columns: more are not kept
 
 
-Tell = Callable[["CandidateSet", Sequence[Candidate], str], None]  # what is weighed beside what is accepted
+Tell = Callable[["CandidateSet", Sequence[Candidate], str], None]  # what is scored beside what is accepted
 
 
 def silent(pool: CandidateSet, accepted: Sequence[Candidate], doing: str) -> None:

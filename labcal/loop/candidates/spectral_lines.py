@@ -18,6 +18,7 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 BELOW_NYQUIST = 0.98  # of the highest frequency: beyond, a line and its alias are one
 PEAKS = 3  # frequencies that a periodic effect is tried at
+SKIRT = 8  # frequencies on either side of a peak that belong to it
 
 
 def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
@@ -60,7 +61,7 @@ def _peaks(contrast: Array) -> list[int]:
     contrast, found = contrast.copy(), list[int]()
     while len(found) < PEAKS and contrast[peak := int(np.argmax(contrast))] > 0:
         found.append(peak)
-        contrast[max(peak - 8, 0) : peak + 9] = 0.0
+        contrast[max(peak - SKIRT, 0) : peak + SKIRT + 1] = 0.0
     return found
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.fit.vector.identify import Identified, identify
+from labcal.fit.vector.identify import Identifiability, identify
 from labcal.fit.vector.ml import MaximumLikelihood, estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve
@@ -19,6 +19,7 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 MIN_ROWS = 30  # fewer usable rows than this are refused
+ITERATIONS = 30  # of the fit without robust weights, at most
 
 
 def select_rows(run: Run) -> tuple[Run, Observations]:
@@ -115,7 +116,7 @@ def _is_determined(found: MaximumLikelihood, base: Base) -> bool:
     return found.identified.why_not is None and (base == "offset" or not loose)
 
 
-def determined_by_geometry(found: MaximumLikelihood) -> Identified:
+def determined_by_geometry(found: MaximumLikelihood) -> Identifiability:
     """What these readings would determine if the fitted map were true: a strong effect is no lack of excitation."""
     start = found.solution
     field = evaluate(found.observations, found.noise, start.theta, start.phase).field
@@ -127,4 +128,4 @@ def determined_by_geometry(found: MaximumLikelihood) -> Identified:
 def least_squares(seen: Observations, noise: Noise, near: MaximumLikelihood) -> Solution:
     """The base fit without robust weights, once outliers are set aside."""
     start = near.solution
-    return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=30)
+    return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=ITERATIONS)

@@ -15,6 +15,7 @@ from labcal.fit.vector.solve import ParameterisationName
 from labcal.fit.vector.system import evaluate
 from labcal.geometry import cross, rotate
 from labcal.loop.noise.nuisance import gram_pinv
+from labcal.model.affine import MAP_PARAMETERS
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -135,12 +136,12 @@ def _linear_phases(rows: _Rows) -> Array:
         return np.zeros((tries, 0))
     along = np.sum(rows.target * rows.axis, axis=2, keepdims=True) * rows.axis
     across, side = rows.target - along, cross(rows.axis, rows.target)
-    of_map = np.einsum("cnj,ab->cnajb", rows.X, np.eye(3)).reshape(tries, 3 * n, 12)
+    of_map = np.einsum("cnj,ab->cnajb", rows.X, np.eye(3)).reshape(tries, 3 * n, len(MAP_PARAMETERS))
     of_phase = np.stack([-across, side], axis=3)[:, :, :, None, :] * rows.turning[:, :, None, :, None]
     A = np.concatenate([of_map, of_phase.reshape(tries, 3 * n, 2 * phases)], axis=2)
     turned = rows.turning.sum(axis=2, keepdims=True) > 0
     fixed = np.where(turned, along, rows.target).reshape(tries, 3 * n, 1)
-    found = (gram_pinv(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, 12:, 0].reshape(tries, phases, 2)
+    found = (gram_pinv(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, len(MAP_PARAMETERS) :, 0].reshape(tries, phases, 2)
     return np.asarray(np.arctan2(found[:, :, 1], found[:, :, 0]))
 
 
@@ -159,7 +160,7 @@ def _lower_bounds(rows: _Rows) -> Array:
     misfit over 2 F is that of |K m − k| as long as it is far less than F.
     """
     m, F = rows.X[:, :, :3], np.maximum(rows.magnitude, 1e-9)[:, :, None]
-    on_axis = (rows.axis[:, :, :, None] * rows.X[:, :, None, :]).reshape(*F.shape[:2], 12)
+    on_axis = (rows.axis[:, :, :, None] * rows.X[:, :, None, :]).reshape(*F.shape[:2], len(MAP_PARAMETERS))
     products = np.stack([m[:, :, a] * m[:, :, b] for a in range(3) for b in range(a, 3)], axis=2)
     known = (rows.magnitude > 0)[:, :, None]
     bent = np.where(known, np.concatenate([products, rows.X], axis=2) / (2 * F), 0.0)

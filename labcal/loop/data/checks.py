@@ -31,6 +31,7 @@ QUICK_FIT_ROWS = 160  # rows of a run in the batch fits
 AXIS_ROUNDING = 0.4  # of a turn's elements: farther from 0 and ±1 it exchanges no axes
 MIN_FIELD_nT = 1.0  # of a field: less is none
 OFFSETS_S = np.concatenate([np.arange(1.0, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])  # less is an effect's lag
+STEPS_S = (1.0, 0.5, 0.25, 0.1)  # about the best of these, by turns
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,7 +269,7 @@ def _offset(problem: LinearProblem, stream: str) -> ClockOffset:
     enough = 2 * tries.least()
     tried = (ClockOffset(stream, float(s), tries.fitted(i, enough)[0]) for i, s in enumerate(coarse))
     best = next(o for o in tried if o.residual_nT <= enough)
-    for width in (1.0, 0.5, 0.25, 0.1):
+    for width in STEPS_S:
         sides = best.offset_s + max(round(width / step), 1) * step * np.array([-1.0, 1.0])
         tries = _at_offsets(problem, stream, sides)
         near = [ClockOffset(stream, float(s), tries.fitted(i, best.residual_nT)[0]) for i, s in enumerate(sides)]

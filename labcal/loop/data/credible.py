@@ -17,6 +17,7 @@ from labcal.loop.noise.nuisance import MIN_NEW_SHARE, Reduced
 from labcal.model.effects import Term, families
 
 Array = NDArray[np.float64]
+APART = 4.0  # a column is new where it is twice as long as readings and reference are apart: squares
 WILD = 10.0  # times the median: longer residuals are cut before anything is known of them
 
 
@@ -32,7 +33,7 @@ def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> fl
     """
     if not any(map(is_of_the_rig, terms)):
         return MIN_NEW_SHARE
-    return max(MIN_NEW_SHARE, float(4 * np.sum(apart_nT**2) / np.sum(field_nT**2)))
+    return max(MIN_NEW_SHARE, float(APART * np.sum(apart_nT**2) / np.sum(field_nT**2)))
 
 
 def without_wild_rows(residual_nT: Array) -> Array:

@@ -18,7 +18,8 @@ from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 TARGET_ROWS = 6000  # rows after decimation, about
-MAX_TURN_RAD = 0.35  # rad that the field may turn within a bin
+MAX_TURN_RAD = 0.35  # rad that the field may turn within a bin,
+USUAL_TURN = 90  # percentile of its turns from row to row: single jumps are none
 LINE_CONTRAST = 15.0  # times its neighbourhood: a line in the spectrum that is not chance,
 
 
@@ -39,7 +40,7 @@ def rows_per_bin(problem: LinearProblem) -> int:
     field = problem.scene.field_nT / np.linalg.norm(problem.scene.field_nT, axis=1)[:, None]
     turn = np.linalg.norm(np.diff(field, axis=0), axis=1)
     turn = turn[np.diff(problem.scene.segment) == 0]
-    fastest = float(np.percentile(turn, 90)) if len(turn) else 0.0
+    fastest = float(np.percentile(turn, USUAL_TURN)) if len(turn) else 0.0
     m = min(round(len(problem) / TARGET_ROWS), int(MAX_TURN_RAD / max(fastest, 1e-9)))
     if m < 2:
         return 1

@@ -132,7 +132,7 @@ def linearise(
         turn = np.einsum("nqj,nj->nq", whiten, at.tangent)[:, :, None]
         T = np.concatenate([T, turn * (seen.group[:, None] == groups)[:, None, :]], axis=2)
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
-    gains, zero = theta[:9].reshape(3, 3), theta[9:]
+    gains, zero = theta[: 3 * 3].reshape(3, 3), theta[3 * 3 :]
     quiet = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
     scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), denoised_field_nT=quiet)
     return LinearProblem(
@@ -143,7 +143,7 @@ def linearise(
 def _tangent(whiten: Array, columns: Array, parameterisation: Parameterisation) -> Array:
     """The whitened residual's derivatives (n, q, coordinates) by the map: K row by row goes with `columns`, then k."""
     of_gains = whiten[:, :, :, None] * columns[:, None, None, :3]
-    whole = np.concatenate([of_gains.reshape(*whiten.shape[:2], 9), whiten * columns[:, None, 3:]], axis=2)
+    whole = np.concatenate([of_gains.reshape(*whiten.shape[:2], 3 * 3), whiten * columns[:, None, 3:]], axis=2)
     return whole if parameterisation.name == "affine" else whole @ parameterisation.basis
 
 

@@ -19,7 +19,9 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
 MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
+ANGLE_DECIMALS = 6  # of a degree, below which changes of the angle are the same
 STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
+ROUNDING = 12  # step² over the variance of what is rounded to steps: a uniform distribution (GUM 4.3.7)
 ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 
@@ -72,14 +74,14 @@ def _angle_step(problem: LinearProblem) -> float:
         return 0.0
     turning = np.isfinite(rig.angle_rad)
     segment, turned = problem.scene.segment[turning], np.unwrap(angle[turning], period=360.0)
-    changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], 6))
+    changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], ANGLE_DECIMALS))
     step = float(changes[changes > 0].min(initial=np.inf))
     if not np.isfinite(step) or step * MIN_STEPS_PER_ROW > np.median(np.abs(np.diff(turned))):
         return 0.0
     if np.median(np.abs(changes / step - np.round(changes / step))) > STEP_TOLERANCE:
         return 0.0
     across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
-    return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / 12)
+    return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / ROUNDING)
 
 
 def _static_noise(problem: LinearProblem) -> float | None:

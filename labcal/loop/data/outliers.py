@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop import policy
+from labcal.loop.noise.differences import SIGMA_PER_MAD
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
@@ -58,8 +59,8 @@ def _from_neighbours(
     The rows are those of `residual`, if it is given, and neighbours that are nan do not count.
     """
     away, around = _neighbourhood(neighbours, segment, window, residual)
-    spread = 1.4826 * np.median(np.abs(away), axis=0)
-    return away, policy.POLICY.outlier_sigmas * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
+    spread = SIGMA_PER_MAD * np.median(np.abs(away), axis=0)
+    return away, policy.POLICY.outlier_sigmas * np.maximum(np.maximum(spread, 1.0), SIGMA_PER_MAD * around)
 
 
 def outlier_distance(residual: Array, good: Mask) -> float:

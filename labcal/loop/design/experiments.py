@@ -25,6 +25,11 @@ HALF_TURN = np.diag([-1.0, -1.0, 1.0])
 GAP_S = 60.0  # between the run and what is measured next
 WARMER_C = 15.0
 CYCLES = 4  # of a load, a mode or a heater that is switched
+LADDER_nT, LADDER_STEPS = 50_000.0, 9  # its largest field, and how many fields up to it and down again
+ROWS_A_FIELD = 5
+ROWS_A_LEVEL, ROWS_A_MODE = 3, 12  # of a load, of a power mode
+WARM_ROW_S, WARM_TURNS = 6.0, 20  # of a heated device: between two rows, and between two fields,
+WEAK_FIELD = 0.02  # of the usual one, and that
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,9 +119,9 @@ def _swept(run: Run, speeds: Sequence[float]) -> Run | None:
 
 def ladder(run: Run) -> Run | None:
     """At rest, the field stepped up and down along each axis of the cage in turn."""
-    steps = np.concatenate([np.linspace(-1, 1, 9), np.linspace(1, -1, 9)])
-    fields = np.concatenate([np.outer(np.repeat(steps, 5), axis) for axis in np.eye(3)])
-    return _at_rest(run, fields * 50_000.0, 1.0)
+    steps = np.concatenate([np.linspace(-1, 1, LADDER_STEPS), np.linspace(1, -1, LADDER_STEPS)])
+    fields = np.concatenate([np.outer(np.repeat(steps, ROWS_A_FIELD), axis) for axis in np.eye(3)])
+    return _at_rest(run, fields * LADDER_nT, 1.0)
 
 
 def other_fields(run: Run) -> Run | None:
@@ -134,9 +139,8 @@ def loads(run: Run) -> Run | None:
     names = [c.name for c in run.channels if c.role == "dut" and c.quantity == "current"]
     if not names:
         return None
-    length = 48
-    still = _at_rest(run, np.tile(_usual_field(run), (len(names) * length, 1)), 1.0)
-    levels = np.tile(np.repeat([0.0, 1.0, 0.5, 0.0], length // 16), 4)[:length]
+    levels = np.tile(np.repeat([0.0, 1.0, 0.5, 0.0], ROWS_A_LEVEL), CYCLES)
+    still = _at_rest(run, np.tile(_usual_field(run), (len(names) * len(levels), 1)), 1.0)
     return still and _with(still, {
         name: _base(run, name) + _span(run, name) * _placed(levels, n, len(names)) for n, name in enumerate(names)
     })  # fmt: skip
@@ -147,9 +151,9 @@ def heated(run: Run) -> Run | None:
     names = [c.name for c in run.channels if c.role == "dut" and c.quantity == "temperature"]
     if not names:
         return None
-    warm = WARMER_C * np.sin(np.linspace(0, np.pi, 200))
-    field = np.repeat(np.tile([0.02, 1.0], 20), 5)[:, None] * _usual_field(run)
-    still = _at_rest(run, field, 6.0)
+    field = np.repeat(np.tile([WEAK_FIELD, 1.0], WARM_TURNS), ROWS_A_FIELD)[:, None] * _usual_field(run)
+    warm = WARMER_C * np.sin(np.linspace(0, np.pi, len(field)))
+    still = _at_rest(run, field, WARM_ROW_S)
     return still and _with(still, {name: _base(run, name) + warm for name in names})
 
 
@@ -158,9 +162,9 @@ def modes(run: Run) -> Run | None:
     known = sorted(set(run.mode.tolist()) - {""})
     if len(known) < 2:
         return None
-    field = np.tile(_usual_field(run), (len(known) * CYCLES * 12, 1))
+    field = np.tile(_usual_field(run), (len(known) * CYCLES * ROWS_A_MODE, 1))
     still = _at_rest(run, field, 1.0)
-    return still and replace(still, row_mode=np.tile(np.repeat(np.array(known), 12), CYCLES))
+    return still and replace(still, row_mode=np.tile(np.repeat(np.array(known), ROWS_A_MODE), CYCLES))
 
 
 def _turning(run: Run) -> list[int]:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from labcal.loop.selection.proof import Evidence
 
 LISTED = 4  # experiments that the result ranks
+AMPLE = 4 * CLEAR  # standard deviations: of experiments that separate farther the automatic one goes first
 BY_SHAPE = {  # do, procedure
     "line": ("record at rest with the coils off, then switch what runs at that period off one by one", "ambient"),
     "step": ("repeat the run unchanged and note what is switched: a step that does not come back was an event",
@@ -72,4 +73,4 @@ def _worst_case(tables: list[list[Separation]]) -> list[Separation]:
                              key=lambda t: t.sigma)
         for s in tables[0]
     }  # fmt: skip
-    return sorted(least.values(), key=lambda s: (-min(s.sigma, 4 * CLEAR), s.experiment.procedure is None, -s.sigma))
+    return sorted(least.values(), key=lambda s: (-min(s.sigma, AMPLE), s.experiment.procedure is None, -s.sigma))

@@ -17,13 +17,14 @@ from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import Likelihood, NullModel
 from labcal.loop.noise.marginal import Marginal, NullEliminated
 from labcal.loop.parallel import parallel_map
+from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.empirical import FAMILY, of_base
 from labcal.model.effects.inputs import channels_of, values
 from labcal.model.effects.regressors import per_axis
 
 Array = NDArray[np.float64]
-SHORTLIST = 3  # sets of inputs that are weighed under every noise
+SHORTLIST = 3  # sets of inputs that are scored under every noise
 HYPERPARAMETERS = 2  # of a smooth function: its size and its length
 
 
@@ -36,7 +37,7 @@ class _Ranked:
 
 @dataclass(frozen=True, slots=True)
 class Shortlist:
-    """The sets of inputs that are worth weighing, and how many there were."""
+    """The sets of inputs that are worth scoring, and how many there were."""
 
     sets: tuple[Inputs, ...]
     trials: int
@@ -107,7 +108,12 @@ def _term(pool: CandidateSet, chosen: _Ranked) -> Term:
     assert plain.basis is not None
     functions = functions_of_length(len(chosen.inputs), chosen.length)
     r, prior = functions.shape[1], chosen.marginal.level * float(np.sqrt(chosen.marginal.ratio))
-    bare = replace(plain.basis, functions=table(functions), projection=table(np.zeros((12, 3 * r))), prior_nT=prior)
+    bare = replace(
+        plain.basis,
+        functions=table(functions),
+        projection=table(np.zeros((len(MAP_PARAMETERS), 3 * r))),
+        prior_nT=prior,
+    )
     term = replace(plain, parameters=plain.parameters[: 3 * r], basis=bare)
     return replace(term, basis=replace(bare, projection=table(_projection(pool, term))))
 

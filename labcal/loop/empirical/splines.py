@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.smooth import Basis
 
 Array = NDArray[np.float64]
@@ -20,7 +21,7 @@ def splines_of(x: Array) -> Basis:
     ends = zip(x.min(axis=0), x.max(axis=0), strict=True)
     knots = tuple(tuple(_knots(low, high, count).tolist()) for low, high in ends)
     each = count ** x.shape[1]
-    return Basis("b-spline", knots, DEGREE, table(np.eye(each)), table(np.zeros((12, 3 * each))), 1.0)
+    return Basis("b-spline", knots, DEGREE, table(np.eye(each)), table(np.zeros((len(MAP_PARAMETERS), 3 * each))), 1.0)
 
 
 def _knots(low: float, high: float, count: int) -> Array:

@@ -16,7 +16,8 @@ from labcal.model.smooth import Basis, curve
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-POINTS = 200  # of a curve
+POINTS = 200  # of a curve,
+GRID = 24  # and along each input of a map
 NEARLY_ALL = 0.97  # of a curve's square, that a simpler curve may stand for it
 SHORT = 0.15  # of the range, within which a step is over
 LEVEL = 0.1  # of the height: nearer to an end's value than this is at it
@@ -44,7 +45,7 @@ EXPERIMENTS = {  # of what varies: what to do, and the procedure
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
+class FunctionShape:
     """What a function looks like: one of PHYSICS, where, and whether it differs on the way back."""
 
     kind: str
@@ -59,7 +60,9 @@ class Looks:
         return f"Over {of} it is {self.kind}{where}: {PHYSICS[self.kind]}.{back}"
 
 
-def looks_like(basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: tuple[str, ...]) -> Looks:
+def describe_function(
+    basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: tuple[str, ...]
+) -> FunctionShape:
     """The shape of a function over its domain; `left_nT` (n, 3) is what remains of the rows of `scene`."""
     looks = shape_of(basis, hull, inputs)
     if len(inputs) == 2:
@@ -67,13 +70,13 @@ def looks_like(basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: 
     return replace(looks, both_ways=not _differs_on_the_way_back(values(inputs, scene)[:, 0], left_nT, scene))
 
 
-def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> Looks:
+def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> FunctionShape:
     """The same of the function alone."""
     if len(inputs) == 2:
-        return Looks(_of_two(basis, hull))
+        return FunctionShape(_of_two(basis, hull))
     x = np.linspace(hull.min(), hull.max(), POINTS)
     kind, place = of_one(_main(curve(basis, x[:, None])[0]))
-    return Looks(kind, None if place is None else float(x[place]))
+    return FunctionShape(kind, None if place is None else float(x[place]))
 
 
 def _main(f: Array) -> Array:
@@ -104,9 +107,9 @@ def of_one(y: Array) -> tuple[str, int | None]:
 
 def _of_two(basis: Basis, hull: Array) -> str:
     """A product where, sums of functions of one input taken off, one pair of functions is left."""
-    grid = [np.linspace(low, high, 24) for low, high in zip(hull.min(axis=0), hull.max(axis=0), strict=True)]
+    grid = [np.linspace(low, high, GRID) for low, high in zip(hull.min(axis=0), hull.max(axis=0), strict=True)]
     x = np.array([(a, b) for a in grid[0] for b in grid[1]])
-    f = _main(curve(basis, x)[0]).reshape(24, 24)
+    f = _main(curve(basis, x)[0]).reshape(GRID, GRID)
     both = f - f.mean(axis=0) - f.mean(axis=1)[:, None] + f.mean()
     size = np.linalg.svd(both, compute_uv=False) ** 2
     return "a product" if size[0] > NEARLY_ALL * size.sum() else "a map"
@@ -125,7 +128,7 @@ def _differs_on_the_way_back(x: Array, left: Array, scene: Scene) -> bool:
     return bool(np.sum(took**2) > (OTHER_WAY + 2 * chance) * np.sum(left**2))
 
 
-def experiment(run: Run, record: EffectRecord, looks: Looks) -> NextExperiment:
+def experiment(run: Run, record: EffectRecord, looks: FunctionShape) -> NextExperiment:
     """The one that would show what a term without a name is."""
     name = record.inputs[0]
     channel = name.removeprefix(CHANNEL)

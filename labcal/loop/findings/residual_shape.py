@@ -26,6 +26,10 @@ MEMORY = 1.5  # rows: a longer correlation time is a wander
 DIFFERENT_FIELDS = 0.2  # of the mean magnitude: a smaller range of fields is one
 SLOPE_ROWS = 60  # of a segment whose spectrum has a slope
 PART_ROWS = 20  # of a third of fields or a quarter of a turn
+EDGE = 30  # part of the rows at each end in which no step is looked for
+LOW_BAND = 6  # part of the frequencies whose slope is taken, and at least so many of them
+QUARTERS_deg = (0.0, 90.0, 180.0, 270.0, 360.0)
+LEAST_EXCESS = 0.05  # of the noise's square: what is compared has as much above it
 SMOOTH = 5  # rows of a running median
 SWITCHES = 3  # between two levels before they are called telegraph-like,
 TWO_LEVELS = 0.88  # and the part of what is above the noise that they have to take off
@@ -108,7 +112,7 @@ def _step(t: Array, y: Array, T: Array) -> _Description:
     total, sums = y.sum(axis=0), np.cumsum(y, axis=0)[:-1]
     count = np.arange(1, n)[:, None]
     gain = np.sum(sums**2 / count + (total - sums) ** 2 / (n - count), axis=1) - np.sum(total**2) / n
-    edge = max(n // 30, 2)
+    edge = max(n // EDGE, 2)
     gain[:edge] = gain[-edge:] = 0.0
     row = int(np.argmax(gain))
     moment = float(t[row] + t[row + 1]) / 2
@@ -163,7 +167,7 @@ def _slope(x: Array, segment: NDArray[np.intp]) -> float:
         parts, length = [x], len(x)
     window = np.hanning(length)
     power = np.mean([np.abs(np.fft.rfft((p[:length] - p[:length].mean()) * window)) ** 2 for p in parts], axis=0)
-    rows = np.arange(2, max(length // 6, 6))
+    rows = np.arange(2, max(length // LOW_BAND, LOW_BAND))
     return float(np.polyfit(np.log(rows), np.log(power[rows] + 1e-300), 1)[0])
 
 
@@ -191,7 +195,7 @@ def _third(square: Array, size: Array) -> Range:
 
 
 def _quarter(square: Array, degrees: Array) -> Range:
-    edges = np.arange(0.0, 361.0, 90.0)
+    edges = np.array(QUARTERS_deg)
     return _concentrated_part(square, [(degrees >= a) & (degrees < b) for a, b in pairwise(edges.tolist())], edges)
 
 
@@ -199,6 +203,6 @@ def _concentrated_part(square: Array, inside: list[Mask], edges: Array) -> Range
     """The edges of the part that lies far above the least; None where none does, or a part has few rows."""
     if min(int(rows.sum()) for rows in inside) < PART_ROWS:
         return None
-    above = [max(float(square[rows].mean()) - 1.0, 0.05) for rows in inside]
+    above = [max(float(square[rows].mean()) - 1.0, LEAST_EXCESS) for rows in inside]
     place = int(np.argmax(above))
     return (float(edges[place]), float(edges[place + 1])) if above[place] > CONCENTRATION * min(above) else None

@@ -27,6 +27,7 @@ Mask = NDArray[np.bool_]
 MIN_ROWS = 3 * LAGS  # rows of a segment that an autocorrelation needs
 CELLS = 24  # directions that count as one condition each,
 SIZES = 1.3  # with the magnitudes within this factor
+SPIRAL = 1 + np.sqrt(5)  # twice the golden ratio: half turns from one direction to the next spread them evenly
 MIN_VISITS = 2  # visits of a condition before it is a repeat
 
 
@@ -136,7 +137,7 @@ def _visits(problem: LinearProblem, good: Mask) -> dict[_Cell, list[Array]]:
     """Means of y over each stay in a cell of directions and magnitudes, times the root of its rows."""
     b = reference_field(problem)
     i = np.arange(CELLS) + 0.5
-    z, turn = 1 - 2 * i / CELLS, np.pi * (1 + np.sqrt(5)) * i
+    z, turn = 1 - 2 * i / CELLS, np.pi * SPIRAL * i
     centres = np.column_stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
     direction = np.argmax(b @ centres.T, axis=1)
     magnitude = np.round(np.log(np.maximum(problem.observations.magnitude, 1.0)) / np.log(SIZES)).astype(np.intp)

@@ -10,6 +10,7 @@ from labcal.loop import policy
 
 Array = NDArray[np.float64]
 LAGS = 10  # rows, of Ljung and Box's sum
+LONGEST_LAG = 4  # part of the rows: beyond n / 4 too few products are averaged (Box & Jenkins)
 
 
 def ljung_box(y: Array) -> float:
@@ -41,6 +42,6 @@ def correlation_time_s(t_s: Array, y: Array) -> float:
     """The first lag [s] at which the autocorrelation of y (n, q) falls below 1/e, times evenly spaced."""
     n = len(y)
     power = np.sum(np.abs(np.fft.rfft(y - y.mean(axis=0), n=2 * n, axis=0)) ** 2, axis=1)
-    correlation = np.fft.irfft(power)[: n // 4]
+    correlation = np.fft.irfft(power)[: n // LONGEST_LAG]
     below = np.flatnonzero(correlation < correlation[0] / np.e)
-    return float(below[0] if len(below) else n // 4) * float(np.median(np.diff(t_s)))
+    return float(below[0] if len(below) else n // LONGEST_LAG) * float(np.median(np.diff(t_s)))

@@ -13,6 +13,8 @@ Array = NDArray[np.float64]
 BANDS_PER_OCTAVE = 2.0
 CORNERS = (0.0, 1e-3, 1e-1)  # c: 0 is a random walk
 RATIOS = np.logspace(-6, 1.5, 11).tolist()  # r
+LENGTHS_KEPT = 8  # numbers of rows whose bands and spectra are kept
+PRIMES = 2 * 3 * 5  # of a length that is fast to transform
 INDISTINGUISHABLE = 0.1  # sum of squared logarithms: a spectrum nearer to white noise than this is not tried
 
 
@@ -31,7 +33,7 @@ class Bands:
         return np.diff(self.edges).astype(float)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=LENGTHS_KEPT)
 def bands_of(n: int) -> Bands:
     """The bands and the spectra of the noise processes tried, white noise first."""
     octaves = max(int(np.ceil(np.log2(n) * BANDS_PER_OCTAVE)), 1)
@@ -53,7 +55,7 @@ def cosine_transform(columns: Array) -> Array:
     return np.asarray(dct(columns, axis=0, norm="ortho"))
 
 
-def fast_length(n: int, primes: int = 2 * 3 * 5) -> int:
+def fast_length(n: int, primes: int = PRIMES) -> int:
     """The largest length up to n that is fast to transform: one with a large prime factor takes five times as long.
 
     It has no other prime factors than those of `primes`.

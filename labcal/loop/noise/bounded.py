@@ -17,12 +17,13 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.noise.bands import Bands, bands_of
+from labcal.loop.noise.bands import LENGTHS_KEPT, Bands, bands_of
 from labcal.loop.noise.coloured import grams_of_bands
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 
 Array = NDArray[np.float64]
-CORNERS = (1e-5, 1e-4, 1e-3, 1e-2, 1e-1)  # c, in λ = 2 − 2 cos(π k / n); one at a quarter of the lowest cosine beside
+CORNERS = (1e-5, 1e-4, 1e-3, 1e-2, 1e-1)  # c, in λ = 2 − 2 cos(π k / n),
+BELOW_LOWEST = 16  # part of the lowest cosine's λ, and one there: at a quarter of its frequency
 POWERS = (0.5, 1.0)  # flicker noise (1/f), exponential correlation (1/f² above its corner)
 SIZES = np.logspace(-1, 5, 13).tolist()  # of the slow process at its largest over the white noise
 WHITE_ODDS = 10.0  # of white noise against all the others together, before the residual is asked
@@ -60,13 +61,13 @@ def bounded_spectrum(transformed: Array, y: Array) -> tuple[Bands, Array]:
     return found.bands, found.mean
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=LENGTHS_KEPT)
 def tried_spectra(n: int) -> Array:
     """The spectra tried (tried, bands), relative to the white level; white noise first."""
     edges = bands_of(n).edges
     k = np.maximum(np.arange(n), 1)
     eigen = 2 - 2 * np.cos(np.pi * k / n)
-    lowest = float(eigen[0]) / 16
+    lowest = float(eigen[0]) / BELOW_LOWEST
     corners = [lowest, *(c for c in CORNERS if c > 2 * lowest)]
     shapes = [(eigen + c) ** -power for power, c in itertools.product(POWERS, corners)]
     spectra = [np.ones(n), *(1 + size * s / s[0] for s, size in itertools.product(shapes, SIZES))]

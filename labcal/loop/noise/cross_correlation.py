@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 MAX_LAG = 20  # rows either way over which a cross-correlation is taken
+TAPERED = 10  # part of the record over which the sums of chance are tapered
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,7 +42,7 @@ def cross_correlation(y: Series, x: Series) -> tuple[float, float]:
 
     Chance has the variance Σ ρ_y ρ_x / n (Bartlett 1946), sums tapered at a tenth of the record.
     """
-    cut = max(y.n // 10, 1)
+    cut = max(y.n // TAPERED, 1)
     taper = 1 - np.arange(cut) / cut
     both = y.rho[:cut] * x.rho[:cut] * taper
     variance = max(1 + 2 * float(np.sum(both[1:])), 1.0) / y.n

@@ -6,10 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+SIGMA_PER_MAD = 1.4826  # standard deviation over median absolute deviation, of normal values
+SECOND_DIFFERENCE = 6  # variance of y₁ − 2 y₂ + y₃ over that of y
 
 
 def white_level(y: Array, segment: NDArray[np.intp]) -> float:
     """Standard deviation of y (n, q) from row to row inside segments: a lower bound where noise correlates."""
     within = segment[2:] == segment[:-2]
     second = (y[2:] - 2 * y[1:-1] + y[:-2])[within]
-    return float(1.4826 * np.median(np.abs(second)) / np.sqrt(6)) if len(second) else 1.0
+    return float(SIGMA_PER_MAD * np.median(np.abs(second)) / np.sqrt(SECOND_DIFFERENCE)) if len(second) else 1.0

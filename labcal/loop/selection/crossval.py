@@ -18,7 +18,8 @@ Array = NDArray[np.float64]
 FOLDS = 5
 TWO_BLOCKS = 24  # rows of a segment that is cut in two at least
 NEVER = -1
-BLOCKS = 40  # about so many blocks in a run
+BLOCKS = 40  # about so many blocks in a run, none shorter than so many
+CORRELATION_TIMES, BLOCK_ROWS = 5, 8  # of the residual, and rows
 DRAWS = 500
 INTERVAL_95 = (2.5, 97.5)  # percentiles: the contract's improvement_ci95_nT
 
@@ -55,7 +56,9 @@ def block_folds(
     t, segment = problem.scene.t_s, problem.scene.segment
     parts = stretches(segment)
     recorded = sum(float(t[p][-1] - t[p][0]) for p in parts)
-    length = block_s or max(recorded / BLOCKS, 5 * correlation_s, 8 * float(np.median(np.diff(t))))
+    length = block_s or max(
+        recorded / BLOCKS, CORRELATION_TIMES * correlation_s, BLOCK_ROWS * float(np.median(np.diff(t)))
+    )
     block, count, shortest = np.empty(len(t), dtype=np.intp), 0, length
     fold_of: list[int] = []
     draw = np.random.default_rng(seed)

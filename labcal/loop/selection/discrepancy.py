@@ -27,7 +27,7 @@ from labcal.model.effects.regressors import on_each_axis, stretches
 Array = NDArray[np.float64]
 DEGREES = (2, 3)  # of what is not straight
 HARMONICS = (1, 2, 3)  # of the platform's angle
-NEAREST = 3  # rivals that are weighed beside what both may miss
+NEAREST = 3  # rivals that are scored beside what both may miss
 
 
 def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> bool:

@@ -24,37 +24,39 @@ Chances = Callable[[JointFit], Sequence[float]]
 
 
 def final_fit(
-    problem: LinearProblem, found: Evidence, selection: Selection, chances_of_nought: Chances
+    problem: LinearProblem, found: Evidence, selection: Selection, p_values: Chances
 ) -> tuple[Evidence, JointFit]:
-    """The fit with the accepted effects; those that it does not arrive with are given up, and the rest proven anew.
+    """The fit with the accepted effects; those that it cannot carry are given up, and the rest proven anew.
 
-    So are those that may be nought: `chances_of_nought` tells how often each term would seem as large.
+    So are those that may be zero: `p_values` says how often each term would seem as large (Wald).
     """
-    astray, nought = dict[Cause, float](), dict[Cause, float]()
+    not_carried, insignificant = dict[Cause, float](), dict[Cause, float]()
     while found.accepted:
         found, fitted = in_full(problem, found, _nearest(problem, found))
         left = in_sample_rms(fitted)
-        if not arrives(left, found):
+        if not carries_them(left, found):
             place = len(found.accepted) - 1
-            astray[found.accepted[place].cause] = left
+            not_carried[found.accepted[place].cause] = left
         else:
-            place, chance = _least_certain(found, chances_of_nought(fitted))
+            place, chance = _least_certain(found, p_values(fitted))
             if chance <= policy.POLICY.significance:
-                return _as_told(found, left), fitted
-            nought[found.accepted[place].cause] = chance
-        found = replace(_proven_again(found, selection, place), astray=dict(astray), nought=dict(nought))
+                return _no_better_than_fitted(found, left), fitted
+            insignificant[found.accepted[place].cause] = chance
+        found = replace(
+            _proven_again(found, selection, place), not_carried=dict(not_carried), insignificant=dict(insignificant)
+        )
     return found, base_fit(problem, found)
 
 
 def _least_certain(found: Evidence, chances: Sequence[float]) -> tuple[int, float]:
-    """The place of the accepted effect that is likeliest nought, all members of a set together, and its chance."""
+    """The place of the accepted effect that is likeliest zero, all members of a set together, and its chance."""
     ends = np.cumsum([len(chosen.parts) for chosen in found.accepted])
     each = [float(part.min()) for part in np.split(np.array(chances), ends[:-1])]
     place = int(np.argmax(each))
     return place, each[place]
 
 
-def arrives(left_nT: float, found: Evidence) -> bool:
+def carries_them(left_nT: float, found: Evidence) -> bool:
     """Whether a final fit takes off most of the squares that its effects took off held-out blocks to first order.
 
     What a strong effect misses of second order is no reason to leave it out; one that exists to first order only is.
@@ -63,20 +65,20 @@ def arrives(left_nT: float, found: Evidence) -> bool:
     return before**2 - left_nT**2 >= policy.POLICY.min_explained * (before**2 - after**2)
 
 
-def _as_told(found: Evidence, left_nT: float) -> Evidence:
+def _no_better_than_fitted(found: Evidence, left_nT: float) -> Evidence:
     """The same with the last effect's own error no smaller than what the final fit leaves."""
     last = found.contributions[-1]
     if last.after >= left_nT:
         return found
-    told = replace(last, after_nT=last.after_nT * (left_nT / max(last.after, 1e-300)))
-    return replace(found, contributions=(*found.contributions[:-1], told))
+    stated = replace(last, after_nT=last.after_nT * (left_nT / max(last.after, 1e-300)))
+    return replace(found, contributions=(*found.contributions[:-1], stated))
 
 
 def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:
     """The joint fit from the base, or, where that does not arrive, the better of that and one from the search's map."""
     terms = [part.term for chosen in found.accepted for part in chosen.parts]
     fitted = joint_fit(problem, terms, found.pool.valid)
-    if arrives(in_sample_rms(fitted), found):
+    if carries_them(in_sample_rms(fitted), found):
         return fitted
     return min(fitted, joint_fit(found.pool.whole, terms, found.pool.valid), key=in_sample_rms)
 

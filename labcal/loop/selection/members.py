@@ -16,7 +16,7 @@ from labcal.loop.selection.sets import offered_for, together
 Stand = dict[Candidate, list[Candidate]]  # a channel left out: the members in whose place it does as well
 
 
-def told_apart(found: Evidence) -> Evidence:
+def members_in_place(found: Evidence) -> Evidence:
     """The same evidence with the members of each set in its place."""
     accepted, contributions, equivalents = list[Candidate](), list[HeldOutErrors](), list[tuple[Equivalent, ...]]()
     for chosen, step, rivals in zip(found.accepted, found.contributions, found.equivalents, strict=True):

@@ -40,8 +40,8 @@ class Evidence:
     null_distribution: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
     outlier_distance: float  # of the rows set aside, in standard deviations of the others
-    astray: Mapping[Cause, float] = field(default_factory=dict)  # what final fits with these leave [nT]
-    nought: Mapping[Cause, float] = field(default_factory=dict)  # how often nothing would seem as large as these do
+    not_carried: Mapping[Cause, float] = field(default_factory=dict)  # what final fits with these leave [nT]
+    insignificant: Mapping[Cause, float] = field(default_factory=dict)  # p-values (Wald)
 
 
 def select_and_prove(pool: CandidateSet, level: NoiseFloor) -> Evidence:

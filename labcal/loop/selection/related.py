@@ -17,7 +17,8 @@ from labcal.loop.noise.nuisance import principal_span
 from labcal.model.effects import TIME_CONSTANT
 
 Array = NDArray[np.float64]
-RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared
+RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared,
+DECIMALS = 9  # and to how many they are the same
 
 
 def related_columns(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
@@ -68,7 +69,7 @@ def _distinct_columns(
     some = np.concatenate([pool.columns(c) for c in related], axis=2)
     some = some.reshape(-1, some.shape[2])
     drawn = np.random.default_rng(0).normal(size=(RANDOM_DIRECTIONS, len(some))) @ some
-    some = np.round(drawn / np.maximum(np.sqrt(np.einsum("nc,nc->c", some, some)), 1e-300), 9)
+    some = np.round(drawn / np.maximum(np.sqrt(np.einsum("nc,nc->c", some, some)), 1e-300), DECIMALS)
     _, first, times = np.unique(some, axis=1, return_index=True, return_counts=True)
     order, ends = np.argsort(first), np.cumsum([0, *(len(c.term.parameters) for c in related)])
     first, times = first[order], times[order].astype(float)

@@ -3,7 +3,7 @@
 Of four loads or panels none carries half, and each alone leaves too much to be sure of (Springmann & Cutler 2011 have
 five). A set begins with every channel of its kind and loses the weakest until each member left has the evidence of a
 name beside all others; it is judged by what it leaves. Inside the search a set is one candidate; in the end its members
-are told one by one (`members`).
+are reported one by one (`members`).
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ def earning(pool: CandidateSet, accepted: Sequence[Candidate], members: Sequence
     """
     kept = list(members)
     while len(kept) > 1:
-        each = parallel_map(partial(_weighed, pool, accepted, kept, _two_strongest(pool, accepted, kept)), kept)
+        each = parallel_map(partial(_evidence_beside, pool, accepted, kept, _two_strongest(pool, accepted, kept)), kept)
         failing = [(evidence, i) for i, (evidence, enough) in enumerate(each) if not enough]
         if not failing:
             break
@@ -153,7 +153,7 @@ def _beside(
     return pool.score(one, pool.null_model(others, spans))
 
 
-def _weighed(
+def _evidence_beside(
     pool: CandidateSet,
     accepted: Sequence[Candidate],
     kept: Sequence[Candidate],

@@ -28,12 +28,12 @@ def guarded(family: Family, where: str) -> Family:
         family,
         kernel=kernel,
         candidates=_candidates(family, kernel, named),
-        time_constants=_blamed(family.time_constants, named),
-        reach_s=_blamed(family.reach_s, named),
-        rig_form=_blamed(family.rig_form, named),
-        bound_form=_blamed(family.bound_form, named),
-        modes=family.modes and _blamed(family.modes, named),
-        in_c=family.in_c and _blamed(family.in_c, named),
+        time_constants=_guarded(family.time_constants, named),
+        reach_s=_guarded(family.reach_s, named),
+        rig_form=_guarded(family.rig_form, named),
+        bound_form=_guarded(family.bound_form, named),
+        modes=family.modes and _guarded(family.modes, named),
+        in_c=family.in_c and _guarded(family.in_c, named),
     )
 
 
@@ -65,7 +65,7 @@ def _check_shapes(term: Term, kinds: Mapping[str, Kind], named: str) -> None:
             raise InputError(f"{named}: {shape.name} has to belong to the one linear parameter of its term")
 
 
-def _blamed(hook: Callable[[Term], Said], named: str) -> Callable[[Term], Said]:
+def _guarded(hook: Callable[[Term], Said], named: str) -> Callable[[Term], Said]:
     @wraps(hook)
     def asked(term: Term) -> Said:
         with blamed(named, f"in what it says of itself, {hook.__name__}"):

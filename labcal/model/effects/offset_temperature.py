@@ -89,10 +89,10 @@ def in_c(term: Term) -> CForm:
     """The same in C."""
     if term.of(THRESHOLD) is not None:
         declared, channel = at_once(Driven(term))
-        told = "E = (c + f w) (T - T_ref) + b w, c, f [nT/degC], b [nT]; w from 1, heating, to -1 within 2 r_C [degC]"
+        law = "E = (c + f w) (T - T_ref) + b w, c, f [nT/degC], b [nT]; w from 1, heating, to -1 within 2 r_C [degC]"
         state, sloped = "double last; double branch; int begun;", len(term.parameters) > 6
         body = f"{declared}\n{BRANCH_IN_C}{SLOPE_IN_C if sloped else ''}"
-        return CForm(told, body, channel, state, ("on_each_axis",))
+        return CForm(law, body, channel, state, ("on_each_axis",))
     formula = "E = c (T - T_ref) + d (T - T_ref)^2, c [nT/degC], d [nT/degC^2] for each axis of B; T as its inputs say"
     if not any(name.startswith("d_") for name, _ in term.parameters):
         return responses_in_c(term, formula, time_constants(term))

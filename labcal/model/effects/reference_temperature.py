@@ -8,7 +8,7 @@ import numpy as np
 
 from labcal.model.effects.following import BEHIND
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
-from labcal.model.effects.regressors import low_passed, middle, per_axis, weather_of_the_room
+from labcal.model.effects.regressors import low_passed, middle, per_axis, room_temperatures
 from labcal.model.effects.shape import LEVEL, Shape
 from labcal.record import Run, offers
 from labcal.record.run import Channel
@@ -51,7 +51,7 @@ def candidates(run: Run) -> list[Term]:
     """
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
-    return [term for channel in weather_of_the_room(run) for term in _of(channel)]
+    return [term for channel in room_temperatures(run) for term in _of(channel)]
 
 
 def _of(channel: Channel) -> list[Term]:

@@ -65,7 +65,7 @@ def of_the_rig(run: Run) -> list[Channel]:
     return [c for c in rig if _moves(c.values)]
 
 
-def weather_of_the_room(run: Run) -> list[Channel]:
+def room_temperatures(run: Run) -> list[Channel]:
     """Temperatures of the room that move and are known for half of the rows: what the rig's instruments follow."""
     return [c for c in run.channels if c.role == "room" and c.quantity == "temperature" and _moves(c.values)]
 

@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from labcal.testing.drivers import every, interlocks, nonsense, stages, streams, supplies
-from labcal.testing.drivers.rig import DriverCase, Rig, installed
+from labcal.testing.drivers.rig import DriverCase, DriverRig, installed
 
 Promise = Callable[[DriverCase], None]
 
-__all__ = ["DriverCase", "Promise", "Rig", "check_driver", "installed", "keep", "promises"]
+__all__ = ["DriverCase", "DriverRig", "Promise", "check_driver", "installed", "keep", "promises"]
 
 
 def check_driver(
@@ -48,8 +48,8 @@ def keep(promise: Promise, case: DriverCase) -> None:
         raise
     except Exception as error:
         title = (promise.__doc__ or promise.__name__).splitlines()[0]
-        told = f"{case.driver.__name__} raised {type(error).__name__} ({error}) where this is tried: {title}"
-        raise AssertionError(f"{told} Find the cause at the end of the traceback.") from error
+        text = f"{case.driver.__name__} raised {type(error).__name__} ({error}) where this is tried: {title}"
+        raise AssertionError(f"{text} Find the cause at the end of the traceback.") from error
 
 
 def promises(case: DriverCase) -> list[Promise]:

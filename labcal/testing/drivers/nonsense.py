@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import Any
 
 from labcal.errors import InstrumentError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import require
 
 NUMBERS = (b"", b"?", b"-", b".", b"1.2.3", b"-7", b"1e999", b"999999999999", b"\xc2\xb2", b"nan")
@@ -43,21 +43,21 @@ def whatever_it_is_told_its_emulator_goes_on(case: DriverCase) -> None:
     rig.emulator.take(rig.clock.now(), b"\x1b\r\n")  # ends a stream, and what was cut
     rig.wait(1.0)
     rig.line.flush()
-    told = f"{rig.name} cannot greet its emulator after nonsense: the emulator must drop what it does not know."
+    told = f"{rig.name} cannot identify its emulator after nonsense: the emulator must drop what it does not know."
     require(not rig.sent or rig.driver.identify().model, told)
 
 
-def _tell(rig: Rig, nonsense: bytes) -> None:
+def _tell(rig: DriverRig, nonsense: bytes) -> None:
     rig.wait(0.2)
     try:
         rig.emulator.take(rig.clock.now(), nonsense)
         rig.emulator.emit(rig.clock.now() + 0.1)
     except Exception as error:
-        told = f"The emulator of {rig.name} fails when it is told {nonsense!r} ({type(error).__name__}: {error})"
+        told = f"The emulator of {rig.name} fails when it is sent {nonsense!r} ({type(error).__name__}: {error})"
         raise AssertionError(f"{told}: answer as the instrument would, with an error or not at all.") from error
 
 
-def _use(rig: Rig) -> None:
+def _use(rig: DriverRig) -> None:
     """Have the driver say most of what it can."""
     for number, step in enumerate(STEPS):
         with suppress(AttributeError, InstrumentError):

@@ -47,9 +47,9 @@ class DriverCase:
         """Whether it speaks registers instead of bytes."""
         return self.types["link"] is ModbusLink
 
-    def rig(self, **stated: Any) -> Rig:
+    def rig(self, **stated: Any) -> DriverRig:
         """It on a line of its own; `stated` are settings beside the case's own."""
-        return Rig(self, self.types["settings"](**{**self.settings, **stated}))
+        return DriverRig(self, self.types["settings"](**{**self.settings, **stated}))
 
 
 def installed(name: str, **stated: Any) -> DriverCase:
@@ -59,8 +59,8 @@ def installed(name: str, **stated: Any) -> DriverCase:
 
 def _entry(group: str, name: str) -> Any:
     found = list(entry_points(group=group, name=name))
-    told = f'Declare {name} = "module:Class" in [project.entry-points."{group}"] of pyproject.toml and install again'
-    require(found, f"No installed package has {name!r} in {group}. {told}.")
+    text = f'Declare {name} = "module:Class" in [project.entry-points."{group}"] of pyproject.toml and install again'
+    require(found, f"No installed package has {name!r} in {group}. {text}.")
     require(len(found) == 1, f"{name!r} is there twice in {group}: two packages bring one name. Rename yours.")
     return found[0].load()
 
@@ -80,7 +80,7 @@ class Foretold:
         return list(pieces)
 
 
-class Rig:
+class DriverRig:
     """One driver on its emulator, and what went over the line."""
 
     def __init__(self, case: DriverCase, settings: Any) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import suppress
 
 from labcal.errors import InstrumentError, LimitError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import near, refused, require
 
 HOMING_LIMITS = (25.0, 4.0)  # deg/s that the DUT may turn
@@ -13,7 +13,7 @@ TRUE_WITHIN_DEG = 0.02
 LONGEST_S = 600.0  # for any move here
 
 
-def until_still(rig: Rig) -> None:
+def until_still(rig: DriverRig) -> None:
     """Wait until it says that it does not move."""
     begun_s = rig.clock.now()
     while rig.driver.moving():
@@ -21,7 +21,7 @@ def until_still(rig: Rig) -> None:
         require(rig.clock.now() - begun_s < LONGEST_S, f"{rig.name}.moving() is True for {LONGEST_S:.0f} s.")
 
 
-def homed(case: DriverCase) -> Rig:
+def homed(case: DriverCase) -> DriverRig:
     """A stage that knows where it is."""
     rig = case.rig()
     rig.driver.identify()
@@ -42,14 +42,14 @@ def it_homes_no_faster_than_the_dut_may_turn_or_refuses(case: DriverCase) -> Non
         with suppress(LimitError):
             rig.driver.home(limit)
         fastest = _fastest(rig)
-        told = f"{rig.name}.home({limit:g}) turned the platform at {fastest:.1f} deg/s: set the homing speed first"
-        require(fastest <= limit + 0.01, f"{told}, or raise LimitError.")
+        text = f"{rig.name}.home({limit:g}) turned the platform at {fastest:.1f} deg/s: set the homing speed first"
+        require(fastest <= limit + 0.01, f"{text}, or raise LimitError.")
         may_rest = limit == min(HOMING_LIMITS) or case.knows_its_place
-        told = f"{rig.name}.home({limit:g}) moved nothing: state knows_its_place=True if its encoder is absolute."
-        require(fastest > 0 or may_rest, told)
+        text = f"{rig.name}.home({limit:g}) moved nothing: state knows_its_place=True if its encoder is absolute."
+        require(fastest > 0 or may_rest, text)
 
 
-def _fastest(rig: Rig) -> float:
+def _fastest(rig: DriverRig) -> float:
     fastest = 0.0
     for _ in range(20):
         before = rig.angle_deg()
@@ -68,8 +68,8 @@ def it_arrives_where_it_was_sent_and_says_so(case: DriverCase) -> None:
         require(moving, f"{rig.name} says that it rests 0.5 s after move_to({target:g}, 10): moving() and state().")
         until_still(rig)
         said, true = rig.driver.angle_deg(), rig.angle_deg()
-        told = f"{rig.name} says {said:g} deg and is at {true:g} deg after move_to({target:g}): check units and sign."
-        require(near(said, target, rig.settings.tolerance_deg) and near(true, target, TRUE_WITHIN_DEG), told)
+        text = f"{rig.name} says {said:g} deg and is at {true:g} deg after move_to({target:g}): check units and sign."
+        require(near(said, target, rig.settings.tolerance_deg) and near(true, target, TRUE_WITHIN_DEG), text)
 
 
 def held_it_has_not_arrived(case: DriverCase) -> None:
@@ -79,8 +79,8 @@ def held_it_has_not_arrived(case: DriverCase) -> None:
     rig.wait(1.0)
     rig.lab.platform.stop(rig.clock.now())
     rig.wait(3.0)
-    told = f"{rig.name}.moving() must raise InstrumentError (fault='not arrived') when it stands short of its target."
-    with refused(InstrumentError, told, words="from its target", fault="not arrived"):
+    text = f"{rig.name}.moving() must raise InstrumentError (fault='not arrived') when it stands short of its target."
+    with refused(InstrumentError, text, words="from its target", fault="not arrived"):
         rig.driver.moving()
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from labcal.bench.driver_kit.roles import Unacknowledged, Watched
 from labcal.errors import LimitError
-from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import near, refused, require
 
 SETTLES_S = 0.5
@@ -18,7 +18,7 @@ WATCHED_S = 4
 RAMPS_IN_S = 1.5  # from full current to zero
 
 
-def greeted(case: DriverCase, **stated: Any) -> Rig:
+def greeted(case: DriverCase, **stated: Any) -> DriverRig:
     """A supply that has said who it is."""
     rig = case.rig(**stated)
     require(hasattr(rig.settings, "max_current_A"), f"The Settings of {rig.name} lack max_current_A: a supply has one.")
@@ -26,17 +26,17 @@ def greeted(case: DriverCase, **stated: Any) -> Rig:
     return rig
 
 
-def too_much_A(rig: Rig) -> float:
+def too_much_A(rig: DriverRig) -> float:
     """More than it may be set to."""
     return max(99.0, 2.0 * float(rig.settings.max_current_A))
 
 
-def some_A(rig: Rig, most_A: float) -> float:
+def some_A(rig: DriverRig, most_A: float) -> float:
     """A current that it can carry, `most_A` where it can."""
     return float(min(most_A, rig.settings.max_current_A / 2))
 
 
-def on_at(rig: Rig, current_A: float) -> None:
+def on_at(rig: DriverRig, current_A: float) -> None:
     """The output closed and a current set that has settled."""
     rig.driver.output(True)
     rig.driver.set_current(current_A)
@@ -65,22 +65,22 @@ def with_all_its_answers_lost_it_hears_zero_and_off_at_once(case: DriverCase) ->
     rig = greeted(case)
     wanted = some_A(rig, 0.5)
     on_at(rig, wanted)
-    told = f"{rig.name} lacks write_current or write_off (Unacknowledged in labcal/bench/driver_kit/roles.py)."
-    require(isinstance(rig.driver, Unacknowledged), told)
+    text = f"{rig.name} lacks write_current or write_off (Unacknowledged in labcal/bench/driver_kit/roles.py)."
+    require(isinstance(rig.driver, Unacknowledged), text)
     with answers_lost(rig):
         begun_s = rig.clock.now()
-        told = f"{rig.name}.write_current({too_much_A(rig):g}) must raise LimitError, answers or not."
-        with refused(LimitError, told):
+        text = f"{rig.name}.write_current({too_much_A(rig):g}) must raise LimitError, answers or not."
+        with refused(LimitError, text):
             rig.driver.write_current(too_much_A(rig))
         rig.driver.write_current(0.4 * wanted)
         rig.driver.write_current(0.0)
         took_s = rig.clock.now() - begun_s
         rig.wait(0.3)
-        told = f"{rig.coil_A():g} A still flow after {rig.name}.write_current(0): it must reach the line unasked."
-        require(near(rig.coil_A(), 0.0, case.resolution_A), told)
+        text = f"{rig.coil_A():g} A still flow after {rig.name}.write_current(0): it must reach the line unasked."
+        require(near(rig.coil_A(), 0.0, case.resolution_A), text)
         rig.driver.write_off()
-    told = f"{rig.name}.write_current waited {took_s:.2f} s for answers: put the order on the line and return."
-    require(took_s < AT_ONCE_S, told)
+    text = f"{rig.name}.write_current waited {took_s:.2f} s for answers: put the order on the line and return."
+    require(took_s < AT_ONCE_S, text)
     rig.wait(1.0)
     rig.line.flush()
     require(rig.driver.set_point() == 0.0, f"{rig.name} holds {rig.driver.set_point():g} A after write_current(0).")
@@ -88,7 +88,7 @@ def with_all_its_answers_lost_it_hears_zero_and_off_at_once(case: DriverCase) ->
 
 
 @contextmanager
-def answers_lost(rig: Rig) -> Iterator[None]:
+def answers_lost(rig: DriverRig) -> Iterator[None]:
     """All that the emulator says is lost on the line."""
     end: Any = rig.line._emulator
     emit = end.emit
@@ -101,8 +101,8 @@ def it_refuses_what_is_too_much_and_sends_nothing(case: DriverCase) -> None:
     """A set-point beyond its limits is an error with the number in it, and no byte."""
     rig = greeted(case)
     before, much = len(rig.sent), too_much_A(rig)
-    told = f"{rig.name}.set_current({much:g}) must raise LimitError that says '{much:g} A' and 'nothing was sent'."
-    with refused(LimitError, told, words=rf"{much:g} A.*nothing was sent"):
+    text = f"{rig.name}.set_current({much:g}) must raise LimitError that says '{much:g} A' and 'nothing was sent'."
+    with refused(LimitError, text, words=rf"{much:g} A.*nothing was sent"):
         rig.driver.set_current(much)
     if not rig.driver.bipolar:
         with refused(LimitError, f"{rig.name}.set_current(-0.1) must raise LimitError: it is not bipolar."):
@@ -116,22 +116,22 @@ def made_safe_it_has_no_current_and_its_panel_back(case: DriverCase) -> None:
     on_at(rig, some_A(rig, 1.0))
     rig.driver.make_safe()
     if case.to_panel:
-        told = f"{rig.name}.make_safe() must end with {case.to_panel!r}, and say it nowhere before"
+        text = f"{rig.name}.make_safe() must end with {case.to_panel!r}, and say it nowhere before"
         ends = rig.sent[-1].startswith(case.to_panel)
-        require(ends and not any(s.startswith(case.to_panel) for s in rig.sent[:-1]), f"{told}; it sent {rig.sent!r}.")
+        require(ends and not any(s.startswith(case.to_panel) for s in rig.sent[:-1]), f"{text}; it sent {rig.sent!r}.")
     rig.wait(SETTLES_S)
     measured, flows, set_point = rig.driver.measure_current(), rig.coil_A(), rig.driver.set_point()
-    told = f"{rig.name}.make_safe() leaves {measured:g} A measured, {flows:g} A in the coil, {set_point:g} A set"
+    text = f"{rig.name}.make_safe() leaves {measured:g} A measured, {flows:g} A in the coil, {set_point:g} A set"
     safe = near(measured, 0.0, rig.driver.zero_current_A) and near(flows, 0.0, rig.driver.zero_current_A)
-    require(safe and set_point == 0.0, f"{told}: it sets zero and opens the output.")
+    require(safe and set_point == 0.0, f"{text}: it sets zero and opens the output.")
 
 
 def it_ramps_its_full_current_in_time(case: DriverCase) -> None:
     """A coil is at zero soon, and "zero" is small."""
     rig = greeted(case)
     ramp, most, zero = rig.driver.ramp_A_per_s, rig.settings.max_current_A, rig.driver.zero_current_A
-    told = f"{rig.name} ramps {ramp:g} A/s, so {most:g} A take {most / ramp:.1f} s: at most {RAMPS_IN_S} s"
-    require(most / ramp <= RAMPS_IN_S, f"{told}; raise ramp_A_per_s or lower max_current_A.")
+    text = f"{rig.name} ramps {ramp:g} A/s, so {most:g} A take {most / ramp:.1f} s: at most {RAMPS_IN_S} s"
+    require(most / ramp <= RAMPS_IN_S, f"{text}; raise ramp_A_per_s or lower max_current_A.")
     require(0 < zero < 0.1, f"zero_current_A of {rig.name} is {zero:g}: above 0 and below 0.1 A.")
 
 
@@ -139,8 +139,8 @@ def a_watchdog_takes_it_to_zero_when_it_is_not_heard(case: DriverCase) -> None:
     """Where its settings name `watchdog_s` it has `feed`, holds while fed and falls to zero when not; else neither."""
     known = {f.name for f in dataclasses.fields(case.types["settings"])}
     watched = isinstance(case.rig().driver, Watched)
-    told = f"{case.driver.__name__} has `feed` and `watchdog_s` if and only if its Settings name `watchdog_s`."
-    require(watched == ("watchdog_s" in known), told)
+    text = f"{case.driver.__name__} has `feed` and `watchdog_s` if and only if its Settings name `watchdog_s`."
+    require(watched == ("watchdog_s" in known), text)
     if not watched:
         return
     require(case.rig().driver.watchdog_s == 0, f"watchdog_s of {case.driver.__name__} is 0 unless it is stated.")
@@ -150,12 +150,12 @@ def a_watchdog_takes_it_to_zero_when_it_is_not_heard(case: DriverCase) -> None:
     on_at(rig, wanted)
     for _ in range(6):
         rig.wait(WATCHED_S / 3)
-        told = f"{rig.name}: {rig.coil_A():g} A flow although its watchdog is fed every third of its time."
-        require(near(abs(rig.coil_A()), wanted, 10 * case.resolution_A), told)
+        text = f"{rig.name}: {rig.coil_A():g} A flow although its watchdog is fed every third of its time."
+        require(near(abs(rig.coil_A()), wanted, 10 * case.resolution_A), text)
         rig.driver.feed()
     rig.wait(WATCHED_S + SETTLES_S)
-    told = f"{rig.name}: {rig.coil_A():g} A flow {SETTLES_S} s after its watchdog's time: switch it on in identify()."
-    require(abs(rig.coil_A()) < case.resolution_A, told)
+    text = f"{rig.name}: {rig.coil_A():g} A flow {SETTLES_S} s after its watchdog's time: switch it on in identify()."
+    require(abs(rig.coil_A()) < case.resolution_A, text)
 
 
 def given_back_to_its_panel_it_is_left_alone(case: DriverCase) -> None:

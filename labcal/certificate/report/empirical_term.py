@@ -21,7 +21,7 @@ POINTS, GRID = 160, 60
 COVERAGE = 2.0
 
 
-def nameless_blocks(result: ClosedLoop, run: Run) -> list[Block]:
+def empirical_blocks(result: ClosedLoop, run: Run) -> list[Block]:
     """The figure of each empirical term, shipped or proposed."""
     terms = [(e, "shipped") for e in result.accepted if e.basis is not None]
     terms += [(e, "proposed, not shipped: close-loop --empirical ships it") for e in result.proposed]

@@ -1,4 +1,4 @@
-"""The empirical term on runs whose physics no effect file has: `nameless.py [--shapes N] [--noises N] [--seed S]`.
+"""The empirical term where no effect file has the physics: `empirical_term.py [--shapes N] [--noises N] [--seed S]`.
 
 Shapes: a device whose offset is a smooth function of something recorded, and a fresh recording of it without noise;
 told is the share of the error's square that the term takes off the fresh rows inside its domain. Noises: nothing smooth

@@ -1,4 +1,4 @@
-"""A person is told, by mail or a webhook; what cannot be told is an InputError, and somebody tries again."""
+"""Notify a person by mail or a webhook; what cannot be sent is an InputError, and somebody tries again."""
 
 from __future__ import annotations
 
@@ -54,14 +54,14 @@ class Webhook:
 Way = Mail | Webhook
 
 
-def tell(ways: Sequence[Way], subject: str, text: str, document: Mapping[str, Any]) -> None:
-    """Tell it every way. Raises InputError for the first that failed, after the others were tried."""
+def notify(ways: Sequence[Way], subject: str, text: str, document: Mapping[str, Any]) -> None:
+    """Send it every way. Raises InputError for the first that failed, after the others were tried."""
     faults = []
     for way in ways:
         try:
             _mail(way, subject, text) if isinstance(way, Mail) else _post(way, document)
         except (OSError, smtplib.SMTPException, ValueError) as fault:  # URLError is an OSError
-            faults.append(f"nobody was told by {_named(way)}: {one_line(str(fault))}")
+            faults.append(f"nobody was notified by {_named(way)}: {one_line(str(fault))}")
     if faults:
         raise InputError("; ".join(faults))
 

@@ -15,7 +15,7 @@ NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds 
 UNDETERMINED = "offsets so far: not yet determined by the turns made"
 
 
-class SoFar:
+class RunningEstimate:
     """The offsets of the DUT from the turns that it has made."""
 
     def __init__(self, bench: Bench) -> None:

@@ -14,7 +14,7 @@ from labcal.loop import close, close_loop
 from labcal.loop.candidates.library import expand_library
 from labcal.loop.close import prepare
 from labcal.loop.selection.joint_fit import joint_fit
-from labcal.loop.uncertainty import chances_of_nought
+from labcal.loop.uncertainty import wald_p_values
 
 
 def run_with(making: ModuleType, folder: Path, per_ampere_nT: float) -> Path:
@@ -30,7 +30,7 @@ def test_the_chance_of_nought_is_even_where_nothing_is_and_tiny_where_something_
     for size in (0.0, 40.0):
         problem, *_ = prepare(session.load_run(str(run_with(making, tmp_path / str(size), size))))
         load = next(c for c in expand_library(problem) if c.label == "offset-current (i_load)")
-        chances += chances_of_nought(joint_fit(problem, [load.term]))
+        chances += wald_p_values(joint_fit(problem, [load.term]))
     assert chances[0] > 0.01
     assert chances[1] < 1e-6
 
@@ -40,7 +40,7 @@ def test_what_declared_errors_explain_as_well_is_given_up(
 ) -> None:
     run = session.load_run(str(run_with(making, tmp_path, 200.0)))
     assert [e.effect for e in close_loop(run).accepted] == ["offset-current"]
-    monkeypatch.setattr(close, "chances_of_nought", lambda fitted: [0.5 for _ in fitted.terms])
+    monkeypatch.setattr(close, "wald_p_values", lambda fitted: [0.5 for _ in fitted.terms])
     closed = close_loop(replace(run, run_id="again"))
     assert closed.accepted == ()
     refused = next(e for e in closed.rejected if (e.effect, e.channels) == ("offset-current", ("i_load",)))

@@ -9,7 +9,7 @@ import numpy as np
 from labcal.loop.assemble import assemble
 from labcal.loop.empirical.proof import with_smooth
 from labcal.loop.empirical.splines import table
-from labcal.loop.empirical.words import experiment, looks_like
+from labcal.loop.empirical.words import describe_function, experiment
 from labcal.loop.result import ClosedLoop
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
@@ -37,14 +37,14 @@ def with_empirical(
     record = replace(_described(built, term), p_value=chance, domain=(seen,))
     assert record.basis is not None
     left = after.problem.residual_nT
-    looks = looks_like(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
+    looks = describe_function(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
     record = replace(record, why=f"{record.why}. {looks.says(term.inputs)}")
     proposal = experiment(run, record, looks)
     if not ship:
         return replace(closed, proposed=(record,), next_experiment=proposal)
     of = "a function of " + " and ".join(record.inputs)
-    told = built.summary.replace(more.accepted[-1].label, of)
-    says = f"{told} This cause has no name: it is an empirical term, and holds only where it has been seen."
+    summary = built.summary.replace(more.accepted[-1].label, of)
+    says = f"{summary} This cause has no name: it is an empirical term, and holds only where it has been seen."
     accepted = (*built.accepted[:-1], record)
     return replace(built, accepted=accepted, summary=says, next_experiment=proposal)
 
