@@ -57,11 +57,11 @@ class Makers:
         told = (si.valueExpandedMU(written(U)), si.coverageFactor(written(k)), si.coverageProbability(str(PROBABILITY)))
         return si.measurementUncertaintyUnivariate(si.expandedMU(*told))
 
-    def real_list(self, values: ArrayLike, unit: str, U: ArrayLike | None = None) -> Any:
-        """Numbers of one unit, and their expanded uncertainties, k = 2, where all are known."""
+    def real_list(self, values: ArrayLike, unit: str, U: ArrayLike | None = None, k: float = COVERAGE) -> Any:
+        """Numbers of one unit, and their expanded uncertainties, k times the standard ones, where all are known."""
         si, given = self.si, [self.si.valueXMLList(listed(values)), self.si.unitXMLList(si_unit(unit))]
         if U is not None and np.isfinite(U).all():
-            told = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(str(COVERAGE)))
+            told = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(f"{k:g}"))
             expanded = si.expandedMUXMLList(*told, si.coverageProbabilityXMLList(str(PROBABILITY)))
             given.append(si.measurementUncertaintyUnivariateXMLList(expanded))
         return si.realListXMLList(*given)
