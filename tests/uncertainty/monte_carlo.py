@@ -25,7 +25,7 @@ class Drawn:
 
 
 def draws(theta: np.ndarray, sources: object, reading_nT: float, seed: int = 1, n: int = DRAWS) -> Drawn:
-    """Each declared error and the reading's declared noise normal; the fit's noise Student's t, its level known so well.
+    """Each declared error and the reading's declared noise normal; the fit's noise Student's t, as its level is found.
 
     A turn is a turn, by whatever angle: what of an error is one goes through the rotation, not through its tangent.
     """

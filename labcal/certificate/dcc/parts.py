@@ -43,11 +43,13 @@ class Makers:
         """An identification; `issuer` is one of the schema's words."""
         return self.d.identification(self.d.issuer(issuer), self.d.value(one_line(value)), self.text("name", name))
 
-    def quantity(self, value: float, unit: str, U: float | None = None, ref_type: str = "", name: str = "") -> Any:
-        """One number with its expanded uncertainty, k = 2."""
+    def quantity(
+        self, value: float, unit: str, U: float | None = None, ref_type: str = "", name: str = "", k: float = COVERAGE
+    ) -> Any:
+        """One number with its expanded uncertainty, k times the standard one."""
         si, given = self.si, [self.si.value(written(value)), self.si.unit(si_unit(unit))]
         if U is not None and np.isfinite(U):
-            given.append(self.expanded(U))
+            given.append(self.expanded(U, k))
         named = [self.text("name", name)] if name else []
         return self.d.quantity(*named, si.real(*given), **_ref_type(ref_type))
 

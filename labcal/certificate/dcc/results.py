@@ -14,7 +14,7 @@ from labcal.model import Calibration, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.effects import find
 from labcal.record import Run
-from labcal.uncertainty.conformity import Changes, stated_lines
+from labcal.uncertainty.conformity import Changes
 from labcal.uncertainty.of_calibration import u_indicated
 from labcal.uncertainty.working_points import Point, slopes_at, working_points
 
@@ -36,7 +36,7 @@ def results(m: Makers, c: Calibration, run: Run, changed: Changes | None) -> lis
         m.result(f"k {c.k_means()}".rstrip(), "", m.d.quantity(k), ref_type="labcal_k"),
         *(_effect(m, i, effect) for i, effect in enumerate(c.effects) if effect.parameters),
         *_joint(m, c, per_reading),
-        *conformity_results(m, stated_lines(c)),
+        *conformity_results(m, c),
         *change_results(m, changed),
         *(_budget(m, b) for b in c.budget if b["rows"]),
     ]
@@ -60,7 +60,9 @@ def _indication(m: Makers, c: Calibration, point: Point, indicated: Any, u: Any)
         m.d.quantity(
             m.text("name", "reference value"), m.real_list(point.field_nT, "nT"), refType="basic_referenceValue"
         ),
-        m.d.quantity(m.text("name", "indicated value"), m.real_list(indicated, "nT", k * u, k), refType="basic_measuredValue"),
+        m.d.quantity(
+            m.text("name", "indicated value"), m.real_list(indicated, "nT", k * u, k), refType="basic_measuredValue"
+        ),
         m.d.quantity(
             m.text("name", "error of indication"),
             m.real_list(indicated - point.field_nT, "nT", k * u, k),
