@@ -22,7 +22,7 @@ RISK_WORDS = (
     "Risk: how probably the true value is beyond its limit (false acceptance; specific risk, JCGM 106:2012). "
     "TUR: limit / U."
 )
-E_N_WORDS = "E_n = (as left - as found) / U of the difference, k = 2: beyond ±1 the sensor has changed."
+E_N_WORDS = "E_n = (as left - as found) / U of the difference (95 %): beyond ±1 the sensor has changed."
 
 
 @app.command("conformity", rich_help_panel="Certificate")

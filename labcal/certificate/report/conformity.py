@@ -20,9 +20,10 @@ RISK = (
     "measurement alone, its distribution normal or Student's t). TUR: limit / U."
 )
 E_N = (
-    "U is that of the difference, k = 2. E_n = (as left − as found) / U: beyond ±1 the sensor has changed. Errors that "
-    "both calibrations have in common, as those of one reference, count twice in U. |b| is worked out by either "
-    "calibration from the readings of the strongest field, without effects."
+    "U is that of the difference, k = 2 or more where few degrees of freedom are behind it. E_n = (as left − as found) "
+    "/ U: beyond ±1 the sensor has changed. Errors that both calibrations have in common, as those of one reference, "
+    "count twice in U. |b| is worked out by either calibration from the readings of the strongest field, without "
+    "effects."
 )
 
 
