@@ -22,7 +22,7 @@ RISK_WORDS = (
     "Risk: how probably the true value is beyond its limit (false acceptance; specific risk, JCGM 106:2012). "
     "TUR: limit / U."
 )
-E_N_WORDS = "E_n = (as left - as found) / U of the difference, k = 2: beyond ±1 the sensor has changed."
+E_N_WORDS = "E_n = (as left - as found) / U of the difference (95 %): beyond ±1 the sensor has changed."
 
 
 @app.command("conformity", rich_help_panel="Certificate")
@@ -77,20 +77,19 @@ def show_conformity(found: Assessment) -> None:
     """The lines as a table, the rule, and what is left open."""
     from rich.table import Table
 
-    from labcal.certificate.report.style import decimals_for
-    from labcal.uncertainty.conformity import WORDS, risk_in_words
+    from labcal.certificate.report.style import with_uncertainty
+    from labcal.uncertainty.conformity import WORDS, ratio_in_words, risk_in_words
 
     screen = console()
     if found.lines:
         table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
-        table.add_column("Specification", no_wrap=True)
+        table.add_column("Specification")  # words are wrapped where the screen is narrow; a number is never cut
         for name in ("Value", "U", "Limit", "Unit", "Result", "Risk", "TUR"):
-            table.add_column(name, no_wrap=True, justify="left" if name in ("Unit", "Result") else "right")
+            table.add_column(name, no_wrap=name != "Result", justify="left" if name in ("Unit", "Result") else "right")
         for line in found.lines:
-            decimals = decimals_for([line.U])
-            numbers = f"{line.value:.{decimals}f}", f"{line.U:.{decimals}f}", f"{line.limit:g}"
-            tur = "–" if line.tur is None else f"{line.tur:.1f}"
-            table.add_row(line.quantity, *numbers, line.unit, WORDS[line.result], risk_in_words(line.risk), tur)
+            numbers = *map(_plain, with_uncertainty(line.value, line.U)), f"{line.limit:g}"
+            ratios = risk_in_words(line.risk), ratio_in_words(line.tur)
+            table.add_row(line.quantity, *numbers, line.unit, WORDS[line.result], *ratios)
         screen.print(table)
         if found.k_means and any(line.quantity.startswith("offset") for line in found.lines):
             screen.print(f"Offsets are those {found.k_means}.", highlight=False)
@@ -99,6 +98,11 @@ def show_conformity(found: Assessment) -> None:
         screen.print(RISK_WORDS, style="dim", highlight=False)
     for said in found.left_open:
         screen.print(said, style="yellow", highlight=False)
+
+
+def _plain(number: str) -> str:
+    """A number of a printed page as programs read it: no thin spaces, an ASCII minus."""
+    return number.replace("\u202f", "").replace("\u2212", "-")
 
 
 def _show_changes(found: Changes) -> None:

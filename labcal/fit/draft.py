@@ -71,8 +71,9 @@ def draft_calibration(
         made_by=made_by,
         chain=chain,
     )
-    judged = with_conformity(made, run)
-    return judged if found.sources is None else replace(judged, budget=as_json(budgets(made, found.sources, run)))
+    if found.sources is not None:
+        made = replace(made, budget=as_json(budgets(made, found.sources, run)))
+    return with_conformity(made, run)
 
 
 def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:

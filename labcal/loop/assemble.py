@@ -91,7 +91,11 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         unsupported=frozenset(len(of_the_data) + i for i in unsupported),
         shipped=errors,
         twins=confounded(problem, [c.scored.candidate.family for rivals in found.equivalents for c in rivals]),
-        remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed), *_meaning(shipping)),
+        remarks=(
+            tests_text(tests["after"], more_than_noise=left is not None),
+            *(finding.says for finding in noticed),
+            *_meaning(shipping),
+        ),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
 

@@ -129,9 +129,14 @@ def _signed(value: float) -> str:
     return f"{value:.1f}".replace("-", "−")
 
 
-def tests_text(tests: Sequence[ResidualTest]) -> str:
-    """One sentence on the tests of a residual."""
+def tests_text(tests: Sequence[ResidualTest], *, more_than_noise: bool) -> str:
+    """One sentence on the tests of a residual; all passed says nothing against a residual that is `more_than_noise`."""
     failed = [test.says for test in tests if not test.passes]
+    if not failed and more_than_noise:
+        return (
+            "What is left is more than noise, though no single test (white in each segment, independent of every "
+            "channel, of field, angle and time) finds of what shape."
+        )
     if not failed:
         return (
             "What is left shows no material structure: white in each segment, independent of every channel, of field, "

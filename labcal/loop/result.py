@@ -159,9 +159,10 @@ class ClosedLoop:
         )
 
     def metrics(self) -> Mapping[str, Mapping[str, float]]:
-        """Before and after, for the calibration file: after with what it ships."""
-        after = self.shipped or self.after
-        return {"before": asdict(self.before), "after": {**asdict(after), "noise_nT": self.noise_nT}}
+        """Before and after, for the calibration file: after with what it ships, and of how many components it is."""
+        after = {**asdict(self.shipped or self.after), "noise_nT": self.noise_nT}
+        after["holdout_components"] = 3.0 if self.residual_kind == "vector" else 1.0
+        return {"before": asdict(self.before), "after": after}
 
     def to_json(self) -> dict[str, Any]:
         """The contract's JSON object."""

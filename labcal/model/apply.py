@@ -194,11 +194,21 @@ def misfit_variance(calibration: Calibration, noise: float) -> float:
 
     `noise` is that of the field's three components together (rms). Residuals within 1.15 of it count as noise alone.
     """
-    held_out = calibration.metrics.get("after", {}).get("holdout_rms_nT", 0.0)
-    expected = noise if calibration.frame_known else noise / np.sqrt(3)
+    held_out, seen = calibration.metrics.get("after", {}).get("holdout_rms_nT", 0.0), held_out_components(calibration)
+    expected = noise * np.sqrt(seen / 3)
     if held_out <= MATERIAL * expected:
         return 0.0
-    return float((held_out**2 - expected**2) / (3 if calibration.frame_known else 1))
+    return float((held_out**2 - expected**2) / seen)
+
+
+def held_out_components(calibration: Calibration) -> int:
+    """Of how many components the held-out residual is the length: three of a vector, or one, the magnitude's.
+
+    A run that knows the frame may have been closed on magnitudes all the same, as by axes without angles. Files of
+    before do not say it: then it is told by the frame.
+    """
+    stated = calibration.metrics.get("after", {}).get("holdout_components")
+    return 1 if stated == 1 or (stated is None and not calibration.frame_known) else 3
 
 
 def temperature_channel(calibration: Calibration, names: Collection[str]) -> str | None:
@@ -262,7 +272,7 @@ def left_out_variance(calibration: Calibration, record: EffectRecord, effect: Fi
     if (rows := _where_it_acts(calibration, effect)) is not None:
         return np.asarray(np.mean(effect.predict(rows) ** 2, axis=0))
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
-    lost = max(before**2 - after**2, 0.0) / (3 if calibration.frame_known else 1)
+    lost = max(before**2 - after**2, 0.0) / held_out_components(calibration)
     return np.asarray(np.maximum(seen.mean_square, np.full(3, lost)))
 
 

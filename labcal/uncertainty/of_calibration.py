@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -38,7 +39,7 @@ def field_budgets(calibration: Calibration, sources: Sources, run: Run) -> list[
     """Of the components of the field that `apply` makes of one reading, at the working points."""
     points, found = working_points(calibration, run), list[Budget]()
     _, slopes = slopes_at(calibration, points)
-    own = _own_rows(calibration, sources)
+    own = _own_rows(calibration, sources, run)
     for point, J in zip(points, slopes[:, :, _places(calibration)], strict=True):
         for axis in range(3):
             rows = (*rows_of(sources, J[axis], "nT"), *own[axis])
@@ -87,13 +88,27 @@ def correlated(calibration: Calibration, sources: Sources, slope: Array) -> tupl
     return tuple(Correlation(names[a], names[b], float(np.clip(r[a, b], -1, 1))) for a, b in pairs)
 
 
-def _own_rows(calibration: Calibration, sources: Sources) -> list[list[Row]]:
-    """Of each component: the reading's noise through K, and what the run's residuals keep beyond noise."""
+def _own_rows(calibration: Calibration, sources: Sources, run: Run) -> list[list[Row]]:
+    """Of each component: the reading's noise through K, and what the run's residuals keep beyond noise.
+
+    Noise that the run declares, and that the residual did not enlarge, is taken as known: nothing was counted.
+    """
     per_unit = np.linalg.norm(calibration.affine.K / calibration.dut.nominal_nT_per_unit, axis=1)
-    noise, dof = reading_noise(calibration), sources.noise.dof
+    noise, declared = reading_noise(calibration), run.dut.noise_nT
+    of_noise = _by_residual(noise, sources)
+    if declared is not None and np.isclose(noise, declared, rtol=1e-9):
+        of_noise = _by_declaration(noise)
     misfit = np.sqrt(misfit_variance(calibration, float(noise * np.linalg.norm(per_unit))))
     left = [Row(MISFIT, "A", "normal", float(misfit), "nT", 1.0, np.inf)] if misfit else []
-    return [[Row(ONE_READING, "A", "normal", noise, "nT", float(c), dof), *left] for c in per_unit]
+    return [[replace(of_noise, sensitivity=float(c)), *left] for c in per_unit]
+
+
+def _by_declaration(noise_nT: float) -> Row:
+    return Row(ONE_READING, "B", "normal", noise_nT, "nT", 1.0, np.inf)
+
+
+def _by_residual(noise_nT: float, sources: Sources) -> Row:
+    return Row(ONE_READING, "A", "normal", noise_nT, "nT", 1.0, sources.noise.dof)
 
 
 def _places(calibration: Calibration) -> list[int]:
@@ -101,6 +116,19 @@ def _places(calibration: Calibration) -> list[int]:
     effects = [f"{i}:{p.name}" for i, effect in enumerate(calibration.effects) for p in effect.parameters]
     everything = [*calibration.covariance_of[:12], *effects]
     return [everything.index(name) for name in calibration.covariance_of]
+
+
+def u_indicated(calibration: Calibration, slopes: Array) -> Array:
+    """Standard uncertainty (n, 3) [nT, nominal] of what one reading indicates of n known fields.
+
+    `slopes` (n, 3, p) are those of the field, of all parameters. Errors of the components that have one source go
+    through K⁻¹ together; the reading's own noise needs no way back through the map.
+    """
+    into = calibration.dut.nominal_nT_per_unit * np.linalg.inv(calibration.affine.K)
+    J, noise = into @ slopes, reading_noise(calibration)
+    of_field = float(noise * np.linalg.norm(calibration.affine.K / calibration.dut.nominal_nT_per_unit))
+    own = noise**2 + misfit_variance(calibration, of_field) * np.sum(into**2, axis=1)
+    return np.asarray(np.sqrt(np.sum(J @ calibration.joint_covariance() * J, axis=2) + own))
 
 
 def as_json(found: Sequence[Budget]) -> tuple[dict[str, Any], ...]:

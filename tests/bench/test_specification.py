@@ -68,7 +68,9 @@ def test_a_file_for_another_model_is_refused(tmp_path: Path):
         ("limit = 2.0", 'limit = "2.0"', "offset.limit"),
         ("limit = 2.0", "limt = 2.0", "offset.limt"),
         ("r = 0.83", "r = 11", "r must lie between 0 and 10"),
+        ("limit = 2.0", "limit = 1e308", "at most 1e+12"),
         ("r = 0.83", "r = true", "dut.specification.r: must be"),
+        ('"guard-band"', '"simple-acceptance"', "no guard band: state no r, or rule = 'guard-band' for w = 0.83 U"),
         ('"guard-band"', '"shared"', "rule"),
         ("r = 0.83", 'title = "two\\nlines"', "one printable line"),
     ],
@@ -81,6 +83,11 @@ def test_what_is_wrong_is_named_with_its_line_before_a_run(tmp_path: Path, old: 
             asked(path)
         assert says in str(caught.value)
         assert caught.value.line in (1 + lines.index("[dut.specification]"), *_lines_of(lines, new))
+
+
+def test_either_letter_that_looks_like_micro_is_one(tmp_path: Path):
+    (tmp_path / "class-b.toml").write_text('noise = { limit = 1, unit = "\u03bcT" }\n', encoding="utf-8")
+    assert read_specification(tmp_path / "class-b.toml").noise == Limit(1.0, "\u00b5T")
 
 
 def _lines_of(lines: list[str], new: str) -> list[int]:

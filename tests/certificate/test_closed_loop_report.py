@@ -100,6 +100,12 @@ def test_an_accepted_effect_says_what_it_is_and_how_much_it_gains(result: Closed
     assert "Not tried" in text
 
 
+def test_the_file_is_told_whether_a_vector_or_a_magnitude_was_held_out(result: ClosedLoop):
+    """Else a file that knows the frame takes a magnitude's residual for the length of three components."""
+    assert result.metrics()["after"]["holdout_components"] == 3
+    assert replace(result, residual_kind="scalar").metrics()["after"]["holdout_components"] == 1
+
+
 def test_a_clean_scalar_result_needs_no_more(result: ClosedLoop, run: Run):
     one = result.pictures.before_nT[:, :1]
     bare = replace(

@@ -15,6 +15,7 @@ from labcal.certificate import Signer, changed_from, changed_since, verify
 from labcal.certificate.calibration_file import calibration_bytes, read_calibration
 from labcal.certificate.dcc import DCC, SI, dcc_xml, si_unit
 from labcal.certificate.report import Circumstances, calibration_page
+from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.html import html
 from labcal.cli import execute
 from labcal.errors import InputError
@@ -23,9 +24,13 @@ from labcal.record import Administrative, Dut, Limit, Reference, Run, Segment, S
 from labcal.record.administrative import Address, Laboratory
 from labcal.store import bundle_of, save_bundle
 from labcal.testing.made_up_runs import made_up_run
-from labcal.uncertainty.conformity import changes
+from labcal.uncertainty.budget import Budget, Row
+from labcal.uncertainty.conformity import assess, changes
 from labcal.uncertainty.conformity.decision import Judged
+from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 
+XML = {"dcc": DCC, "si": SI}
+IN_BERN = Circumstances(Administrative(Laboratory("A", "Bern", "CH"), Address("X", "Y", "DE")))
 GUARDED = "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)"
 LINES = (
     Judged("offset x", 1250.0, 40.0, 1500.0, "nT", GUARDED, "pass", 3.7e-36, 37.5),
@@ -147,6 +152,39 @@ def test_a_dcc_states_conformity_in_the_schema_s_own_words(judged: Calibration):
     assert GUARDED in told
     assert "Specific risk of false acceptance 16 %. Test uncertainty ratio 25." in told
     assert [si_unit(u) for u in ("%", "ppm", "µT", "arcmin")] == [r"\percent", r"\ppm", r"\micro\tesla", r"\arcminute"]
+
+
+def test_of_few_degrees_of_freedom_page_file_and_dcc_state_one_u(calibration: Calibration, tmp_path: Path):
+    """The same zero reading stands in three tables and in the XML: k of six degrees of freedom is 2.52 in each."""
+    etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
+    rows = (Row("noise of the run, through the fit", "A", "normal", 4.0, "count", 1.0, 6.0),)
+    budget = tuple(Budget(f"zero reading {axis}", "", "count", rows).as_json() for axis in "xyz")
+    few = replace(calibration, budget=budget)
+    lines = assess(few, Specification(offset=Limit(100.0, "nT"), scale=Limit(5.0, "%")), None).lines
+    U_of_zero, U_of_scale = lines[0].U, lines[3].U
+    assert U_of_zero == pytest.approx(2.5165 * 2.0, rel=5e-3)  # u of k_x; K_xx is the nominal scale
+    assert U_of_scale == pytest.approx(2 * 100 * figures_of_the_map(few)[3].u)  # no budget: many
+    few = replace(few, specification=tuple(asdict(line) for line in lines))
+    text = page_of(few, tmp_path / "cal.json")
+    assert "takes k up to 2.52" in text
+    assert "k = 2 (about 95 %)" not in text
+    zero = sensor_figures(few, 2.0).rows[0]
+    assert float(zero[4]) == pytest.approx(U_of_zero / 0.5, rel=0.05)
+    xml = dcc_xml(few, calibration_bytes(few), "c", run_at("2026-11-21T23:50:00Z"), IN_BERN)
+    stated = [
+        (one.findtext("si:valueExpandedMU", namespaces=XML), one.findtext("si:coverageFactor", namespaces=XML))
+        for one in etree.fromstring(xml).iterfind(".//dcc:result[@refType='labcal_specification']//si:expandedMU", XML)
+    ]
+    assert [float(U) for U, _ in stated] == [line.U for line in lines]
+    assert [float(k) for _, k in stated] == pytest.approx([2.5165] * 3 + [2.0] * 3, rel=1e-4)
+
+
+def test_an_uncertainty_has_two_figures_however_large_it_is(calibration: Calibration, tmp_path: Path):
+    line = Judged("noise", 24690.3, 3386.4, 22000.0, "pT", GUARDED, "conditional-fail", 0.944, 6.497)
+    text = page_of(replace(calibration, specification=(asdict(line),)), tmp_path / "cal.json")
+    assert "24\u202f700" in text
+    assert "3\u202f400" in text
+    assert "3\u202f386" not in text
 
 
 def test_the_calibration_before_is_the_last_of_the_same_sensor(calibration: Calibration, tmp_path: Path):

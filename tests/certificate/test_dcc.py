@@ -22,7 +22,8 @@ from labcal.certificate.report import Circumstances
 from labcal.certificate.signing import sign_simulated
 from labcal.cli import execute
 from labcal.errors import InputError
-from labcal.model import Calibration
+from labcal.geometry import rotation_vector
+from labcal.model import AffineMap, Calibration
 from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
 from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
 from labcal.store import bundle_of, save_bundle
@@ -191,6 +192,29 @@ def test_the_error_of_indication_is_what_the_reading_says_less_the_field(whole: 
     indicated = 0.5 * np.linalg.solve(whole.affine.K, field + whole.affine.k_nT)
     np.testing.assert_allclose(parts["basic_measuredValue"], indicated, rtol=1e-12)
     np.testing.assert_allclose(parts["basic_measurementError"], indicated - field, rtol=1e-9, atol=1e-6)
+
+
+def test_the_u_of_an_indication_is_the_scatter_of_what_drawn_maps_read(whole: Calibration, run: Run):
+    """Of a sensor turned by 40° in its body, whose components of the field share an error: U = k u, k of the budget."""
+    draw, turn, noise = np.random.default_rng(2), rotation_vector(np.array([0.0, 0.0, np.radians(40)])), 5.0
+    theta = np.r_[(turn @ whole.affine.K).ravel(), turn @ whole.affine.k_nT]
+    shared = np.r_[1e-4 * theta[:9], 30.0, 25.0, 0.0]
+    covariance = np.zeros((15, 15))
+    covariance[:12, :12] = np.outer(shared, shared) + np.diag([1e-9] * 9 + [16.0] * 3)
+    turned = replace(
+        whole, affine=AffineMap.from_parameters(theta), covariance=covariance,
+        metrics={"before": {}, "after": {"noise_nT": noise}}, budget=tuple({**b, "k": 2.31} for b in whole.budget),
+    )  # fmt: skip
+    root = etree.fromstring(xml_of(turned, run))
+    maps = draw.multivariate_normal(theta, covariance[:12, :12], 4000)
+    for result in root.iterfind(".//dcc:result[@refType='basic_result']", NAMES):
+        field, indicated, _ = (numbers(one, ".//si:valueXMLList") for one in result.iterfind(".//dcc:quantity", NAMES))
+        read = [0.5 * np.linalg.solve(t[:9].reshape(3, 3), np.array(field) + t[9:]) for t in maps]
+        drawn = np.std(np.array(read) + noise * draw.standard_normal((len(maps), 3)), axis=0)
+        for quantity in result.findall(".//dcc:quantity", NAMES)[1:]:
+            assert numbers(quantity, ".//si:coverageFactorXMLList") == [2.31]
+            np.testing.assert_allclose(numbers(quantity, ".//si:valueExpandedMUXMLList"), 2.31 * drawn, rtol=0.06)
+        np.testing.assert_allclose(np.mean(read, axis=0), indicated, atol=3.0)
 
 
 def test_each_of_a_hundred_omissions_is_named_with_its_clause(whole: Calibration, run: Run):

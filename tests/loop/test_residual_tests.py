@@ -53,7 +53,10 @@ def test_white_noise_passes_every_test(with_offset: Prepared, t: np.ndarray) -> 
     found = residual_tests(with_offset(np.zeros((len(t), 3))), np.ones(len(t), dtype=bool))
     assert {test.test for test in found} == {"whiteness", "independence"}
     assert all(test.passes for test in found), [test.says for test in found if not test.passes]
-    assert "no material structure" in narrative.tests_text(found)
+    assert "no material structure" in narrative.tests_text(found, more_than_noise=False)
+    said = narrative.tests_text(found, more_than_noise=True)  # beside "There is structure that no known effect carries"
+    assert "no material structure" not in said
+    assert "more than noise" in said
 
 
 def test_a_residual_that_follows_a_channel_is_not_independent_of_it(

@@ -264,6 +264,17 @@ def test_what_the_run_left_unexplained_is_part_of_the_uncertainty() -> None:
     assert apply(left, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
 
 
+@pytest.mark.parametrize(("components", "held_out_nT"), [(1.0, 46.0), (3.0, 46.0 * np.sqrt(3))])
+def test_what_is_left_of_a_magnitude_is_that_of_every_component(components: float, held_out_nT: float) -> None:
+    """46 nT along b are 46 nT of each component, whether the frame is known (axes without angles) or not."""
+    after = {"noise_nT": NOISE_NT, "holdout_rms_nT": held_out_nT, "holdout_components": components}
+    found = calibration(metrics={"before": {}, "after": after})
+    assert found.frame_known
+    assert apply(found, readings()).u_nT[0] == pytest.approx(46.0)
+    below = replace(found, metrics={"before": {}, "after": {**after, "holdout_rms_nT": 1.1 * NOISE_NT}})
+    assert apply(below, readings()).u_nT[0] == pytest.approx(NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3))
+
+
 def test_a_row_without_a_reading_stays_empty() -> None:
     measured = readings().reading.copy()
     measured[9, 1] = np.nan

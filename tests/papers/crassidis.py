@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import datetime, timedelta
 from functools import cache
 
 import as_printed
@@ -56,11 +56,11 @@ class Column:
 
 
 @cache
-def trmm(latitude_deg: float = LATITUDE_DEG, node_deg: float = NODE_DEG) -> Array:
-    """The field in the body (2881, 3) [mG]."""
+def trmm(latitude_deg: float = LATITUDE_DEG, node_deg: float = NODE_DEG, days: float = 0.0) -> Array:
+    """The field in the body (2881, 3) [mG], so many days after the 1st of January 2003."""
     t = np.arange(0, 8 * 3600 + 1, 10.0)
     position, velocity = circular(t, altitude_km=402, inclination_deg=35, node_deg=node_deg, latitude_deg=latitude_deg)
-    inertial = field(t, position, 402, datetime(2003, 1, 1)) / 100  # 1 mG = 100 nT
+    inertial = field(t, position, 402, datetime(2003, 1, 1) + timedelta(days=days)) / 100  # 1 mG = 100 nT
     axes = velocity, -np.cross(position, velocity), -position
     return np.stack([np.sum(inertial * axis, axis=1) for axis in axes], axis=1)
 
@@ -74,10 +74,10 @@ def readings(
     return np.linalg.solve(np.eye(3) + D, noisy.T).T, np.linalg.norm(in_body, axis=1)
 
 
-def run_of(seed: int, orbit: tuple[float, float], sigma_mG: float = SIGMA_MG) -> Run:
-    """A run [nT] on the orbit (node, argument of latitude) [deg], noise white in the readings and not declared."""
-    node_deg, latitude_deg = orbit
-    in_body = 100 * trmm(latitude_deg, node_deg)
+def run_of(seed: int, orbit: tuple[float, ...], sigma_mG: float = SIGMA_MG) -> Run:
+    """A run [nT] on the orbit (node, argument of latitude [deg], days), noise white in the readings, not declared."""
+    node_deg, latitude_deg, *days = orbit
+    in_body = 100 * trmm(latitude_deg, node_deg, *days)
     noise = 100 * sigma_mG * np.random.default_rng(seed).standard_normal(in_body.shape)
     return Run(
         run_id=f"trmm-{seed}",
@@ -103,7 +103,7 @@ class Answers:
     refused: int
 
 
-def answers(method: str, orbit: tuple[float, float], seeds: Iterable[int], sigma_mG: float = SIGMA_MG) -> Answers:
+def answers(method: str, orbit: tuple[float, ...], seeds: Iterable[int], sigma_mG: float = SIGMA_MG) -> Answers:
     """Fit every seed's run by `method`; k, then K's 11 22 33 12 13 23."""
     truth, order = np.concatenate([(np.eye(3) + D).ravel(), 100 * BIAS_MG]), [9, 10, 11, 0, 4, 8, 1, 2, 5]
     found = [fit(run_of(seed, orbit, sigma_mG), method, holdout=False) for seed in seeds]

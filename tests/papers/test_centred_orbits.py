@@ -1,6 +1,7 @@
 """`centered` and `centered-sequential` on orbits like Table 1's at other phases: answers, uncertainty, refusals."""
 
 from dataclasses import replace
+from datetime import datetime
 
 import crassidis
 import numpy as np
@@ -62,6 +63,25 @@ def test_what_all_magnitudes_squared_share_is_no_noise_to_a_centred_estimate():
     assert scalar_run.noise_scale(seen, found) == pytest.approx(1, abs=4 / np.sqrt(2 * len(B)))
     assert scalar_run.noise_scale(shifted, found) == pytest.approx(scalar_run.noise_scale(seen, found), rel=0.02)
     assert scalar_run.noise_scale(shifted, whole) > 2
+
+
+def orbits_at_random(number: int) -> list[tuple[float, float, float]]:
+    """Node and argument of latitude [deg], and days from 2003: from 2000 to 2025."""
+    draw = np.random.default_rng(20261123)
+    since = (datetime(2003, 1, 1) - datetime(2000, 1, 1)).days
+    found = [(*draw.uniform(0, 360, 2), draw.uniform(0, 25 * 365) - since) for _ in range(number)]
+    return [(float(node), float(latitude), float(days)) for node, latitude, days in found]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("method", METHODS)
+def test_other_phases_and_epochs_are_answered_too(method):
+    """Orbits and seeds that nothing was looked at with: of 400 answers rms error over u 1.01, 95.3 % held."""
+    found = [answers(method, orbit, range(7000, 7010)) for orbit in orbits_at_random(20)]
+    assert sum(one.refused for one in found) == 0
+    z = np.concatenate([one.error / one.u for one in found])
+    assert np.sqrt(np.mean(z**2)) == pytest.approx(1, abs=rms_band(len(z)))
+    assert 0.93 < np.mean(np.abs(z) < 1.96) < 0.97
 
 
 @pytest.mark.slow

@@ -25,7 +25,7 @@ class Drawn:
 
 
 def draws(theta: np.ndarray, sources: object, reading_nT: float, seed: int = 1, n: int = DRAWS) -> Drawn:
-    """Each declared error normal; the fit's noise and the reading's Student's t, their level known as well as it is.
+    """Each declared error and the reading's declared noise normal; the fit's noise Student's t, as its level is found.
 
     A turn is a turn, by whatever angle: what of an error is one goes through the rotation, not through its tangent.
     """
@@ -40,7 +40,7 @@ def draws(theta: np.ndarray, sources: object, reading_nT: float, seed: int = 1, 
     angles[[" about " not in one.source for one in sources.declared]] = 0.0
     turns = Rotation.from_rotvec(normal @ angles).as_matrix()
     found = theta + normal @ (shifts - angles @ tangents) + of_fit * level
-    noise = reading_nT * draw.standard_normal((n, 3)) * np.sqrt(dof / draw.chisquare(dof, n))[:, None]
+    noise = reading_nT * draw.standard_normal((n, 3))
     K, k, coupling = turns @ found[:, :9].reshape(n, 3, 3), *(found[:, i : i + 3, None] for i in (9, 12))
     return Drawn(K, (turns @ k)[:, :, 0], (turns @ coupling)[:, :, 0], noise)
 

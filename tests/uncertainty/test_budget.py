@@ -23,7 +23,7 @@ from labcal.model.affine import AffineMap
 from labcal.model.effects import family
 from labcal.uncertainty import FitNoise, Sources
 from labcal.uncertainty.budget import PROBABILITY, Budget, Row, coverage_factor
-from labcal.uncertainty.of_calibration import NOISE, ONE_READING, figure_budgets
+from labcal.uncertainty.of_calibration import NOISE, ONE_READING, field_budgets, figure_budgets
 
 GTC = pytest.importorskip("GTC", reason="the extra dev has it")
 DECLARED = Declared(scale_ppm=400.0, zero_nT=30.0, align_deg=0.05, body_deg=0.05)
@@ -181,7 +181,7 @@ class Tree:
             float(value) + fitted[i] + sum(float(slope[i]) * error for error, slope in per_unit)
             for i, value in enumerate(theta)
         ]
-        self.reading = [GTC.ureal(0.0, c.metrics["after"]["noise_nT"], noise.dof) for _ in "xyz"]
+        self.reading = [GTC.ureal(0.0, c.metrics["after"]["noise_nT"]) for _ in "xyz"]
 
     def field(self, axis: int, reading: np.ndarray, load: float) -> Any:
         K, k, coupling = self.theta[3 * axis : 3 * axis + 3], self.theta[9 + axis], self.theta[12 + axis]
@@ -280,3 +280,15 @@ def test_one_reading_s_noise_goes_through_its_own_row_of_the_map(made: Made) -> 
     row = next(r for r in c.budget[0]["rows"] if r["source"] == ONE_READING)
     assert row["sensitivity"] == pytest.approx(np.sqrt(np.sum(c.affine.K[0] ** 2)), rel=1e-5)
     assert row["u"] == pytest.approx(c.metrics["after"]["noise_nT"], rel=1e-5)
+
+
+def test_declared_noise_of_a_reading_is_taken_as_known_and_found_noise_is_counted(made: Made) -> None:
+    c, sources = made
+    run = as_run(wrong_lab.record(1, DECLARED, effect="offset-current", rows=24))
+    louder = {**c.metrics, "after": {**c.metrics["after"], "noise_nT": 1.2 * wrong_lab.NOISE_nT}}
+    silent = replace(run, dut=replace(run.dut, noise_nT=None))
+    of_reading = []
+    for cal, there in ((c, run), (replace(c, metrics=louder), run), (c, silent)):
+        rows = field_budgets(cal, sources, there)[0].rows
+        of_reading.append(next((row.type, row.dof) for row in rows if row.source == ONE_READING))
+    assert of_reading == [("B", np.inf), ("A", sources.noise.dof), ("A", sources.noise.dof)]

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
-from labcal.certificate.dcc.parts import Makers
-from labcal.uncertainty.conformity import Judged, risk_in_words
+from labcal.certificate.dcc.parts import COVERAGE, Makers
+from labcal.model import Calibration
+from labcal.uncertainty.conformity import Judged, ratio_in_words, risk_in_words, stated_lines
+from labcal.uncertainty.conformity.of_the_map import in_the_budget
 
 STATUS = {
     "pass": "pass",
@@ -17,12 +18,16 @@ STATUS = {
 GUIDES = ("ILAC-G8:09/2019", "JCGM 106:2012")
 
 
-def conformity_results(m: Makers, lines: Sequence[Judged]) -> list[Any]:
-    """One dcc:result for each line: the value with U (k = 2), and beside it what was decided by which rule."""
-    return [_result(m, line) for line in lines]
+def conformity_results(m: Makers, c: Calibration) -> list[Any]:
+    """One dcc:result for each line: the value with U, and beside it what was decided by which rule.
+
+    Its k is that of the figure's budget; 2 for what has none.
+    """
+    of_budget = {b["quantity"]: b["k"] for b in c.budget}
+    return [_result(m, line, of_budget.get(in_the_budget(line.quantity), COVERAGE)) for line in stated_lines(c)]
 
 
-def _result(m: Makers, line: Judged) -> Any:
+def _result(m: Makers, line: Judged, k: float) -> Any:
     limit = m.quantity(line.limit, line.unit, name="limit", ref_type="basic_acceptanceLimit")
     decided = m.d.metaData(
         m.text("name", "conformity with the specification"),
@@ -32,12 +37,12 @@ def _result(m: Makers, line: Judged) -> Any:
         m.d.data(limit),
         refType="basic_conformity",
     )
-    quantity = m.quantity(line.value, line.unit, line.U, "basic_measuredValue")
+    quantity = m.quantity(line.value, line.unit, line.U, "basic_measuredValue", k=k)
     quantity.append(m.d.measurementMetaData(decided))
     return m.result(f"specification: {line.quantity}", "", quantity, ref_type="labcal_specification")
 
 
 def _declaration(line: Judged) -> str:
-    tur = "" if line.tur is None else f" Test uncertainty ratio {line.tur:.3g}."
+    tur = "" if line.tur is None else f" Test uncertainty ratio {ratio_in_words(line.tur)}."
     risk = f"Specific risk of false acceptance {risk_in_words(line.risk)}."
     return f"Absolute value at most {line.limit:g} {line.unit}. Decision rule: {line.rule}. {risk}{tur}"

@@ -43,11 +43,13 @@ class Makers:
         """An identification; `issuer` is one of the schema's words."""
         return self.d.identification(self.d.issuer(issuer), self.d.value(one_line(value)), self.text("name", name))
 
-    def quantity(self, value: float, unit: str, U: float | None = None, ref_type: str = "", name: str = "") -> Any:
-        """One number with its expanded uncertainty, k = 2."""
+    def quantity(
+        self, value: float, unit: str, U: float | None = None, ref_type: str = "", name: str = "", k: float = COVERAGE
+    ) -> Any:
+        """One number with its expanded uncertainty, k times the standard one."""
         si, given = self.si, [self.si.value(written(value)), self.si.unit(si_unit(unit))]
         if U is not None and np.isfinite(U):
-            given.append(self.expanded(U))
+            given.append(self.expanded(U, k))
         named = [self.text("name", name)] if name else []
         return self.d.quantity(*named, si.real(*given), **_ref_type(ref_type))
 
@@ -57,11 +59,11 @@ class Makers:
         told = (si.valueExpandedMU(written(U)), si.coverageFactor(written(k)), si.coverageProbability(str(PROBABILITY)))
         return si.measurementUncertaintyUnivariate(si.expandedMU(*told))
 
-    def real_list(self, values: ArrayLike, unit: str, U: ArrayLike | None = None) -> Any:
-        """Numbers of one unit, and their expanded uncertainties, k = 2, where all are known."""
+    def real_list(self, values: ArrayLike, unit: str, U: ArrayLike | None = None, k: float = COVERAGE) -> Any:
+        """Numbers of one unit, and their expanded uncertainties, k times the standard ones, where all are known."""
         si, given = self.si, [self.si.valueXMLList(listed(values)), self.si.unitXMLList(si_unit(unit))]
         if U is not None and np.isfinite(U).all():
-            told = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(str(COVERAGE)))
+            told = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(f"{k:g}"))
             expanded = si.expandedMUXMLList(*told, si.coverageProbabilityXMLList(str(PROBABILITY)))
             given.append(si.measurementUncertaintyUnivariateXMLList(expanded))
         return si.realListXMLList(*given)

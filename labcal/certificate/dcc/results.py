@@ -14,7 +14,8 @@ from labcal.model import Calibration, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.effects import find
 from labcal.record import Run
-from labcal.uncertainty.conformity import Changes, stated_lines
+from labcal.uncertainty.conformity import Changes
+from labcal.uncertainty.of_calibration import u_indicated
 from labcal.uncertainty.working_points import Point, slopes_at, working_points
 
 DIRECTIONS = 6  # the first points of the working range: the largest field both ways along each axis
@@ -35,7 +36,7 @@ def results(m: Makers, c: Calibration, run: Run, changed: Changes | None) -> lis
         m.result(f"k {c.k_means()}".rstrip(), "", m.d.quantity(k), ref_type="labcal_k"),
         *(_effect(m, i, effect) for i, effect in enumerate(c.effects) if effect.parameters),
         *_joint(m, c, per_reading),
-        *conformity_results(m, stated_lines(c)),
+        *conformity_results(m, c),
         *change_results(m, changed),
         *(_budget(m, b) for b in c.budget if b["rows"]),
     ]
@@ -47,24 +48,24 @@ def _indications(m: Makers, c: Calibration, run: Run) -> list[Any]:
     if not c.budget or not followed <= {channel.name for channel in run.channels}:
         return []
     points = working_points(c, run)[:DIRECTIONS]
-    nominal, readings = c.dut.nominal_nT_per_unit, slopes_at(c, points)[0]
-    return [_indication(m, c, point, nominal * reading) for point, reading in zip(points, readings, strict=True)]
+    readings, slopes = slopes_at(c, points)
+    indicated, u = c.dut.nominal_nT_per_unit * readings, u_indicated(c, slopes)
+    return [_indication(m, c, *one) for one in zip(points, indicated, u, strict=True)]
 
 
-def _indication(m: Makers, c: Calibration, point: Point, indicated: Any) -> Any:
-    """One point: U of the error is that of the field's components, taken into the reading by the nominal scale / K."""
-    of_field = {b["quantity"]: b["U"] for b in c.budget if b["at"] == point.says}
-    U_field = np.array([of_field.get(f"b {axis}", np.nan) for axis in "xyz"])
-    into_reading = c.dut.nominal_nT_per_unit * np.linalg.inv(c.affine.K)
-    U = np.sqrt(into_reading**2 @ U_field**2)
+def _indication(m: Makers, c: Calibration, point: Point, indicated: Any, u: Any) -> Any:
+    """One point: U of the indication and of its error, by the largest k of the field's components there."""
+    k = max([b["k"] for b in c.budget if b["at"] == point.says], default=COVERAGE)
     listed = m.d.list(
         m.d.quantity(
             m.text("name", "reference value"), m.real_list(point.field_nT, "nT"), refType="basic_referenceValue"
         ),
-        m.d.quantity(m.text("name", "indicated value"), m.real_list(indicated, "nT", U), refType="basic_measuredValue"),
+        m.d.quantity(
+            m.text("name", "indicated value"), m.real_list(indicated, "nT", k * u, k), refType="basic_measuredValue"
+        ),
         m.d.quantity(
             m.text("name", "error of indication"),
-            m.real_list(indicated - point.field_nT, "nT", U),
+            m.real_list(indicated - point.field_nT, "nT", k * u, k),
             refType="basic_measurementError",
         ),
     )

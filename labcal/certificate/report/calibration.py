@@ -43,6 +43,7 @@ from labcal.uncertainty.conformity import Changes, stated_lines
 from labcal.uncertainty.unstated import not_stated
 
 COVERAGE = 2.0  # coverage factor k of U
+MANY_K = 2.05  # of 51 degrees of freedom, where k = 2 holds 94.9 %
 _UNKNOWN_RUN = (
     "Frame as mounted; mounting uncertainty not included. The reference's own scale, zero, alignment and time, "
     "where the run does not state them. (The run is not in this lab's store, so they cannot be listed here.)"
@@ -199,11 +200,20 @@ def _parameters(c: Calibration) -> list[Block]:
         cells = [with_uncertainty(*pair) for pair in zip(value, spread, strict=True)]
         rows += [(f"b {axis}", *(cell[0] for cell in cells)), ("U", *(cell[1] for cell in cells))]
     header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "k (nT)")
-    note = (
-        f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)." if u is not None else "No covariance stated."
-    )
+    note = _coverage(c) if u is not None else "No covariance stated."
     note += f" k is the offset {c.k_means()}." if c.k_means() else ""
     return [Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note), sensor_figures(c, COVERAGE)]
+
+
+def _coverage(c: Calibration) -> str:
+    """What U = 2 u of a parameter is worth: 95 %, unless the figures of the map rest on few degrees of freedom."""
+    largest = max([b["k"] for b in c.budget if not b["quantity"].startswith(OF_THE_FIELD)], default=COVERAGE)
+    if largest < MANY_K:
+        return f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)."
+    return (
+        f"U is the expanded uncertainty, k = {COVERAGE:.0f}. Few degrees of freedom are behind it, so that it may hold "
+        f"less than 95 %: for the sensor's figures that takes k up to {largest:.2f}."
+    )
 
 
 def _validity(c: Calibration) -> Facts:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from labcal.certificate.report.page import Block, Mark, Prose, Table, Tone
-from labcal.certificate.report.style import NOTHING, decimals_for, number
-from labcal.uncertainty.conformity import WORDS, Change, Changes, Judged, risk_in_words
+from labcal.certificate.report.style import number, with_uncertainty
+from labcal.uncertainty.conformity import WORDS, Change, Changes, Judged, ratio_in_words, risk_in_words
 
 MARKS: dict[str, tuple[str, Tone]] = {
     "pass": ("IN SPECIFICATION", "good"),
@@ -15,14 +15,15 @@ MARKS: dict[str, tuple[str, Tone]] = {
     "fail": ("NOT IN SPECIFICATION", "bad"),
 }
 RISK = (
-    "U is the expanded uncertainty, k = 2. Risk: the probability that the true value is beyond its limit, so that of a "
-    "false acceptance (specific risk, JCGM 106:2012, from a normal distribution and this measurement alone). "
-    "TUR: limit / U."
+    "U is the expanded uncertainty, k = 2 or what the budget states for few degrees of freedom. Risk: the probability "
+    "that the true value is beyond its limit, so that of a false acceptance (specific risk, JCGM 106:2012, from this "
+    "measurement alone, its distribution normal or Student's t). TUR: limit / U."
 )
 E_N = (
-    "U is that of the difference, k = 2. E_n = (as left − as found) / U: beyond ±1 the sensor has changed. Errors that "
-    "both calibrations have in common, as those of one reference, count twice in U. |b| is worked out by either "
-    "calibration from the readings of the strongest field, without effects."
+    "U is that of the difference, k = 2 or more where few degrees of freedom are behind it. E_n = (as left − as found) "
+    "/ U: beyond ±1 the sensor has changed. Errors that both calibrations have in common, as those of one reference, "
+    "count twice in U. |b| is worked out by either calibration from the readings of the strongest field, without "
+    "effects."
 )
 
 
@@ -43,10 +44,9 @@ def conformity_blocks(lines: Sequence[Judged]) -> list[Block | None]:
 
 
 def _line(line: Judged) -> tuple[str, ...]:
-    decimals = decimals_for([line.U])
-    value, U = number(line.value, decimals), number(line.U, decimals)
-    tur = NOTHING if line.tur is None else number(line.tur)
-    return line.quantity, value, U, f"{line.limit:g}", line.unit, WORDS[line.result], risk_in_words(line.risk), tur
+    value, U = with_uncertainty(line.value, line.U)
+    risk, tur = risk_in_words(line.risk), ratio_in_words(line.tur)
+    return line.quantity, value, U, f"{line.limit:g}", line.unit, WORDS[line.result], risk, tur
 
 
 def change_blocks(found: Changes | None) -> list[Block | None]:
@@ -60,6 +60,7 @@ def change_blocks(found: Changes | None) -> list[Block | None]:
 
 
 def _change(row: Change) -> tuple[str, ...]:
-    decimals = decimals_for([row.U or 0.0])
-    numbers = (number(v, decimals) for v in (row.found, row.left, row.left - row.found, row.U or float("nan")))
-    return row.quantity, *numbers, row.unit, number(row.e_n, 2), "changed" if row.changed else ""
+    U = row.U or float("nan")
+    numbers = (with_uncertainty(value, U)[0] for value in (row.found, row.left, row.left - row.found))
+    e_n = number(row.e_n, 2)
+    return row.quantity, *numbers, with_uncertainty(U, U)[1], row.unit, e_n, "changed" if row.changed else ""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.calibration_rows import Cell
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
-from labcal.uncertainty.conformity import Changes, Judged, risk_in_words
+from labcal.uncertainty.conformity import Changes, Judged, ratio_in_words, risk_in_words
 
 SPECIFICATION = ("figure", "value", "± U", "limit ±", "unit", "result", "risk", "TUR")
 CHANGES = ("figure", "as found", "as left", "± U", "unit", "E_n", "")
@@ -70,5 +70,5 @@ def _line(line: Judged) -> list[Cell]:
         Cell(line.unit),
         Cell(f"{shape} {translated(word)}", state=state),
         Cell(risk_in_words(line.risk), right=True),
-        Cell("–" if line.tur is None else format_number(line.tur, 1, signed=False), right=True),
+        Cell(ratio_in_words(line.tur), right=True),
     ]

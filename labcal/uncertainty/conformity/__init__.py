@@ -2,7 +2,14 @@
 
 from labcal.uncertainty.conformity.assessment import LEFT_OPEN, Assessment, assess, stated_lines, with_conformity
 from labcal.uncertainty.conformity.change import Change, Changes, changes
-from labcal.uncertainty.conformity.decision import WORDS, Judged, judge, risk_in_words, risk_of_accepting
+from labcal.uncertainty.conformity.decision import (
+    WORDS,
+    Judged,
+    judge,
+    ratio_in_words,
+    risk_in_words,
+    risk_of_accepting,
+)
 
 __all__ = [
     "LEFT_OPEN",
@@ -14,6 +21,7 @@ __all__ = [
     "assess",
     "changes",
     "judge",
+    "ratio_in_words",
     "risk_in_words",
     "risk_of_accepting",
     "stated_lines",

@@ -1,7 +1,8 @@
 """As found and as left: what changed between two calibrations of one DUT, in units of its uncertainty (E_n).
 
-E_n = (new - old) / √(U_new² + U_old²), both at k = 2 (ISO/IEC 17043; ISO 13528): beyond ±1 the DUT has changed. Errors
-that both calibrations share, as those of one reference, count twice in it: E_n is too small then, never too large.
+E_n = (new - old) / U, U of 95.45 % of the difference (ISO/IEC 17043; ISO 13528): beyond ±1 the DUT has changed. k is 2,
+or Student's t where few degrees of freedom are behind both. Errors that both calibrations share, as those of one
+reference, count twice in it: E_n is too small then, never too large.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 
 from labcal.model import Calibration
 from labcal.model.affine import jacobian
-from labcal.uncertainty.conformity.decision import COVERAGE, Measured
+from labcal.uncertainty.conformity.decision import COVERAGE, Measured, coverage_of
 from labcal.uncertainty.conformity.of_the_map import AXES, figures_of_the_map
 
 Array = NDArray[np.float64]
@@ -24,8 +25,8 @@ SHOWN = {"offset": (1.0, "nT"), "scale": (1e-6, "ppm"), "non_orthogonality": (1.
 class Change:
     """One figure as found (by the older calibration) and as left (by the newer), in `unit`.
 
-    `U` is the expanded uncertainty (k = 2) of the difference, `e_n` the difference in units of it; both None where a
-    calibration states no covariance.
+    `U` is the expanded uncertainty of the difference, `k` times its standard one, `e_n` the difference in units of it;
+    both None where a calibration states no covariance.
     """
 
     quantity: str
@@ -34,6 +35,7 @@ class Change:
     U: float | None
     unit: str
     e_n: float | None
+    k: float = COVERAGE
 
     @property
     def changed(self) -> bool:
@@ -81,12 +83,19 @@ def _unit(calibration: Calibration) -> str:
 
 def _figure(old: Measured, new: Measured) -> Change:
     factor, unit = SHOWN[new.figure]
-    return _change(new.quantity, old.value / factor, new.value / factor, np.hypot(old.u, new.u) / factor, unit)
+    u, k = np.hypot(old.u, new.u) / factor, coverage_of(_dof(old, new))
+    return _change(new.quantity, old.value / factor, new.value / factor, u, unit, k)
 
 
-def _change(quantity: str, found: float, left: float, u: float, unit: str) -> Change:
-    U = COVERAGE * float(u) if np.isfinite(u) else None
-    return Change(quantity, found, left, U, unit, (left - found) / U if U else None)
+def _dof(old: Measured, new: Measured) -> float:
+    """Effective degrees of freedom of the difference (GUM, G.4.1, (G.2b))."""
+    inverse = old.u**4 / old.dof + new.u**4 / new.dof
+    return (old.u**2 + new.u**2) ** 2 / inverse if inverse > 0 else np.inf
+
+
+def _change(quantity: str, found: float, left: float, u: float, unit: str, k: float = COVERAGE) -> Change:
+    U = k * float(u) if np.isfinite(u) else None
+    return Change(quantity, found, left, U, unit, (left - found) / U if U else None, k)
 
 
 def _magnitudes(new: Calibration, old: Calibration) -> list[Change]:

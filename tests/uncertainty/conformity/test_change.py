@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy import stats
 
 from labcal.fit import draft_calibration, fit
 from labcal.model import AffineMap, Calibration
@@ -50,6 +51,20 @@ def test_a_sensor_that_changed_is_said_to_have():
     strongest = max(row.left for row in found.rows if row.quantity.startswith("|b|"))
     assert rows["|b| at +x"].left - rows["|b| at +x"].found == pytest.approx(0.004 * strongest, rel=0.3)
     assert "of 15 figures changed by more than their uncertainty; the largest is E_n = " in found.in_words()
+
+
+def test_few_degrees_of_freedom_behind_both_widen_the_difference():
+    """Of six and of ten with one variance: Welch and Satterthwaite's 15, whose t of 97.725 % is 2.18."""
+    one = replace(calibration(3), budget=())  # as if by infinitely many
+    six, ten = (
+        replace(one, budget=({"quantity": "zero reading x", "dof": dof, "U": 1.0, "k": 2.0},)) for dof in (6.0, 10.0)
+    )
+    few = {row.quantity: row for row in changes(six, ten).rows}
+    many = {row.quantity: row for row in changes(one, one).rows}
+    k = stats.t.ppf(0.97725, 4 / (1 / 6 + 1 / 10))
+    ratios = [few[f"offset {axis}"].U / many[f"offset {axis}"].U for axis in "xy"]
+    assert ratios == pytest.approx([k / 2, 1.0], rel=1e-6)
+    assert few["offset x"].k == pytest.approx(k, rel=1e-6)
 
 
 def test_the_same_calibration_twice_has_not_changed():

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.stats import norm
 
 from labcal.record import Limit, Specification
-from labcal.uncertainty.conformity import judge, risk_of_accepting
+from labcal.uncertainty.conformity import judge, ratio_in_words, risk_of_accepting
 from labcal.uncertainty.conformity.decision import Measured, decide
 
 
@@ -77,7 +77,7 @@ def test_the_four_results_with_a_guard_band(size: float, result: str):
     for value in (size, -size):
         line = judge(Measured("offset", "offset x", value, 20.0), Limit(100.0, "nT"), rule)
         assert (line.result, line.U, line.tur) == (result, 40.0, 2.5)
-        assert line.rule.startswith("guard band w = 0.5 U, k = 2 (ILAC G8:09/2019, 4.2.3")
+        assert line.rule.startswith("guard band w = 0.5 U (ILAC G8:09/2019, 4.2.3")
 
 
 def test_simple_acceptance_knows_two_results():
@@ -121,3 +121,32 @@ def test_a_line_is_in_the_unit_of_its_limit(measured: Measured, limit: Limit, va
 def test_a_figure_known_exactly_has_no_ratio():
     line = judge(Measured("offset", "o", 3.0, 0.0), Limit(10.0, "nT"), Specification(offset=Limit(10.0, "nT")))
     assert (line.result, line.risk, line.tur) == ("pass", 0.0, None)
+
+
+@pytest.mark.parametrize("dof", [3.0, 6.4, 30.0])
+@pytest.mark.parametrize("value", [-0.9, 0.0, 0.4, 1.0, 1.3])
+def test_few_degrees_of_freedom_widen_u_and_the_risk(value: float, dof: float):
+    """Beside draws of t: a chi squared behind every normal one (JCGM 101, 6.4.9.7)."""
+    draw, u, n = np.random.default_rng(8), 0.2, 400_000
+    drawn = value + u * draw.standard_normal(n) * np.sqrt(dof / draw.chisquare(dof, n))
+    line = judge(
+        Measured("offset", "offset x", value, u, dof=dof), Limit(1.0, "nT"), Specification(offset=Limit(1.0, "nT"))
+    )
+    assert line.risk == pytest.approx(np.mean(np.abs(drawn) > 1.0), abs=4 * 0.5 / np.sqrt(n))
+    assert np.mean(np.abs(drawn - value) < line.U) == pytest.approx(0.9545, abs=4 * 0.21 / np.sqrt(n))
+    assert line.tur == pytest.approx(1.0 / line.U)
+
+
+def test_a_pass_at_the_edge_of_the_guard_band_has_the_same_risk_for_few_degrees_of_freedom():
+    """2.3 % (docs/certificate.md); with k = 2 six degrees of freedom would leave 4.6 %."""
+    limit = Limit(10.0, "nT")
+    at_edge = 10.0 - 2.516528 * 0.5  # t of 97.725 %
+    line = judge(Measured("offset", "offset x", at_edge, 0.5, dof=6.0), limit, Specification(offset=limit))
+    assert line.risk == pytest.approx(0.02275, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"), [(None, "–"), (0.0412, "0.041"), (0.98, "0.98"), (3.96, "4.0"), (37.5, "37.5"), (4e4, "> 1000")]
+)
+def test_a_ratio_below_one_keeps_its_figures(ratio: float | None, words: str):
+    assert ratio_in_words(ratio) == words
