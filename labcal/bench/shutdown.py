@@ -13,7 +13,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labcal.bench.coils.at_zero import AtZero
+from labcal.bench.coils.at_zero import FROM_HERE, ORDERED, AtZero
 from labcal.bench.guardian.client import Connection, ask_once, connections, guarded_benches, guarding
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
@@ -23,7 +23,7 @@ from labcal.errors import InputError, InstrumentError
 if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
 
-Meanwhile = Callable[[], AbstractContextManager[object]]
+Meanwhile = Callable[[str], AbstractContextManager[object]]  # given what may be said where it takes long
 AXES = "xyz"
 FREE_S = 5.0
 ENDS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
@@ -88,15 +88,19 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
 def _told_by_guardians(config: BenchConfig, asked: list[object], meanwhile: Meanwhile) -> dict[str, AtZero]:
     """How those coils ended that living guardians hold; whom this asks it adds to `asked`.
 
-    The guardian of another bench file may hold only some of these supplies, and know them as other axes.
+    The guardian of another bench file may hold only some of these supplies, and know them as other axes. One that does
+    not answer keeps nobody from the rest.
     """
     from labcal.bench.guardian.supplies import supplies_of
 
     told = dict[str, AtZero]()
     for guardian in connections(config.guarded_links, asked):
         asked.append(guardian.card["address"])
-        theirs = guardian.card.get("supplies", {})
-        ended = {theirs.get(end.axis): end for end in _asked(guardian, meanwhile)}
+        theirs = dict(guardian.card.get("supplies") or {})
+        try:
+            ended = {str(theirs.get(end.axis)): end for end in _asked(guardian, meanwhile)}
+        except InstrumentError as fault:
+            ended = {str(supply): AtZero(axis, None, False, fault) for axis, supply in theirs.items()}
         told |= {axis: replace(ended[one], axis=axis) for axis, one in supplies_of(config).items() if one in ended}
     return told
 
@@ -113,14 +117,14 @@ def _the_rest(path: Path, config: BenchConfig, told: Mapping[str, AtZero], meanw
     ports.announce({"pid": os.getpid()})
     try:
         ended = outlived(partial(_with_own_hands, path, config, told.keys()))
-        with meanwhile():
+        with meanwhile(FROM_HERE):
             return sorted([*told.values(), *ended()], key=lambda end: end.axis)
     finally:
         ports.let_go()
 
 
 def _asked(guardian: Connection, meanwhile: Meanwhile) -> list[AtZero]:
-    with closing(guardian), meanwhile():
+    with closing(guardian), meanwhile(ORDERED):
         return [zero_of(end) for end in ask_once(guardian, "zero", why=f"labcal bench off, process {os.getpid()}")]
 
 

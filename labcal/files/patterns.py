@@ -70,4 +70,4 @@ def _repeated(ways: int, least: int, most: int, group: bool) -> int:
         return max(most - least + 1, least if group else 1)  # a group is tried anew each time, even one of no letters
     if most > MOST_WAYS.bit_length():
         return MOST_WAYS + 1
-    return min(MOST_WAYS + 1, sum(ways**times for times in range(least, most + 1)))
+    return min(MOST_WAYS + 1, sum(int(ways**times) for times in range(least, most + 1)))

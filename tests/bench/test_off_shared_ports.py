@@ -17,6 +17,7 @@ from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.supplies import supplies_of
 from labcal.bench.links import ports
+from labcal.errors import InstrumentError
 
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="needs Unix sockets and ptys"),
@@ -65,6 +66,20 @@ def test_of_a_port_whose_guardian_knows_another_supply_there_nothing_is_claimed(
     assert (code, said["x"].split(" ")[0]) == (3, "unknown")
     assert "a guardian (process " in said["x"]
     assert "zero, open" not in said["x"]
+
+
+def test_a_guardian_that_fails_keeps_nobody_from_the_other_coils(
+    lab: Served, other: Ear, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def hangs(*_: object, **__: object) -> list[AtZero]:
+        raise InstrumentError("it hangs.", fault="guardian lost")
+
+    monkeypatch.setattr(other.coils, "zero", hangs)
+    left_on(lab)
+    has_coil_x(other, lab, supplies={"z": supplies_of(read_config(lab.file))["x"]})
+    code, said = off(lab.file)
+    assert at_zero(lab, "yz")
+    assert (code, said["x"]) == (3, "unknown  it hangs.")
 
 
 def test_a_program_that_holds_one_port_keeps_no_other_coil_on(lab: Served) -> None:
