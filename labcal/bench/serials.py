@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import re
 
+from labcal.files import patterns
+
 USUAL = r"\w([\w .:/+#()-]*[\w)])?"  # letters, digits, and what stands between them on labels
 
 
 def usable_pattern(pattern: str) -> str:
-    """`pattern` itself. Raises ValueError where it is no regular expression."""
-    try:
-        re.compile(pattern)
-    except re.error as error:
-        raise ValueError(f"is no regular expression: {error}") from None
-    return pattern
+    """`pattern` itself. Raises ValueError where it is no regular expression, or may take long to match."""
+    return patterns.bounded(pattern).pattern
 
 
 def objection(serial: str, pattern: str) -> str:
     """Why `serial` is none, in words; "" where it matches `pattern` as a whole, or is empty."""
+    if len(serial) > patterns.LONGEST_TEXT:
+        return f"a serial number of {len(serial)} characters: at most {patterns.LONGEST_TEXT}"
     if not serial or re.fullmatch(pattern, serial):
         return ""
     if pattern == USUAL:

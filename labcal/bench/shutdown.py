@@ -6,14 +6,15 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, closing, contextmanager, nullcontext, suppress
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labcal.bench.coils.at_zero import AtZero
-from labcal.bench.guardian.client import Connection, ask_once, found, guarded_benches, guarding
+from labcal.bench.coils.at_zero import FROM_HERE, ORDERED, AtZero
+from labcal.bench.guardian.client import Connection, ask_once, connections, guarded_benches, guarding
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
 from labcal.bench.redundant import outlived
@@ -22,7 +23,8 @@ from labcal.errors import InputError, InstrumentError
 if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
 
-Meanwhile = Callable[[], AbstractContextManager[object]]
+Meanwhile = Callable[[str], AbstractContextManager[object]]  # given what may be said where it takes long
+AXES = "xyz"
 FREE_S = 5.0
 ENDS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 UNTOUCHED = (
@@ -38,9 +40,10 @@ OTHERS = (
 def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
     """Bring every coil of `path` to zero and open it, `meanwhile` beside it; one report an axis, faults included.
 
-    The guardian does it where one lives, also while the file cannot be read or names other ports than before; else the
-    ports are opened here, and held against everybody meanwhile. Raises InputError where no guardian lives and the file
-    does not say where the supplies are.
+    The guardian does it where one lives, also while the file cannot be read or names other ports than before. What no
+    guardian has told of is brought down from here, its ports held against everybody meanwhile; of a port that another
+    program holds that is told. Raises InputError where no guardian lives and the file does not say where the supplies
+    are.
     """
     with _unbroken():
         return _brought_down(path, meanwhile)
@@ -61,32 +64,67 @@ def _unbroken() -> Iterator[None]:
 
 
 def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
-    deadline = time.monotonic() + FREE_S
-    while time.monotonic() < deadline:
+    deadline, told, asked = time.monotonic() + FREE_S, dict[str, AtZero](), list[object]()
+    while True:
+        late = time.monotonic() > deadline
         with suppress(OSError):
-            if (guardian := guarding(path)) is not None:
+            if not asked and (guardian := guarding(path)) is not None:
                 return _asked(guardian, meanwhile)
         config = _readable(path)
         with suppress(InputError):  # the group's folder is not there: it goes on without
             ports.meet(config.safety.group, config.safety.runtime)
-        real = config.guarded_links
         with suppress(OSError):
-            if (guardian := found(real)) is not None:
-                return _asked(guardian, meanwhile)
-            if ports.hold(real):
-                ports.announce({"pid": os.getpid()})
-                try:
-                    ended = outlived(partial(_with_own_hands, path, config))
-                    with meanwhile():
-                        return ended()
-                finally:
-                    ports.let_go()
+            told |= _told_by_guardians(config, asked, meanwhile)
+            if len(told) == len(AXES):
+                return [told[axis] for axis in AXES]
+            free = _free(config.guarded_links, asked, late=late)
+            if free is not None and ports.hold(free):
+                return _the_rest(path, config, told, meanwhile)
+        if late:
+            raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
         time.sleep(0.02)  # a guardian that comes or goes
-    raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
+
+
+def _told_by_guardians(config: BenchConfig, asked: list[object], meanwhile: Meanwhile) -> dict[str, AtZero]:
+    """How those coils ended that living guardians hold; whom this asks it adds to `asked`.
+
+    The guardian of another bench file may hold only some of these supplies, and know them as other axes. One that does
+    not answer keeps nobody from the rest.
+    """
+    from labcal.bench.guardian.supplies import supplies_of
+
+    told = dict[str, AtZero]()
+    for guardian in connections(config.guarded_links, asked):
+        asked.append(guardian.card["address"])
+        theirs = dict(guardian.card.get("supplies") or {})
+        try:
+            ended = {str(theirs.get(end.axis)): end for end in _asked(guardian, meanwhile)}
+        except InstrumentError as fault:
+            ended = {str(supply): AtZero(axis, None, False, fault) for axis, supply in theirs.items()}
+        told |= {axis: replace(ended[one], axis=axis) for axis, one in supplies_of(config).items() if one in ended}
+    return told
+
+
+def _free(urls: Sequence[str], asked: Sequence[object], *, late: bool) -> list[str] | None:
+    """The ports that nobody holds; None while who holds another may be a guardian that comes or goes, until `late`."""
+    cards = {url: ports.holder(url) for url in urls}
+    known = (card is None or "program" in card or card.get("address") in asked for card in cards.values())
+    return [url for url, card in cards.items() if card is None] if late or all(known) else None
+
+
+def _the_rest(path: Path, config: BenchConfig, told: Mapping[str, AtZero], meanwhile: Meanwhile) -> list[AtZero]:
+    """Bring down with own hands what no guardian has told of; the ports that could be had are held meanwhile."""
+    ports.announce({"pid": os.getpid()})
+    try:
+        ended = outlived(partial(_with_own_hands, path, config, told.keys()))
+        with meanwhile(FROM_HERE):
+            return sorted([*told.values(), *ended()], key=lambda end: end.axis)
+    finally:
+        ports.let_go()
 
 
 def _asked(guardian: Connection, meanwhile: Meanwhile) -> list[AtZero]:
-    with closing(guardian), meanwhile():
+    with closing(guardian), meanwhile(ORDERED):
         return [zero_of(end) for end in ask_once(guardian, "zero", why=f"labcal bench off, process {os.getpid()}")]
 
 
@@ -107,12 +145,14 @@ def _untouched() -> str:
     return OTHERS.format(" and of ".join(benches)) if benches else UNTOUCHED
 
 
-def _with_own_hands(path: Path, config: BenchConfig) -> list[AtZero]:
-    """A guardian within this process, for one zero."""
+def _with_own_hands(path: Path, config: BenchConfig, without: Collection[str]) -> list[AtZero]:
+    """A guardian within this process, for one zero of all coils but those `without`."""
     from labcal.bench.guardian.controller import Guardian  # half a second that is not lost where one lives already
     from labcal.bench.guardian.logbook import note, written
 
     guardian = Guardian(path, config, note)
+    for axis in without:
+        del guardian.coils[axis]
     try:
         return guardian.zero(f"labcal bench off, process {os.getpid()}")
     finally:

@@ -12,9 +12,9 @@ from pathlib import Path
 
 from labcal.certificate import sshsig
 from labcal.certificate.allowed_signers import Signer, read_allowed_signers
-from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.sshsig import BadSignature
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 
 NAMESPACE = "labcal-trust-list"
 LARGEST_BYTES = 2**14

@@ -16,9 +16,9 @@ from datetime import UTC, datetime
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.sshsig import KEY_TYPE, NAMESPACE, SECURITY_KEY_TYPE, BadSignature, raw_public_key
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 
 LARGEST_BYTES = 2**20
 KEY_TYPES = (KEY_TYPE, "ssh-rsa", "ecdsa-sha2-", "sk-ssh-ed25519", "sk-ecdsa-sha2-")  # beginnings

@@ -7,10 +7,11 @@ from datetime import datetime
 from pathlib import Path
 
 from labcal.certificate.allowed_signers import Signer, with_revocations
-from labcal.certificate.calibration_file import LARGEST_BYTES, read_limited
+from labcal.certificate.calibration_file import LARGEST_BYTES
 from labcal.certificate.roles import check_approver
 from labcal.certificate.signing import Shown, check_signature
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 from labcal.record.person import same_person
 
 WHAT_TO_DO = "no coil is driven by it: approve its run again (`labcal bench cage`, to another file)"

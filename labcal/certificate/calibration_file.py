@@ -7,7 +7,6 @@ reader that skips it would still call the file valid. A new meaning is a new `fo
 from __future__ import annotations
 
 import json
-import stat
 from collections import Counter
 from collections.abc import Mapping
 from datetime import date
@@ -45,6 +44,7 @@ from labcal.certificate.file_fields import (
     positive,
 )
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Rival
@@ -280,17 +280,6 @@ def looks_like_calibration(path: Path) -> bool:
         return False
     with path.open("rb") as source:
         return source.read(1) == b"{" or path.suffix.lower() == ".json"
-
-
-def read_limited(path: Path, largest: int) -> bytes:
-    """The whole of a regular file of at most `largest` bytes. Raises InputError."""
-    if not stat.S_ISREG(path.stat().st_mode):
-        raise InputError("is not a regular file", file=path)
-    with path.open("rb") as source:
-        content = source.read(largest + 1)
-    if len(content) > largest:
-        raise InputError(f"is larger than {largest} bytes", file=path)
-    return content
 
 
 def _format_of(content: bytes, file: object) -> str:

@@ -40,12 +40,12 @@ from labcal.certificate.allowed_signers import (
     to_trust,
     with_revocations,
 )
-from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.passphrases import check_passphrase
 from labcal.certificate.sshsig import public_key_blob
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.home import own_folder
+from labcal.files.plain_file import read_limited
 from labcal.record.person import same_person
 
 SIMULATED = "simulated"  # the principal of keys made in memory: good for files that say simulated, and for no other

@@ -18,13 +18,14 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 from labcal.certificate import roles, sshsig
 from labcal.certificate.agent import Key, public_half, signed
 from labcal.certificate.allowed_signers import NEVER, Signer, own_line, with_revocations
-from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
+from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.recomputed import Recomputed
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.certificate.timestamp import ShownTime, claimed
 from labcal.errors import InputError
 from labcal.files import atomic
+from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.record.person import same_person
 

@@ -7,11 +7,12 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
-from labcal.certificate.calibration_file import LARGEST_BYTES, parse_calibration, read_limited
+from labcal.certificate.calibration_file import LARGEST_BYTES, parse_calibration
 from labcal.certificate.signing import Verification, signature_files
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, own_folder
+from labcal.files.plain_file import read_limited
 
 
 def keep_superseding(found: Verification, folder: Path) -> None:

@@ -19,10 +19,10 @@ from threading import Thread
 from typing import Literal
 from urllib.request import Request, urlopen
 
-from labcal.certificate.calibration_file import read_limited
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.home import for_children
+from labcal.files.plain_file import read_limited
 
 LARGEST_BYTES = 2**17
 WITHIN_S = 60.0

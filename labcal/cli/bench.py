@@ -84,10 +84,10 @@ def find(
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
-    from labcal.bench.coils.at_zero import BY_WORD, ORDERED, SLOW_S
+    from labcal.bench.coils.at_zero import BY_WORD, SLOW_S
     from labcal.bench.shutdown import coils_off  # not by way of the session, which loads for a second
 
-    ended = coils_off(file, lambda: _said_after(SLOW_S, ORDERED))
+    ended = coils_off(file, partial(_said_after, SLOW_S))
     from labcal.bench.coils.doubt import left_so  # when it is done: this takes a moment to load
 
     for end in ended:

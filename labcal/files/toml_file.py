@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import codecs
-import os
 import re
-import stat
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from labcal.errors import InputError
+from labcal.files.plain_file import first_bytes
 
 MOST_BYTES = 1 << 18  # a bench file has a few thousand
 DEEPEST = 100  # names in a dotted key: the time to read one grows with the square of them
@@ -21,7 +20,7 @@ PLACE = re.compile(r" \(at line (\d+), column (\d+)\)$")
 
 def read_toml(path: Path) -> tuple[str, dict[str, Any]]:
     """The text of `path` and what it states. Raises InputError where it is no TOML, or more than a person writes."""
-    data = _bytes(path)
+    data = first_bytes(path, MOST_BYTES + 1)
     if len(data) > MOST_BYTES:
         raise InputError(f"is longer than {MOST_BYTES // 1024} KiB: no file of this kind is", file=path)
     if data.startswith(codecs.BOM_UTF8):
@@ -39,16 +38,6 @@ def read_toml(path: Path) -> tuple[str, dict[str, Any]]:
         raise InputError("is nested too deeply", file=path) from error
     except ValueError as error:  # TOMLDecodeError, and numbers of thousands of digits
         raise _not_toml(str(error), path) from error
-
-
-def _bytes(path: Path) -> bytes:
-    """The file's first bytes. A pipe would be waited for, a device has no end: neither is a file of this kind."""
-    handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
-    if not stat.S_ISREG(os.fstat(handle).st_mode):
-        os.close(handle)
-        raise InputError("is not a regular file", file=path)
-    with os.fdopen(handle, "rb") as file:
-        return file.read(MOST_BYTES + 1)
 
 
 def named_files(path: Path) -> list[Path]:

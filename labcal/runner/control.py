@@ -82,6 +82,10 @@ class Control:
         """Whether a stop was asked for."""
         return self._stop.is_set()
 
+    def aborting(self) -> bool:
+        """Whether the coils have to go to zero before anything else."""
+        return self._abort.is_set() or self._left.is_set()
+
     def check(self) -> None:
         """Raise Aborted or Stopped where that is wanted."""
         if self._abort.is_set():

@@ -22,6 +22,7 @@ from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 PROMPT_S = 1.0  # what is told later than this says so
+UNDONE_S = 0.3  # that a procedure is given, once it was told to end, before its coils are taken to zero
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 Tell = Callable[[Item], None]
 Show = Callable[[LabState], None]
@@ -60,13 +61,15 @@ class Drive:
     _at_zero: bool = field(default=False, init=False)
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
-    _end_requested: bool = field(default=False, init=False)
+    _end_requested_s: float | None = field(default=None, init=False)
     _announced: str = field(default="", init=False)  # which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
-        ending = self._to_its_end(procedure)
-        return self._at_rest(ending)
+        try:
+            return self._at_rest(self._to_its_end(procedure))
+        finally:
+            self.bench.cage.over = None
 
     def _to_its_end(self, procedure: Procedure) -> Ending:
         started = self.bench.clock.utc(), self.bench.clock.now()
@@ -83,6 +86,8 @@ class Drive:
                     if isinstance(item, Step):
                         self._refuse_a_clock_set_back(*started)
                         self._pause_if_wanted()
+            if self.bench.cage.over is not None:  # which the procedure has caught
+                raise self.bench.cage.over
             return Ending("finished")
         except Left as fault:
             return Ending("interrupted", fault)
@@ -190,25 +195,36 @@ class Drive:
         """Raise where the operator wants the end; an abort zeroes the coils before the procedure hears of it."""
         try:
             self.control.check()
-        except Aborted:
-            with suppress(Exception):  # tried again, and told, on the way to rest
-                self.bench.cage.zero()
+        except Stopped as end:
+            self.bench.cage.over = end
+            if isinstance(end, Aborted):
+                self._zero_at_once()
             raise
+
+    def _zero_at_once(self) -> None:
+        with suppress(Exception):  # tried again, and told, on the way to rest
+            self.bench.cage.zero()
 
     def _look(self) -> None:
         """While anybody waits. Who wants the end does not wait for the end of a ramp: it stops where it is.
 
-        Told once: what the procedure then undoes is not broken off. Nothing breaks off the way to zero.
+        Told once: what the procedure then undoes is not broken off. Nothing breaks off the way to zero. Where the coils
+        are still on a moment later, because it undoes other things first or goes on all the same, they are taken there.
         """
         with self._zero_unless_kept():
             self.kept()
         self._keep_news()
-        if self.bench.cage.on and not self._end_requested:
+        if not self.bench.cage.on:
+            return
+        now = self.bench.clock.now()
+        if self._end_requested_s is None:
             try:
                 self._check()
             except Stopped:
-                self._end_requested = True
+                self._end_requested_s = now
                 raise
+        elif self.control.aborting() or now - self._end_requested_s > UNDONE_S:
+            self._zero_at_once()
 
     @contextmanager
     def _zero_unless_kept(self) -> Iterator[None]:
@@ -218,11 +234,10 @@ class Drive:
         except (InputError, InstrumentError) as fault:
             if self._rows_wait:
                 return
-            self._rows_wait = True
-            with suppress(Exception):  # tried again, and told, on the way to rest
-                self.bench.cage.zero()
+            self._rows_wait, self.bench.cage.over = True, (end := NotKept(fault))
+            self._zero_at_once()
             self._report_not_kept(fault)
-            raise NotKept(fault) from None
+            raise end from None
 
     def _say_what_takes_long(self) -> None:
         """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""

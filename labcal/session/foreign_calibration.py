@@ -13,7 +13,7 @@ FOREIGN_CALIBRATIONS = certificate.flight.KINDS
 
 def import_calibration(path: Path, kind: str, out: Path | None = None, *, force: bool = False) -> Path:
     """Write the draft that the file at `path` states to `out`, else beside it; returns where. Raises InputError."""
-    target = out or path.with_name(f"{path.stem}.calibration.json")
+    target = out or path.parent / f"{path.stem}.calibration.json"
     [output] = claim("import", target, inputs=(path,), force=force)
     content = certificate.calibration_bytes(certificate.flight.read_foreign(path, kind))
     with output.writing():

@@ -15,6 +15,7 @@ import numpy as np
 from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
+from labcal.files.plain_file import read_limited
 from labcal.loop.empirical.words import PHYSICS, shape_of
 from labcal.model.effects import find
 from labcal.model.effects.inputs import CHANNEL
@@ -54,11 +55,9 @@ def _check_name(name: str) -> None:
 def _term_of(result: Path) -> tuple[Basis, Domain, tuple[str, ...]]:
     """The empirical term that a result has accepted or proposes. Raises InputError where there is none."""
     try:
-        if result.stat().st_size > LARGEST_BYTES:
-            raise InputError(f"is larger than {LARGEST_BYTES} bytes", file=result)
-        stated = json.loads(result.read_text(encoding="utf-8"))
+        stated = json.loads(read_limited(result, LARGEST_BYTES))
         terms = [e for e in (*stated["accepted"], *stated.get("proposed", ())) if e.get("basis")]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("is no result of close-loop --json", file=result) from error
     if not terms:
         raise InputError("holds no empirical term: close-loop found none, or none was needed", file=result)

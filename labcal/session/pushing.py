@@ -23,9 +23,10 @@ from labcal.archive.push import (
     push_run,
 )
 from labcal.archive.server import Archive, AwayError
-from labcal.certificate.calibration_file import LARGEST_BYTES, read_limited
+from labcal.certificate.calibration_file import LARGEST_BYTES
 from labcal.errors import InputError, InstrumentError
 from labcal.files.home import home
+from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.record import Run
 from labcal.session.archiving import Pushed, own_site, place_of_bundles

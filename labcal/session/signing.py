@@ -14,11 +14,12 @@ from typing import Any
 from labcal import certificate
 from labcal.certificate import Stated, Verification, read_allowed_signers
 from labcal.certificate.allowed_signers import with_revocations
-from labcal.certificate.calibration_file import LARGEST_BYTES, read_limited
+from labcal.certificate.calibration_file import LARGEST_BYTES
 from labcal.certificate.signing import LARGEST_SIGNATURE_BYTES
 from labcal.certificate.timestamp import ShownTime, shown_utc
 from labcal.errors import InputError
 from labcal.files.home import home
+from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.session.approved import check_approved, keep_approved
 from labcal.session.audited import note_file, noted_utc

@@ -8,6 +8,7 @@ from pathlib import Path
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
+from labcal.files.plain_file import read_limited
 
 LARGEST_BYTES = 50 * 2**20
 KINDS = {b"\xff\xd8\xff": ".jpg", b"\x89PNG": ".png", b"RIFF": ".webp"}
@@ -19,9 +20,7 @@ def keep_photo(path: Path) -> dict[str, str]:
     Raises InputError where it is no photograph, or larger than 50 MB.
     """
     try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise InputError("is larger than 50 MB", file=path)
-        content = path.read_bytes()
+        content = read_limited(path, LARGEST_BYTES)
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", file=path) from error
     kind = next((kind for start, kind in KINDS.items() if content.startswith(start)), None)

@@ -46,7 +46,8 @@ ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four
 
 def _unit_axis(v: Vector) -> Vector:
     """`v` at length one. Raises ValueError where it is farther from it than rounding explains."""
-    length = float(np.linalg.norm(v))
+    with np.errstate(over="ignore"):
+        length = float(np.linalg.norm(v))
     if abs(length - 1) > ROUNDING:
         raise ValueError(f"expected a unit vector, found one of length {length:.6g}")
     if abs(length - 1) < 1e-12:

@@ -38,7 +38,7 @@ def _read(place: Path, job: Job) -> Row | None:
     try:
         said = json.loads(place.read_bytes())
         whole = said["job"] == job.key and isinstance(said["row"], dict)
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     return said["row"] if whole else None
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
+from labcal.files.patterns import LONGEST_TEXT, bounded
 from labcal.quality.batches import Pooled, pool
 from labcal.years.history import UNDATED, Calibrated
 
@@ -99,16 +100,16 @@ def _refuse_undated(found: Sequence[Calibrated]) -> None:
 
 def _pattern(text: str) -> re.Pattern[str]:
     try:
-        pattern = re.compile(text)
-    except re.error as fault:
-        raise InputError(f"--batch {text!r} is no regular expression: {fault}") from None
+        pattern = bounded(text)
+    except ValueError as fault:
+        raise InputError(f"--batch {text!r} {fault}") from None
     if pattern.groups != 1:
         raise InputError(f"--batch {text!r} needs one group in parentheses: what it holds is the batch")
     return pattern
 
 
 def _batch_of(serial: str, pattern: re.Pattern[str]) -> str:
-    found = pattern.match(serial)
+    found = pattern.match(serial[:LONGEST_TEXT])
     return (found[1] if found else "") or "no batch"
 
 

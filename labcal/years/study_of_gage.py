@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from labcal import session
-from labcal.certificate.calibration_file import read_limited
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 from labcal.quality.gage_rr import GageRR, gage_rr
 from labcal.session.figures import figures_of_run
 

@@ -188,7 +188,7 @@ def _read(path: Path) -> dict[str, WatchedRun]:
         if stated["format"] != FORMAT:
             raise ValueError
         found = [WatchedRun(**{**one, "needs": tuple(one["needs"])}) for one in stated["runs"]]
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         raise InputError("is not what a watch keeps: name another folder", file=path) from None
     return {one.key: one for one in found}
 

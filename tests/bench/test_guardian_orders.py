@@ -7,14 +7,16 @@ import os
 import stat
 import subprocess
 import sys
+import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
-from labcal.bench.guardian import wire
+from labcal.bench.guardian import duty, wire
 from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import patience
 from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
@@ -87,6 +89,12 @@ def test_what_a_winding_has_borne_is_known_to_the_next_guardian(
     with pytest.raises(LimitError, match="coil y"):
         again.refuse(AT_REST | {"y": 1.01})
     again.refuse(AT_REST | {"x": 1.01})
+    with monkeypatch.context() as later:  # a day, by the clock on the wall
+        later.setattr(duty, "time", SimpleNamespace(time=lambda: time.time() + 86_400, monotonic=time.monotonic))
+        with pytest.raises(LimitError, match="coil y"):
+            together(tmp_path, monkeypatch, stated).refuse(AT_REST | {"y": 1.01})
+        later.setattr(duty, "time", SimpleNamespace(time=lambda: time.time() + 86_400, monotonic=lambda: 0.0))
+        together(tmp_path, monkeypatch, stated).refuse(AT_REST | {"y": 1.01})  # started anew meanwhile
     for spoilt in (
         "",
         "[]",

@@ -30,3 +30,11 @@ def test_a_run_takes_no_other_serial_than_those_of_the_bench_file(tmp_path: Path
     path.write_text(example().replace("[dut]\n", '[dut]\nserial_pattern = "EM-["\n'), encoding="utf-8")
     with pytest.raises(InputError, match=r"dut.serial_pattern.* is no regular expression"):
         read_config(path)
+
+
+def test_a_bench_file_cannot_hold_up_who_types_a_serial(tmp_path: Path) -> None:
+    path = tmp_path / "bench.toml"
+    path.write_text(example().replace("[dut]\n", '[dut]\nserial_pattern = "(\\\\w+)+-"\n'), encoding="utf-8")
+    with pytest.raises(InputError, match=r"dut.serial_pattern.* may take very long to match"):
+        read_config(path)
+    assert "a serial number of 101 characters: at most 100" in objection("a" * 101, USUAL)

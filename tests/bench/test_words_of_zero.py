@@ -15,7 +15,7 @@ from test_guardian_handover import pair as pair
 from test_latch import Bench, one_tti
 
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.at_zero import ORDERED
+from labcal.bench.coils.at_zero import FROM_HERE
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.last_read import LastRead
 from labcal.cli import execute
@@ -100,7 +100,7 @@ def test_a_connection_that_is_gone_tells_what_was_read_last_and_when() -> None:
 
 
 def off(monkeypatch: pytest.MonkeyPatch, slow_s: float) -> threading.Event:
-    """`labcal bench off` to its end; whether it said that zero was ordered, as long as that was not read back."""
+    """`labcal bench off` without a guardian; whether it said that it is at it, before anything was ordered."""
     from labcal.bench.guardian.controller import Guardian
     from labcal.cli import bench as commands
 
@@ -108,7 +108,7 @@ def off(monkeypatch: pytest.MonkeyPatch, slow_s: float) -> threading.Event:
 
     def heard(text: object, **options: Any) -> None:
         say(text, **options)
-        if text == ORDERED:
+        if text == FROM_HERE:
             said.set()
 
     def late(guardian: Guardian, why: str) -> Any:
@@ -123,12 +123,12 @@ def off(monkeypatch: pytest.MonkeyPatch, slow_s: float) -> threading.Event:
     return said
 
 
-def test_off_says_that_zero_is_ordered_where_it_takes_long_and_by_whose_word_it_was_read(
+def test_off_says_what_it_does_where_that_takes_long_and_by_whose_word_it_was_read(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert off(monkeypatch, 0.0).is_set()
     out, err = capsys.readouterr()
-    assert err == f"{ORDERED}\n"
+    assert err == f"{FROM_HERE}\n"
     read = r"coil ([xyz]): [+-]\d\.\d{4} A  by the supply's word only: zero, open"
     assert re.findall(read, out) == ["x", "y", "z"]
 

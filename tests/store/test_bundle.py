@@ -156,6 +156,7 @@ def test_a_wrong_table_is_refused_in_words(bundle, rows: str | bytes, says: str)
         ("segments.0.kind", "spin", "'rotation', 'static' or 'free'"),
         ("segments.0.id", "still", "two segments"),
         ("segments.0.axis_body", [1, 1, 0], "unit vector"),
+        ("segments.0.axis_body", [1e308, 1e308, 0], "unit vector"),
         ("segments.0.axis_cage", [0, 0], "missing|at least|3 items"),
         ("segments.0.axis_bdy", [1, 0, 0], ""),
         ("segments.1.body_from_cage", [[1, 0, 0], [0, 1, 0], [0, 0, 1.01]], "rotation matrix"),

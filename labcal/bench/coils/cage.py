@@ -70,6 +70,7 @@ class Cage:
         self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self.on = False  # outputs closed
+        self.over: Exception | None = None  # why no current is set any more, whoever asks for it
         self.asked_nT: Array | None = None  # the field (3,) that the coils are held at; None where none was asked for
         self.to_zero_since_s: float | None = None  # when zero was wanted (monotonic clock), until that has ended
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
@@ -97,9 +98,11 @@ class Cage:
         """Ramp the coils to `i_A` (3,), read every step back, then wait until they are settled.
 
         Behind reversing contacts the sign is confirmed on the reference, unless that is what the caller measures.
-        Raises LimitError (nothing was sent), or InstrumentError where a supply or a reversing contact does not follow.
+        Raises LimitError (nothing was sent), InstrumentError where a supply or a reversing contact does not follow, and
+        `over` where the end was ordered.
         """
         target = np.asarray(i_A, dtype=float)
+        self._refuse_when_over()
         self._refuse_beyond_limits(target)
         if (doubt := self.latch.doubt) is not None:
             raise doubt.error()
@@ -316,11 +319,16 @@ class Cage:
         duration = float(np.max(np.abs(target - start) / list(self._rates().values())))
         steps = max(1, math.ceil(duration / RAMP_STEP_S))
         for step in range(1, steps + 1):
+            self._refuse_when_over()
             begun = self._clock.now()  # of this step: time lost in reversing contacts is not caught up
             for axis, value in zip(AXES, (start + (target - start) * step / steps).tolist(), strict=True):
                 self.supplies[axis].set_current(value)
                 self._known(axis, set_A=value)
             self._wait(begun + duration / steps)
+
+    def _refuse_when_over(self) -> None:
+        if self.over is not None:
+            raise self.over
 
     def _refuse_beyond_limits(self, target: Array) -> None:
         for axis, value, limit in zip(AXES, target, self.limits.current_A, strict=True):

@@ -116,7 +116,7 @@ class StoredDoubt:
             seen, ambient = (said[key] and _vector(said[key]) for key in ("seen_nT", "ambient_nT"))
             advice = str(said.get("advice", OPEN_THEM))  # none is there in a file of labcal 1
             return Doubt(str(said["utc"]), str(said["words"]), seen, ambient, str(said["lifted"]), advice)
-        except (OSError, ValueError, KeyError, TypeError):
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
             return Doubt("a time unknown", f"{path} can no longer be read")
 
 

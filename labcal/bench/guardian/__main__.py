@@ -25,6 +25,7 @@ from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.server import Server
 from labcal.bench.guardian.spawn import STANDBY
 from labcal.bench.guardian.standbys import Standbys
+from labcal.bench.guardian.supplies import supplies_of
 from labcal.bench.links import ports
 from labcal.bench.loading import drivers_of
 from labcal.errors import InputError
@@ -48,7 +49,8 @@ class Watch:
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
-        ports.announce(card | {"bench": str(self._path), "named": os.path.abspath(self._bench.named)})
+        named = os.path.abspath(self._bench.named)
+        ports.announce(card | {"bench": str(self._path), "named": named, "supplies": supplies_of(self._bench.config)})
         signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()

@@ -8,7 +8,7 @@ import select
 import socket
 import subprocess
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -44,6 +44,7 @@ class Connection:
     """One connection to a living guardian. Raises OSError where it is gone."""
 
     def __init__(self, card: wire.Card) -> None:
+        self.card = card
         self._socket = wire.connect(card, 2.0)
         self.uid = wire.peer(self._socket)  # whose guardian it is
         self._socket.settimeout(None)
@@ -248,11 +249,18 @@ def ask_once(connection: Connection, order: str, **what: Any) -> Any:
 
 def found(urls: Iterable[str]) -> Connection | None:
     """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
+    return next(connections(urls), None)
+
+
+def connections(urls: Iterable[str], known: Sequence[object] = ()) -> Iterator[Connection]:
+    """One to each guardian that holds any of these ports, but to those at the `known` addresses."""
+    addresses = list(known)
     for url in urls:
-        if "address" in (card := ports.holder(url) or {}):
+        card = ports.holder(url) or {}
+        if "address" in card and card["address"] not in addresses:
+            addresses.append(card["address"])
             with suppress(*NOBODY_THERE):
-                return Connection(card)
-    return None
+                yield Connection(card)
 
 
 def guarding(bench: Path) -> Connection | None:

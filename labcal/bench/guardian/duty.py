@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +39,7 @@ class DutyRecord:
         """Write them down, once a second at most."""
         if now_s >= self._next_s:
             self._next_s = now_s + EVERY_S
-            kept = json.dumps({"utc_s": time.time(), "mean_A2": mean_A2.tolist()})
+            kept = json.dumps({"utc_s": time.time(), "monotonic_s": time.monotonic(), "mean_A2": mean_A2.tolist()})
             later(partial(write_bytes, self._path, kept.encode(), self._mode))
 
     def recall(self, window_s: float) -> Array:
@@ -50,8 +51,18 @@ class DutyRecord:
 def _faded(path: Path, window_s: float) -> Array:
     try:
         kept = json.loads(text_of(path))
-        mean, since_s = np.array(kept["mean_A2"], dtype=float), max(0.0, time.time() - float(kept["utc_s"]))
+        mean, since_s = np.array(kept["mean_A2"], dtype=float), _since_s(kept)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return np.zeros(3)
     known = mean.shape == (3,) and bool(np.isfinite(mean).all()) and bool((mean >= 0).all())
     return mean * math.exp(-since_s / window_s) if known else np.zeros(3)
+
+
+def _since_s(kept: dict[str, Any]) -> float:
+    """How long ago that was, at least: a wall clock that was set forward cools no winding.
+
+    The monotonic clock begins anew with the computer; one that is behind was read before that, and tells nothing.
+    """
+    by_wall_s = time.time() - float(kept["utc_s"])
+    went_s = time.monotonic() - float(kept.get("monotonic_s", math.inf))
+    return max(0.0, min(by_wall_s, went_s) if went_s >= 0 else by_wall_s)

@@ -27,6 +27,9 @@ __all__ = [
     "refuse_connected", "runtime_folder", "still_held",
 ]  # fmt: skip
 
+GUARDIAN = "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile."
+PROGRAM = "End it, then begin this step again."  # a labcal that talks to one instrument, and brings nothing to zero
+
 
 @dataclass
 class Lock:
@@ -227,7 +230,7 @@ def _say(lock: Lock, card: dict[str, Any] | None) -> None:
 def _in_use(url: str, card: dict[str, Any]) -> InstrumentError:
     """Another labcal has the lock file. What the file says is believed only where the kernel says nothing."""
     other, path = process(locker(_lock_file(port_of(url)))), _lock_file(port_of(url))
-    program = f"{card['program']!r}" if "program" in card else "a guardian"
+    program, remedy = (f"{card['program']!r}", PROGRAM) if "program" in card else ("a guardian", GUARDIAN)
     since = ""
     with suppress(OSError):
         since = _since(datetime.fromtimestamp(path.stat().st_mtime, UTC))
@@ -235,7 +238,7 @@ def _in_use(url: str, card: dict[str, Any]) -> InstrumentError:
     return InstrumentError(
         f"{url}: {program}{whose} (process {pid}) holds this port{since}.",
         fault="in use",
-        remedy="End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.",
+        remedy=remedy,
     )
 
 

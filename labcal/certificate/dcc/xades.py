@@ -19,8 +19,8 @@ from cryptography.hazmat.primitives.asymmetric.ec import EllipticCurvePrivateKey
 from cryptography.hazmat.primitives.asymmetric.rsa import RSAPrivateKey
 from cryptography.hazmat.primitives.serialization import Encoding, PublicFormat, load_pem_private_key
 
-from labcal.certificate.calibration_file import read_limited
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 
 LARGEST_BYTES = 2**17
 SMALLEST_RSA = 2048  # bits

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.flight.parameter_files import AUTOPILOTS, parameters
 from labcal.errors import InputError
+from labcal.files.plain_file import read_limited
 from labcal.model import AffineMap, Calibration, Validity
 from labcal.record import Dut
 from labcal.version import __version__
