@@ -34,10 +34,16 @@ def note_file(
 def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
     """Add a run as it ended, with the head of its chain; the outcome says so where the log does not take it."""
     try:
-        note("run", who, run=outcome.run_id, status=outcome.status, chain=_head(store, outcome.run_id))
+        head, first = _head(store, outcome.run_id), _first(store)
+        note("run", who, run=outcome.run_id, status=outcome.status, chain=head, first=first)
     except InputError as fault:
         return replace(outcome, told=f"{outcome.told}; {fault}")
     return outcome
+
+
+def note_import(run: str, store: Store) -> None:
+    """Add a run that was taken in, with the one that the store began with. Raises InputError."""
+    note("import", run=run, first=_first(store))
 
 
 def noted_utc(signature: bytes) -> datetime | None:
@@ -70,6 +76,17 @@ def noted_heads() -> dict[str, tuple[str, ...]]:
     return found
 
 
+def noted_runs() -> dict[str, str]:
+    """Every run that the log says was recorded or taken in here, in its order, with the one the store then began with.
+
+    "" where an entry of before that was stated says nothing of it.
+    """
+    with suppress(InputError):
+        entries = audit.read(home()).entries
+        return {e.about["run"]: e.about.get("first", "") for e in entries if e.deed in ("run", "import")}
+    return {}
+
+
 def noted_cages(bench: str) -> list[audit.Entry]:
     """The approvals of cage calibrations of a bench by its name, in the order of the log."""
     with suppress(InputError):
@@ -95,6 +112,13 @@ def _head(store: Store, run_id: str) -> str | None:
     """The head of a run's chain; None where its store cannot tell any more."""
     try:
         return store.head_of(run_id)
+    except (InputError, InstrumentError):
+        return None
+
+
+def _first(store: Store) -> str | None:
+    try:
+        return store.first_run()
     except (InputError, InstrumentError):
         return None
 
