@@ -79,12 +79,16 @@ def noted_heads() -> dict[str, tuple[str, ...]]:
 def noted_runs() -> dict[str, str]:
     """Every run that the log says was recorded or taken in here, in its order, with the one the store then began with.
 
-    "" where an entry of before that was stated says nothing of it.
+    "" where an entry of before that was stated says nothing of it. One that came into another store again counts there.
     """
+    found = dict[str, str]()
     with suppress(InputError):
-        entries = audit.read(home()).entries
-        return {e.about["run"]: e.about.get("first", "") for e in entries if e.deed in ("run", "import")}
-    return {}
+        for entry in audit.read(home()).entries:
+            if entry.deed == "import":
+                found.pop(entry.about["run"], None)
+            if entry.deed in ("run", "import"):
+                found[entry.about["run"]] = entry.about.get("first", "")
+    return found
 
 
 def noted_cages(bench: str) -> list[audit.Entry]:
@@ -118,7 +122,7 @@ def _head(store: Store, run_id: str) -> str | None:
 
 def _first(store: Store) -> str | None:
     try:
-        return store.first_run()
+        return store.first_and_last()[0]
     except (InputError, InstrumentError):
         return None
 

@@ -68,8 +68,9 @@ def keep_photo(path: Path) -> dict[str, str]:
 def import_bundle(path: Path) -> str:
     """Take a bundle into the local store, byte for byte; returns its run id."""
     with Store.open() as store:
-        run = store.add_bundle(path)
-        note_import(run, store)
+        before, run = store.first_and_last()[1], store.add_bundle(path)
+        if store.first_and_last()[1] == run != before:  # else it was there already
+            note_import(run, store)
     return run
 
 

@@ -144,10 +144,10 @@ class Store:
         """All runs, the oldest first."""
         return summaries(self._connection, self.path)
 
-    def first_run(self) -> str:
-        """The id of the run that the store began with; "" where it has none."""
-        found = self._all("SELECT run_id FROM run ORDER BY number LIMIT 1")
-        return str(found[0][0]) if found else ""
+    def first_and_last(self) -> tuple[str, str]:
+        """The ids of the run that the store began with and of the newest; "" where it has none."""
+        found = [self._all(f"SELECT run_id FROM run ORDER BY number {way} LIMIT 1") for way in ("ASC", "DESC")]
+        return str(found[0][0][0]) if found[0] else "", str(found[1][0][0]) if found[1] else ""
 
     def missing(self) -> str:
         """What the numbers of the runs say of one that is gone from before another, in words; "" where none is."""

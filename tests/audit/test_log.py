@@ -245,6 +245,16 @@ def test_a_store_that_was_begun_anew_misses_nothing(tmp_path: Path) -> None:
     assert session.check_store().fault == ""
 
 
+def test_a_run_that_is_taken_into_the_next_store_too_is_no_sign_of_the_one_before(tmp_path: Path) -> None:
+    for number in range(3):
+        imported(tmp_path / str(number), number)
+    (home() / "store.sqlite").unlink()
+    for _ in range(2):
+        session.import_bundle(tmp_path / "0")
+    assert session.check_store().fault == ""
+    assert [entry.about["run"] for entry in session.read_audit().entries[1:]] == ["r0", "r1", "r2", "r0"]
+
+
 def test_a_gap_in_the_numbers_is_told_where_there_is_no_log(tmp_path: Path) -> None:
     for number in range(3):
         imported(tmp_path / str(number), number)
