@@ -26,6 +26,7 @@ from typing import Any
 from labcal import run_door
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, SECRETS, for_children, home, own_folder
+from labcal.files.text_safety import without_passwords
 from labcal.qt_packages import QT_PACKAGES
 
 WINDOW = (sys.executable, "-P", "-m", "labcal.gui")
@@ -131,7 +132,7 @@ def without_secrets(text: str) -> str:
     for name in SECRETS:
         if secret := os.environ.get(name):
             text = text.replace(secret, f"({name})")
-    return text
+    return without_passwords(text)  # what a library makes of such an address is not that address
 
 
 def how(code: int) -> str:

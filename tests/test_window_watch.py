@@ -86,6 +86,11 @@ def test_the_report_holds_no_passphrase_and_the_window_never_had_it(window, home
     assert "PRIVATE" not in kept
 
 
+def test_what_a_library_makes_of_an_address_is_no_way_round_it() -> None:
+    told = window_watch.without_secrets("could not connect: postgresql+psycopg://ada:c4nary@db/lab")
+    assert told == "could not connect: postgresql+psycopg://ada:***@db/lab"
+
+
 @pytest.mark.parametrize(("deed", "code"), [("0", 0), ("2", 2), ("term", 128 + signal.SIGTERM)])
 def test_one_that_was_closed_or_cannot_open_stays_closed(window, home_of_its_own, deed, code):
     assert window(deed)[0] == code

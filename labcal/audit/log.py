@@ -28,8 +28,9 @@ from labcal.files.home import own_file, own_folder
 
 Row = tuple[int, bytes, bytes]
 Deed = Literal[
-    "begin", "run", "approve", "sign", "key", "trust", "revoke", "export", "push", "correct", "void", "override"
-]
+    "begin", "run", "import", "approve", "sign", "key", "trust", "revoke", "export", "push", "correct", "void",
+    "override",
+]  # fmt: skip
 FILE = "audit.sqlite"
 CONTEXT = b"labcal-audit/1\n"
 START = "0" * 64

@@ -34,6 +34,7 @@ OF_THE_FIT = frozenset(
     {"K", "k_nT", "effects", "findings", "covariance", "validity", "metrics", "specification", "budget", "k_at"}
     | {"not_covered", "instruments"}
 )
+FIRST_VERSION = "labcal-calibration/1"  # has neither number, budget, chain nor made_by
 NEW_OF_2 = frozenset({"budget", "k_at", "not_covered"})
 OF_THE_LOOP = "residual"  # the line of a specification that rests on held-out time
 Document = Mapping[str, Any]
@@ -68,7 +69,7 @@ def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
         return Recomputed(False, false, holds=False)
     one, other = _of_a_final_fit(stated, made), _of_a_final_fit(made, stated)
     one["not_covered"] = min(one.get("not_covered", 0), other["not_covered"])  # more may be named
-    fields = OF_THE_FIT - (NEW_OF_2 if stated.format == "labcal-calibration/1" else set())
+    fields = OF_THE_FIT - (NEW_OF_2 if stated.format == FIRST_VERSION else set())
     found = _differences(one, other, fields, _limits(made, 2 * OTHER_U) | _between_versions(other))
     found += _not_its_version(one)
     return Recomputed(not found, found)

@@ -20,7 +20,7 @@ from labcal.certificate.agent import Key, public_half, signed
 from labcal.certificate.allowed_signers import NEVER, Signer, own_line, with_revocations
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration
 from labcal.certificate.keys import SIMULATED
-from labcal.certificate.recomputed import Recomputed
+from labcal.certificate.recomputed import FIRST_VERSION, Recomputed
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.certificate.timestamp import ShownTime, claimed
 from labcal.errors import InputError
@@ -102,12 +102,14 @@ class Verification:
             return f"named as approver, but has not signed: {', '.join(missing)}"
         if self.calibration and (lacking := roles.objection(self.calibration, self.signers, self.trusted)):
             return lacking
+        if self.calibration and self.calibration.format == FIRST_VERSION:
+            return f"{FIRST_VERSION} has no place for what a released one states: number, budget, what is not covered"
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
 
     def signed_at(self, check: SignatureCheck) -> str:
         """When that signature was made, with what says so."""
         stated = self.calibration.issued_utc if self.calibration else None
-        return claimed(stated) if check.shown is None else check.shown.in_words()
+        return claimed(stated) if check.shown is None else check.shown.in_words(stated)
 
     def faults(self) -> list[str]:
         """What is against its signatures and its run, a sentence each."""

@@ -41,9 +41,17 @@ class ShownTime:
     utc: datetime
     by: Literal["token", "audit log", "archive"]
 
-    def in_words(self) -> str:
-        """Time and source."""
-        return f"{self.utc:%Y-%m-%d %H:%M:%S} UTC, shown by {BY[self.by]}"
+    def in_words(self, stated: str | None = None) -> str:
+        """Time and source, and by how many days it is later than the date of issue that the file has `stated`."""
+        said = f"no later than {self.utc:%Y-%m-%d %H:%M:%S} UTC, shown by {BY[self.by]}"
+        days = self._days_after(stated)
+        return f"{said}, {days} day{'s' * (days > 1)} after the file states it was issued" if days > 0 else said
+
+    def _days_after(self, stated: str | None) -> int:
+        try:
+            return (self.utc - datetime.fromisoformat(stated or "")).days
+        except (ValueError, TypeError):  # none is stated, or no time with its zone
+            return 0
 
 
 def claimed(utc: str | None) -> str:

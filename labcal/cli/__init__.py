@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import gc
 import os
+import re
 import sys
 from io import TextIOWrapper
 from typing import Any, cast
@@ -14,6 +15,8 @@ from typer.core import TyperGroup
 
 from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
+from labcal.files.home import SECRETS
+from labcal.files.memory import kept_private
 from labcal.files.text_safety import without_passwords
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
@@ -57,6 +60,8 @@ def main() -> None:
     for stream in (sys.stdout, sys.stderr):  # whatever the system's own encoding: JSON is UTF-8
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
+    if any(name in os.environ for name in SECRETS):
+        kept_private()
     gc.set_threshold(50_000)  # libraries that load make many objects, and nearly all of them stay
     sys.exit(execute(sys.argv[1:]))
 
@@ -103,7 +108,8 @@ def _report_of(error: Exception) -> str:
     report = home() / "last-fault.txt"
     try:
         own_folder(report.parent)
-        told = f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}"
+        given = re.sub(r"(--webhook[= ])\S+", r"\1***", " ".join(sys.argv[1:]))
+        told = f"labcal {given}\n\n{''.join(format_exception(error))}"
         write_bytes(report, without_passwords(replace_unseen(told)).encode(), FILE)
     except OSError:
         return what

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import typer
@@ -10,6 +11,7 @@ from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import say_lines
 from labcal.errors import InputError
+from labcal.files.home import WEBHOOK
 from labcal.files.outputs import claim
 
 
@@ -21,7 +23,9 @@ def watch(
     mail: list[str] = typer.Option([], metavar="ADDRESS", help="Who is notified."),
     smtp: str = typer.Option("localhost", metavar="HOST[:PORT]", help="The server that takes the mail."),
     sender: str = typer.Option("labcal@localhost", "--from", metavar="ADDRESS", help="Whom the mail is from."),
-    webhook: list[str] = typer.Option([], metavar="URL", help="An address that takes JSON by POST."),
+    webhook: list[str] = typer.Option(
+        [], metavar="URL", help="An address that takes JSON by POST; those of LABCAL_WEBHOOK too."
+    ),
     every: float = typer.Option(60.0, min=1.0, max=86_400.0, metavar="SECONDS", help="How often to look."),
     once: bool = typer.Option(False, "--once", help="Look once. Exit code 1: something needs eyes."),
     json: str | None = JSON,
@@ -29,7 +33,8 @@ def watch(
 ) -> int:
     """Fit, loop and draft every new run and tell a person, until Ctrl-C. Nothing is ever signed.
 
-    A mail server that asks for a name and a password is given LABCAL_SMTP_USER and LABCAL_SMTP_PASSWORD.
+    A mail server that asks for a name and a password is given LABCAL_SMTP_USER and LABCAL_SMTP_PASSWORD. Everybody on
+    this machine can read a command line: an address whose path is its password belongs into LABCAL_WEBHOOK.
     """
     from labcal.years.notify import Mail, Webhook
     from labcal.years.watch import Source, document, look
@@ -43,7 +48,7 @@ def watch(
         raise InputError("is no folder", file=folder)
     claim("watch", *(path for path in (json_path(json),) if path), force=force)
     ways: list[Mail | Webhook] = [Mail(tuple(mail), sender, smtp)] if mail else []
-    ways += [Webhook(url) for url in webhook]
+    ways += [Webhook(url) for url in (*webhook, *os.environ.get(WEBHOOK, "").split())]
     if not once:
         watching(Source(folder, archive), out, ways, every, _say)
     found = look(Source(folder, archive, 0.0), out, ways, (lambda one: None) if json == "-" else _say)

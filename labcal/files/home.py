@@ -13,7 +13,9 @@ DEEP = 3  # parts of a path; what is no deeper may be the system's
 PASSPHRASE = "LABCAL_PASSPHRASE"
 ARCHIVE = "LABCAL_ARCHIVE"  # a URL, which may state a password
 SMTP_PASSWORD = "LABCAL_SMTP_PASSWORD"
-SECRETS = (PASSPHRASE, ARCHIVE, "PGPASSWORD", SMTP_PASSWORD)
+WEBHOOK = "LABCAL_WEBHOOK"  # addresses, whose paths are often their passwords
+OF_S3 = ("AWS_SECRET_ACCESS_KEY", "AWS_SESSION_TOKEN")  # where the archive's bundles lie there
+SECRETS = (PASSPHRASE, ARCHIVE, "PGPASSWORD", SMTP_PASSWORD, WEBHOOK, *OF_S3)
 
 
 def home() -> Path:

@@ -19,6 +19,7 @@ Term = tuple[int, ...]  # the factors of a term, by their place
 ERROR = "repeatability"
 POOLED = 0.25  # an interaction of a larger p goes into the repeatability (AIAG)
 CATEGORIES = 1.41  # √2: parts that the gage tells apart, in units of its own spread
+LARGEST = 1e100  # of a value
 DRAWS = 10_000
 SEED = 20
 
@@ -90,6 +91,8 @@ def _check(values: Array, factors: Sequence[str]) -> None:
         raise ValueError("nothing was repeated: there is no repeatability to be found")
     if not np.isfinite(values).all():
         raise ValueError("a value is missing")
+    if np.abs(values).max() > LARGEST:
+        raise ValueError(f"a value is beyond {LARGEST:g}: its square is no number")
 
 
 def _sums_of_squares(values: Array) -> dict[Term, tuple[float, int]]:

@@ -34,10 +34,16 @@ def note_file(
 def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
     """Add a run as it ended, with the head of its chain; the outcome says so where the log does not take it."""
     try:
-        note("run", who, run=outcome.run_id, status=outcome.status, chain=_head(store, outcome.run_id))
+        head, first = _head(store, outcome.run_id), _first(store)
+        note("run", who, run=outcome.run_id, status=outcome.status, chain=head, first=first)
     except InputError as fault:
         return replace(outcome, ending=f"{outcome.ending}; {fault}")
     return outcome
+
+
+def note_import(run: str, store: Store) -> None:
+    """Add a run that was taken in, with the one that the store began with. Raises InputError."""
+    note("import", run=run, first=_first(store))
 
 
 def noted_utc(signature: bytes) -> datetime | None:
@@ -70,6 +76,21 @@ def noted_heads() -> dict[str, tuple[str, ...]]:
     return found
 
 
+def noted_runs() -> dict[str, str]:
+    """Every run that the log says was recorded or taken in here, in its order, with the one the store then began with.
+
+    "" where an entry of before that was stated says nothing of it. One that came into another store again counts there.
+    """
+    found = dict[str, str]()
+    with suppress(InputError):
+        for entry in audit.read(home()).entries:
+            if entry.deed == "import":
+                found.pop(entry.about["run"], None)
+            if entry.deed in ("run", "import"):
+                found[entry.about["run"]] = entry.about.get("first", "")
+    return found
+
+
 def noted_cages(bench: str) -> list[audit.Entry]:
     """The approvals of cage calibrations of a bench by its name, in the order of the log."""
     with suppress(InputError):
@@ -95,6 +116,13 @@ def _head(store: Store, run_id: str) -> str | None:
     """The head of a run's chain; None where its store cannot tell any more."""
     try:
         return store.head_of(run_id)
+    except (InputError, InstrumentError):
+        return None
+
+
+def _first(store: Store) -> str | None:
+    try:
+        return store.first_and_last()[0]
     except (InputError, InstrumentError):
         return None
 

@@ -20,7 +20,7 @@ from labcal.record.join import GAP_S, joined
 from labcal.record.stream import Item
 from labcal.runner import Answer, find, procedures
 from labcal.runner.rehearsal import Rehearsal, rehearsed
-from labcal.store import Store, write_bundle
+from labcal.store import write_bundle
 
 ROUNDS = 3
 ALWAYS_TELLS = "repeat"  # what is proposed where nothing better records anything
@@ -111,9 +111,9 @@ def together(run: str, new: str) -> str:
         both = joined([first, second], f"{first.run_id}+{second.run_id}")
     except ValueError as error:
         raise InputError(str(error)) from None
-    with tempfile.TemporaryDirectory() as folder, Store.open() as store:
+    with tempfile.TemporaryDirectory() as folder:
         write_bundle(both, Path(folder) / "both")
-        return store.add_bundle(Path(folder) / "both")
+        return session.import_bundle(Path(folder) / "both")
 
 
 def goes_on(run: str) -> tuple[datetime, float]:

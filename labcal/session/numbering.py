@@ -13,6 +13,7 @@ from pathlib import Path
 from labcal.certificate import register
 from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import read_laboratory
+from labcal.certificate.recomputed import FIRST_VERSION
 from labcal.certificate.register import NumberEntry
 from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
@@ -38,7 +39,7 @@ def issuing(path: Path) -> Iterator[Issue]:
     taken = list[str]()
 
     def issue(draft: Calibration) -> Calibration:
-        if draft.format == "labcal-calibration/1":
+        if draft.format == FIRST_VERSION:
             return draft  # it has no field for either
         utc = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
         if draft.number is None and len(draft.approvers) > 1:
@@ -68,7 +69,7 @@ def check_number(calibration: Calibration, path: Path) -> None:
         if first and not calibration.approvers and "sign" not in noted_number(calibration.number):
             raise InputError(_by_hand(calibration.number), file=path)
         _check(calibration, calibration.number, sha256(path.read_bytes()).hexdigest())
-    elif first and calibration.approvers and calibration.format != "labcal-calibration/1":
+    elif first and calibration.approvers and calibration.format != FIRST_VERSION:
         raise InputError(WITHOUT, file=path)
 
 

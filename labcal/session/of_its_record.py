@@ -6,14 +6,13 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 
+from labcal.certificate.recomputed import FIRST_VERSION
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
-from labcal.session.audited import noted_heads
+from labcal.session.audited import noted_heads, noted_runs
 from labcal.store import Bundle, Store
 from labcal.store.listing import FILE as STORE
-
-FIRST_VERSION = "labcal-calibration/1"
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,15 +42,19 @@ def of_its_record(stated: Calibration, bundle: Bundle | None) -> OfRecord:
 
 
 def deletions(store: Store) -> Iterator[str]:
-    """Runs that the audit log has with another head than the store, or that are gone from between others of it."""
-    heads, there = noted_heads(), {run.run_id for run in store.runs()}
+    """Runs that the audit log has with another head than the store, or that are gone from it."""
+    noted, heads, there = noted_runs(), noted_heads(), {run.run_id for run in store.runs()}
+    firsts = {noted[run_id] for run_id in there & noted.keys()} - {""}
     since = False  # a store that was begun anew holds later runs alone
-    for run_id, noted in heads.items():
-        since = since or run_id in there
+    for run_id in [*sorted(firsts - noted.keys()), *noted]:
+        since = since or run_id in there | firsts
         if run_id not in there and since:
-            yield f"run {run_id} is gone, which the audit log says was recorded into this store"
-        elif run_id in there and (why := _against_log(store, run_id, noted)):
+            yield f"run {run_id} is gone, which the audit log says was in this store"
+        elif run_id in there and (why := _against_log(store, run_id, heads.get(run_id, ()))):
             yield f"run {run_id}: {why}"
+    if noted and not since:
+        yield f"run {list(noted)[-1]} is gone, as are all that the log has from before it, or this store was begun anew"
+    yield from filter(None, [store.missing()])
 
 
 def _of_bundle(stated: Calibration, bundle: Bundle) -> OfRecord:

@@ -14,7 +14,7 @@ from labcal.files.home import home
 from labcal.files.outputs import claim, writing
 from labcal.session import raw_frames
 from labcal.session.approved import keep_approved
-from labcal.session.audited import note
+from labcal.session.audited import note, note_import
 from labcal.session.of_its_record import deletions
 from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
@@ -68,7 +68,10 @@ def keep_photo(path: Path) -> dict[str, str]:
 def import_bundle(path: Path) -> str:
     """Take a bundle into the local store, byte for byte; returns its run id."""
     with Store.open() as store:
-        return store.add_bundle(path)
+        before, run = store.first_and_last()[1], store.add_bundle(path)
+        if store.first_and_last()[1] == run != before:  # else it was there already
+            note_import(run, store)
+    return run
 
 
 def check_store(run: str | None = None) -> StoreCheck:

@@ -144,6 +144,18 @@ class Store:
         """All runs, the oldest first."""
         return summaries(self._connection, self.path)
 
+    def first_and_last(self) -> tuple[str, str]:
+        """The ids of the run that the store began with and of the newest; "" where it has none."""
+        found = [self._all(f"SELECT run_id FROM run ORDER BY number {way} LIMIT 1") for way in ("ASC", "DESC")]
+        return str(found[0][0][0]) if found[0] else "", str(found[1][0][0]) if found[1] else ""
+
+    def missing(self) -> str:
+        """What the numbers of the runs say of one that is gone from before another, in words; "" where none is."""
+        for place, (number, run_id) in enumerate(self._all("SELECT number, run_id FROM run ORDER BY number"), 1):
+            if number != place:
+                return f"run {run_id} is the store's number {number}, and number {place} is gone"
+        return ""
+
     def status(self, run_id: str) -> str:
         """How the run stands. Raises InputError where there is no such run."""
         number = self._number(run_id)

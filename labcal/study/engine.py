@@ -17,6 +17,7 @@ from contextlib import contextmanager
 from multiprocessing.connection import wait as wait_for
 
 from labcal.errors import InputError
+from labcal.files.home import SECRETS
 from labcal.study.job import Job, Row
 from labcal.study.work import work
 
@@ -29,7 +30,7 @@ Done = Iterator[tuple[Job, Row]]
 def on_processes(jobs: Sequence[Job], processes: int) -> Done:
     """Each job with its row, as they are done. Raises what a job raised, and InputError where one kills its workers."""
     left, deaths = {job.key: job for job in jobs}, Counter[str]()
-    with one_thread_each():
+    with environment_of_workers():
         while left:
             try:
                 for job, row in _one_pool(list(left.values()), min(processes, len(left)), deaths):
@@ -71,18 +72,18 @@ def _refuse_deadly(left: dict[str, Job], deaths: Counter[str]) -> None:
 
 
 @contextmanager
-def one_thread_each() -> Iterator[None]:
-    """Processes that begin inside have one thread of linear algebra, whatever was said of it before."""
-    before = {name: os.environ.get(name) for name in THREADS}
+def environment_of_workers() -> Iterator[None]:
+    """Processes that begin inside have one thread of linear algebra, whatever was said of it before, and no secret."""
+    before = dict(os.environ)
     os.environ.update(dict.fromkeys(THREADS, "1"))
+    for name in before.keys() & SECRETS:
+        del os.environ[name]
     try:
         yield
     finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
+        for name in {*THREADS} - before.keys():
+            del os.environ[name]
+        os.environ.update({name: before[name] for name in before.keys() & {*THREADS, *SECRETS}})
 
 
 def end_with_parent() -> None:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import smtplib
 import ssl
 import urllib.error
 import urllib.request
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from email.message import EmailMessage
 from email.utils import parseaddr
+from http.client import HTTPException
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -41,14 +43,21 @@ class Mail:
 
 @dataclass(frozen=True, slots=True)
 class Webhook:
-    """An address that takes JSON by POST."""
+    """An address that takes JSON by POST; it stands in no text, for its path is often its password."""
 
-    url: str
+    url: str = field(repr=False)
 
     def __post_init__(self) -> None:
-        parts = urlsplit(self.url)
-        if parts.scheme not in ("http", "https") or not parts.hostname:
-            raise InputError("a webhook is an address that begins with http:// or https://")
+        try:
+            parts = urlsplit(self.url)
+            said = parts.scheme in ("http", "https") and parts.hostname and parts.port != 0 and "@" not in parts.netloc
+        except ValueError:
+            said = False
+        if not said or not re.fullmatch(r"[!-~]+", self.url):
+            raise InputError(
+                "a webhook is an address that begins with http:// or https://, without blanks, letters beyond ASCII "
+                "(they are written %E2%80%A6), or a name and a password before the host"
+            )
 
 
 Way = Mail | Webhook
@@ -60,14 +69,14 @@ def notify(ways: Sequence[Way], subject: str, text: str, document: Mapping[str, 
     for way in ways:
         try:
             _mail(way, subject, text) if isinstance(way, Mail) else _post(way, document)
-        except (OSError, smtplib.SMTPException, ValueError) as fault:  # URLError is an OSError
+        except (OSError, HTTPException, smtplib.SMTPException, ValueError) as fault:  # URLError is an OSError
             faults.append(f"nobody was notified by {_named(way)}: {one_line(str(fault))}")
     if faults:
         raise InputError("; ".join(faults))
 
 
 def _named(way: Way) -> str:
-    """Without what a webhook's path may hold: it is often its password."""
+    """Without a webhook's path."""
     return f"mail over {way.server}" if isinstance(way, Mail) else f"the webhook at {urlsplit(way.url).hostname}"
 
 
@@ -98,11 +107,13 @@ def _post(way: Webhook, document: Mapping[str, Any]) -> None:
 
 def _host_and_port(server: str) -> tuple[str, int]:
     """The two parts of HOST:PORT. Raises InputError."""
-    parts = urlsplit(f"smtp://{server}")
+    if "@" in server:
+        raise InputError(f"--smtp is HOST or HOST:PORT; name and password belong into {USER} and {SMTP_PASSWORD}")
     try:
-        port = parts.port or 25
+        parts = urlsplit(f"smtp://{server}")
+        host, port = parts.hostname, parts.port or 25
     except ValueError:
-        port = 0
-    if not parts.hostname or not port or parts.path:
+        host, port = None, 0
+    if not host or not port or parts.path:
         raise InputError(f"--smtp is HOST or HOST:PORT, found {server!r}")
-    return parts.hostname, port
+    return host, port

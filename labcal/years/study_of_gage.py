@@ -119,6 +119,8 @@ def rows_of_table(path: Path) -> list[GageRow]:
         heads = [head.strip().lower() for head in reader.fieldnames or ()]
         if missing := [name for name in ("dut", "value") if name not in heads]:
             raise InputError(f"has no column {missing[0]!r}; it needs {', '.join(COLUMNS)}", file=path, line=1)
+        if twice := [name for name in COLUMNS if heads.count(name) > 1]:
+            raise InputError(f"has two columns {twice[0]!r}: which of them is meant?", file=path, line=1)
         reader.fieldnames = heads
         return [_row(one, path, reader.line_num) for one in reader]
     except csv.Error as fault:
@@ -126,6 +128,8 @@ def rows_of_table(path: Path) -> list[GageRow]:
 
 
 def _row(one: dict[str, str | None], path: Path, line: int) -> GageRow:
+    if None in one:  # what csv calls the cells that are beyond the heads
+        raise InputError("has more cells than the heads: a decimal comma is none here", file=path, line=line)
     try:
         value = float(one.get("value") or "")
     except ValueError:

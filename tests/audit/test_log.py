@@ -8,6 +8,7 @@ import sqlite3
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing, contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -168,7 +169,8 @@ def test_a_run_is_in_the_log_with_the_head_of_its_chain(capsys: pytest.CaptureFi
     entry = audit.read(home()).entries[-1]
     assert chain is not None
     assert (entry.deed, entry.who) == ("run", "Ada")
-    assert entry.about == {"run": outcome.run_id, "status": "finished", "chain": chain.head}
+    named = {"run": outcome.run_id, "status": "finished", "chain": chain.head}
+    assert entry.about == named | {"first": outcome.run_id}
     assert execute(["check-store"]) == 0
     assert "parsed again" in capsys.readouterr().out  # what the instruments sent says what was kept
 
@@ -203,7 +205,64 @@ def test_a_run_that_was_chained_anew_or_taken_out_is_told_by_the_log(capsys: pyt
     assert f"run {second} is gone" in capsys.readouterr().out
     assert execute(["check-store", third]) == 0
     (home() / FILE).unlink()
-    assert execute(["check-store"]) == 0
+    assert execute(["check-store"]) == 1  # by the gap in the numbers
+
+
+def taken_out(run: int) -> None:
+    """As who owns the disk can: every row of a run, those behind it as if it never had been."""
+    with behind_the_guards(home() / "store.sqlite") as store:
+        store.execute("PRAGMA foreign_keys = OFF")
+        for table in ("bundle", "origin", "chain", "status", "item", "run"):
+            key = "number" if table == "run" else "run"
+            store.execute(f"DELETE FROM {table} WHERE {key} = ?", (run,))
+            store.execute(f"UPDATE {table} SET {key} = {key} - 1 WHERE {key} > ?", (run,))
+        store.execute("UPDATE chain SET row = run WHERE kept_in IN ('run', 'bundle', 'origin')")
+
+
+@pytest.mark.parametrize("runs", [1, 2, 3])
+def test_whichever_run_is_taken_out_the_log_names_it(runs: int, tmp_path: Path) -> None:
+    """The first, one between others, the last, the only one; recorded or taken in."""
+    there = [imported(tmp_path / str(number), number) for number in range(runs)]
+    whole = (home() / "store.sqlite").read_bytes()
+    assert session.check_store().fault == ""
+    for number, run_id in enumerate(there, 1):
+        taken_out(number)
+        assert session.check_store().fault.startswith(f"run {run_id} is gone")
+        (home() / "store.sqlite").write_bytes(whole)
+    assert session.check_store().fault == ""
+
+
+def imported(folder: Path, number: int) -> str:
+    run = replace(made_up_run(rows=20).run, run_id=f"r{number}")
+    write_bundle(run, folder)
+    return session.import_bundle(folder)
+
+
+def test_a_store_that_was_begun_anew_misses_nothing(tmp_path: Path) -> None:
+    imported(tmp_path / "0", 0)
+    (home() / "store.sqlite").unlink()
+    imported(tmp_path / "1", 1)
+    assert session.check_store().fault == ""
+
+
+def test_a_run_that_is_taken_into_the_next_store_too_is_no_sign_of_the_one_before(tmp_path: Path) -> None:
+    for number in range(3):
+        imported(tmp_path / str(number), number)
+    (home() / "store.sqlite").unlink()
+    for _ in range(2):
+        session.import_bundle(tmp_path / "0")
+    assert session.check_store().fault == ""
+    assert [entry.about["run"] for entry in session.read_audit().entries[1:]] == ["r0", "r1", "r2", "r0"]
+
+
+def test_a_gap_in_the_numbers_is_told_where_there_is_no_log(tmp_path: Path) -> None:
+    for number in range(3):
+        imported(tmp_path / str(number), number)
+    (home() / FILE).unlink()
+    with behind_the_guards(home() / "store.sqlite") as store:
+        for table, key in (("bundle", "run"), ("chain", "run"), ("status", "run"), ("run", "number")):
+            store.execute(f"DELETE FROM {table} WHERE {key} = 1")
+    assert session.check_store().fault == "run r1 is the store's number 2, and number 1 is gone"
 
 
 def test_a_run_that_the_log_does_not_take_says_so_and_is_kept() -> None:

@@ -224,6 +224,35 @@ def test_a_head_or_a_cage_that_the_record_does_not_show_is_provisional(
     assert found.recomputed.why[0].startswith(field)
 
 
+NEW_OF_2 = (
+    "budget",
+    "chain",
+    "covariance_of",
+    "issued_utc",
+    "k_at",
+    "made_by",
+    "not_covered",
+    "number",
+    "specification",
+)
+
+
+@pytest.mark.usefixtures("trusting")
+def test_a_file_of_the_first_version_is_provisional_whoever_signs_it(
+    draft: Path, key: Ed25519PrivateKey, other_key: Ed25519PrivateKey
+):
+    """It has no place for what is left out: budget, number, the chain of its record, what is not covered."""
+    edited(draft, lambda c: [c.pop(name) for name in NEW_OF_2], lambda c: c.update(format="labcal-calibration/1"))
+    session.approve(draft, "eve")
+    for name, of in (("ada", key), ("eve", other_key)):
+        signing.sign(draft, name, of)
+    found = session.verify(draft)
+    assert found.recomputed is not None
+    assert found.recomputed.same
+    assert found.status == "provisional"
+    assert "labcal-calibration/1 has no place for" in " ".join(found.limits())
+
+
 @pytest.fixture
 def trusting(lab: tuple[Signer, ...], draft: Path, tmp_path: Path) -> None:
     """Ada's and Eve's keys are `key` and `other_key`."""

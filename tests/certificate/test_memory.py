@@ -49,12 +49,13 @@ def test_a_process_that_opened_a_key_leaves_no_core_dump(tmp_path: Path) -> None
         "from labcal.cli.keys import passphrase; passphrase('?')",
         "from labcal.certificate.pkcs8 import unlocked; unlocked(b'-----BEGIN ENCRYPTED PRIVATE KEY-----', 'x')",
         "from labcal.session.archiving import archive_address; archive_address('postgresql://a:b@h/d')",
+        "import sys; sys.argv = ['labcal', 'nothing']; from labcal.cli import main; main()",
     ],
 )
 def test_who_holds_a_secret_may_not_be_dumped_even_to_a_pipe(holds: str) -> None:
     program = f"""
 import contextlib, ctypes
-with contextlib.suppress(Exception):
+with contextlib.suppress(Exception, SystemExit):
     {holds}
 print(ctypes.CDLL(None).prctl(3, 0, 0, 0, 0))
 """

@@ -168,6 +168,30 @@ def test_a_clock_that_was_put_back_shows_nothing_earlier_than_it_had_told(draft:
     assert check.shown.utc > day(1)
 
 
+class Earlier(datetime):
+    """A clock forty days and an hour behind."""
+
+    @classmethod
+    def now(cls, tz: object = None) -> datetime:
+        """Forty days and an hour before now."""
+        return day(-40) - timedelta(hours=1)
+
+
+def test_what_shows_a_signature_later_than_its_date_says_no_more_than_that(
+    draft: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    ours = authority(tmp_path / "ours")
+    session.new_key("ada", PASSPHRASE)
+    shutil.copy(ours / "ca.pem", home() / "keys" / "timestamp_ca.pem")
+    monkeypatch.setattr("labcal.session.numbering.datetime", Earlier)  # an issue that is put back
+    signature = session.sign(draft, "ada", PASSPHRASE)
+    (home() / "audit.sqlite").unlink()
+    stamp(signature, ours)
+    assert execute(["verify", str(draft)]) == 0
+    token = r"no later than \d{4}-\d\d-\d\d [\d:]{8} UTC, shown by its time-stamp token, 40 days after the file states"
+    assert re.search(token, capsys.readouterr().out)
+
+
 Reply = Callable[[bytes], bytes]
 
 

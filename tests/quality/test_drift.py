@@ -67,6 +67,12 @@ def test_a_drift_reaches_what_is_permitted_when_it_is_due() -> None:
     assert found["in-use time"].hours == pytest.approx(500 * years, rel=0.03)
 
 
+def test_calibrations_of_one_day_have_no_use_a_day() -> None:
+    found = proposals(np.zeros(3), np.array([1.0, 1.5, 1.2]), np.full(3, 0.1), 5.0, 365.0, np.array([0.0, 2.0, 4.0]))
+    assert found[2].days is None
+    assert "of one day" in found[2].why
+
+
 def test_what_eats_the_permitted_change_by_itself_is_told() -> None:
     found = proposed([0.0, 5.0, -5.0, 5.0, -5.0], 1.0)
     assert found["control chart"].days == SHORTEST_D

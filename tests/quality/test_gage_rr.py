@@ -65,6 +65,35 @@ def test_components_of_three_crossed_factors_are_found_without_bias() -> None:
         assert found.mean() == pytest.approx(true**2, abs=4 * found.std() / np.sqrt(len(studies)))
 
 
+def test_three_crossed_factors_are_taken_apart_as_a_textbook_does_it() -> None:
+    """Sums of squares from totals, components from expected mean squares (Montgomery, Design and Analysis, ch. 13)."""
+    y = drawn(np.random.default_rng(8), (5.0, 2.0, 1.5, 3.0, 0.5), (6, 3, 4, 2))
+    y = y + np.random.default_rng(9).normal(0, 2, (6, 3, 4, 1)) + np.random.default_rng(10).normal(0, 4, (1, 3, 4, 1))
+    a, b, c, n = y.shape
+    [A, B, C] = (_of_totals(y, (i,)) for i in range(3))
+    AB, AC, BC = (_of_totals(y, pair) - s for pair, s in (((0, 1), A + B), ((0, 2), A + C), ((1, 2), B + C)))
+    ABC = _of_totals(y, (0, 1, 2)) - A - B - C - AB - AC - BC
+    error = float((y**2).sum() - (y.sum(axis=3) ** 2).sum() / n) / (a * b * c * (n - 1))
+    three = ABC / ((a - 1) * (b - 1) * (c - 1))
+    two = {"O": AB / ((a - 1) * (b - 1)), "M": AC / ((a - 1) * (c - 1)), "O × M": BC / ((b - 1) * (c - 1))}
+    wanted = {
+        "repeatability": error,
+        "D × O × M": (three - error) / n,
+        "D × M": (two["M"] - three) / (b * n),
+        "O × M": (two["O × M"] - three) / (a * n),
+        "D": (A / (a - 1) - two["O"] - two["M"] + three) / (b * c * n),
+    }
+    found = gage_rr(y, ("D", "O", "M"))
+    assert not any(line.pooled for line in found.lines)
+    for source, variance in wanted.items():
+        assert of(found, source) ** 2 == pytest.approx(max(0.0, variance), rel=1e-9), source
+
+
+def _of_totals(y: np.ndarray, kept: tuple[int, ...]) -> float:
+    totals = y.sum(axis=tuple(i for i in range(4) if i not in kept))
+    return float((totals**2).sum() * totals.size / y.size - y.sum() ** 2 / y.size)
+
+
 def test_intervals_hold_what_they_say() -> None:
     """95 % intervals of the gage over 150 studies: neither too narrow nor so wide that they say nothing."""
     draw, inside, true = np.random.default_rng(2), 0, np.sqrt(2.0**2 + 3.0**2 + 1.5**2 + 1.0**2)

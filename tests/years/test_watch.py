@@ -15,6 +15,7 @@ import pytest
 
 from labcal.cli import execute as labcal
 from labcal.errors import InputError
+from labcal.files.home import for_children, home
 from labcal.store import save_bundle
 from labcal.store.bundle import bundle_of
 from labcal.testing.made_up_runs import made_up_run
@@ -160,6 +161,80 @@ def test_a_webhook_that_fails_keeps_no_mail_back_and_its_address_is_not_said(mai
     assert len(mailbox.mails) == 1
 
 
+CANARY = "c4nary"
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        f"http://ada:{CANARY}@127.0.0.1:9/hook",
+        f"http://127.0.0.1:9/{CANARY} x",
+        f"http://127.0.0.1:9/{CANARY}\x01",
+        f"http://127.0.0.1:{CANARY}/hook",
+        f"http://[{CANARY}/hook",
+        f"http://127.0.0.1:9/{CANARY}\u2028é",
+    ],
+)
+def test_a_webhook_that_cannot_be_one_is_refused_and_not_repeated(
+    url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert labcal(["watch", str(tmp_path), "--once", "--webhook", url]) == 2
+    monkeypatch.setenv("LABCAL_WEBHOOK", f"http://[{CANARY}/hook")
+    assert labcal(["watch", str(tmp_path), "--once"]) == 2
+    told = capsys.readouterr().err
+    assert told.count("a webhook is an address that begins with http:// or https://") == 2
+    assert CANARY not in told
+
+
+def test_a_mail_server_s_password_is_not_taken_from_the_command_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["watch", str(tmp_path), "--once", "--mail", "a@b", "--smtp", f"ada:{CANARY}@mail.example:25"]
+    assert labcal(words) == 2
+    told = capsys.readouterr().err
+    assert "LABCAL_SMTP_PASSWORD" in told
+    assert CANARY not in told
+
+
+def test_a_webhook_may_be_told_in_the_environment_alone(
+    tmp_path: Path, hook: Hook, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "broken.zip").write_bytes(b"nothing")
+    monkeypatch.setenv("LABCAL_WEBHOOK", hook.url)
+    assert labcal(["watch", str(tmp_path / "in"), "--once", "--out", str(tmp_path / "out")]) == 1
+    assert len(hook.posted) == 1
+    assert "LABCAL_WEBHOOK" not in for_children()
+
+
+class Babble(socketserver.StreamRequestHandler):
+    def handle(self) -> None:
+        self.rfile.readline()
+        self.wfile.write(b"220 this is no HTTP\r\n")
+
+
+def test_a_server_that_speaks_no_http_is_a_way_that_failed() -> None:
+    for babbling in serving(socketserver.ThreadingTCPServer(("127.0.0.1", 0), Babble)):
+        with pytest.raises(InputError, match=r"nobody was told by the webhook at 127\.0\.0\.1: "):
+            tell([Webhook(f"http://127.0.0.1:{babbling.server_address[1]}/hook")], "s", "t", {})
+
+
+def test_a_fault_of_labcal_s_own_does_not_keep_the_address(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fails(*_: object) -> None:
+        raise RuntimeError("it broke")
+
+    words = ["watch", str(tmp_path), "--once", "--webhook", f"https://127.0.0.1:9/{CANARY}"]
+    monkeypatch.setattr("sys.argv", ["labcal", *words])
+    monkeypatch.setattr("labcal.years.watch.look", fails)
+    assert labcal(words) == 2
+    assert "a fault of labcal's own" in capsys.readouterr().err
+    report = (home() / "last-fault.txt").read_text()
+    assert "--webhook ***" in report
+    assert CANARY not in report
+
+
 def test_a_watch_goes_on_where_the_folder_was_away_and_takes_no_file_that_is_still_written(tmp_path: Path) -> None:
     folder, out, said, looks = tmp_path / "in", tmp_path / "out", list[str](), list[float]()
 
@@ -193,6 +268,7 @@ def test_a_watch_goes_on_where_the_folder_was_away_and_takes_no_file_that_is_sti
         (["{here}", "--once", "--mail", "nobody"], "no mail address"),
         (["{here}", "--once", "--mail", "a@b\nBcc: x@y"], "no mail address"),
         (["{here}", "--once", "--mail", "a@b", "--smtp", "h:x"], "HOST:PORT"),
+        (["{here}", "--once", "--mail", "a@b", "--smtp", "[h"], "HOST:PORT"),
         (["{here}", "--once", "--webhook", "file:///etc/passwd"], "http://"),
         (["{here}", "--json", "-"], "--once"),
         (["{here}", "--once", "--out", "{here}/foreign"], "not what a watch keeps"),

@@ -88,6 +88,9 @@ def test_a_study_of_runs_takes_their_operators_and_serials(tmp_path: Path, capsy
         ("dut,operator,value\nA,b,1\nA,c,2\n", "two DUTs"),
         ("dut,operator,value\nA,b,1\nB,b,2\n", "nothing was repeated"),
         ("dut,operator,value\nA,b,1\nB,b,1\nA,b,1\nB,b,1\n", "all values are the same"),
+        ("dut,value\nA,1e308\nA,-1e308\nB,1\nB,2\n", "a value is beyond 1e+100"),
+        ("dut,value,Value\nA,1,2\nB,1,2\n", "two columns 'value'"),
+        ("dut,value\nA,1.5\nA,1,6\n", "line 3: has more cells than the heads"),
     ],
 )
 def test_a_table_that_is_none_is_refused(

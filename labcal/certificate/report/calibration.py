@@ -257,7 +257,7 @@ def _signatures(c: Calibration, v: Verification, checked: str) -> list[Block | N
         (k.file.name, k.principal or "unknown", k.fingerprint or "–", v.signed_at(k), k.objection or "good")
         for k in v.checks
     )
-    table = Table(("File", "Signed by", "Key", "Signed at", "Result"), rows) if rows else None
+    table = Table(("File", "Signed by", "Key", "Signed", "Result"), rows) if rows else None
     facts = Facts(
         (
             ("SHA-256 of this file", sha256(v.content).hexdigest()),
