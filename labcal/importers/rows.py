@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.importers import attitude
-from labcal.importers.clock import Stamps, is_date, stamps_of, utc
+from labcal.importers.clock import Stamps, clock_of, is_date, stamps_of, utc
 from labcal.importers.doubts import Clock, Finding, doubts, findings
 from labcal.importers.mapping import Mapping, SegmentPart, Source
 from labcal.importers.readers import read_recording
@@ -128,8 +128,8 @@ def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, Wanted]:
     """The columns of each stream of one file."""
     found: dict[str, Wanted] = {}
     for group in groups:
-        is_text = (group.time_unit or mapping.time.unit) == "iso"
-        clock = frozenset([group.time or mapping.time.column])
+        column, unit = clock_of(group, mapping.time) or ("", "")
+        is_text, clock = unit == "iso", frozenset([column] if column else [])
         stated = [getattr(group, name, None) for name in ("columns", "column")]
         numbers = frozenset(n for s in stated if s is not None for n in ((s,) if isinstance(s, str) else s))
         texts = clock if is_text else frozenset[str]()
@@ -169,7 +169,7 @@ class _Readings:
     def sampled(self, group: Source, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
         """A group's stream, its stamps, and its columns (n, k) of all rows."""
         stream = self._opened.stream(group, self._part)
-        at = stamps_of(stream, group, self._mapping.time)
+        at = stamps_of(stream, group, self._mapping.time, columns[0])
         values = stream.together([*columns, *_clock_columns(group, self._mapping)])[:, : len(columns)]
         self.clocks[name] = _clock(at, values)
         return stream, at, values
@@ -184,7 +184,8 @@ class _Readings:
 
 def _clock_columns(group: Source, mapping: Mapping) -> list[str]:
     """The column of the group's clock where it holds numbers: it has to be as long as the others."""
-    return [] if (group.time_unit or mapping.time.unit) == "iso" else [group.time or mapping.time.column]
+    clock = clock_of(group, mapping.time)
+    return [] if clock is None or clock[1] == "iso" else [clock[0]]
 
 
 def _same_clock(group: Source, mapping: Mapping) -> bool:

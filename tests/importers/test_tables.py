@@ -202,3 +202,14 @@ def test_a_matlab_file_that_grows_beyond_reason_is_not_unpacked(tmp_path: Path) 
     assert (tmp_path / "log.mat").stat().st_size < 200_000
     with pytest.raises(InputError, match="would grow"):
         take_in(tmp_path / "log.mat", "mat", read_mapping(mapping(tmp_path)))
+
+
+def test_rows_without_stamps_have_a_rate(tmp_path: Path) -> None:
+    from scipy.io import savemat
+
+    made, rate = tumble(50), ('column = "t"\nunit = "s"', "rate_Hz = 4.0")
+    columns = {name: values for name, values in table(made).items() if name != "t"}
+    savemat(tmp_path / "log.mat", columns | {"rate": 4.0, "longer": np.zeros(70)})
+    found = take_in(tmp_path / "log.mat", "mat", read_mapping(mapping(tmp_path, rate))).run
+    assert found.t_s == pytest.approx(made.t_s)
+    assert np.array_equal(found.reading, made.reading)
