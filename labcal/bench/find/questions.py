@@ -67,6 +67,9 @@ PROBES = (  # each ends first what the one before may have left in another's buf
 )
 
 
+MESSAGE = Probe((b"*IDN?\n",), PROBES[0].answer, "", "", 2.0)  # where a write is a message, it must be a whole one
+
+
 @dataclass(frozen=True, slots=True)
 class Telegram:
     """A question in bytes, and what the answer is by which `driver` is known: `said` has groups of what to show."""
@@ -97,7 +100,7 @@ def asked(link: str, clock: Clock, recognise: Recognise = lambda said: None) -> 
     elif scheme == "serial":
         yield from _serial(rest.partition("?")[0], clock, recognise)
     elif scheme != "emulated":
-        yield from _asked(link, clock, PROBES[:1], recognise)
+        yield from _asked(link, clock, [MESSAGE] if scheme in ("visa", "usbtmc") else PROBES[:1], recognise)
 
 
 def by_words(url: str, said: str, recognise: Recognise) -> Found:
