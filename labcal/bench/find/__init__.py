@@ -26,7 +26,7 @@ def find(links: Sequence[str], clock: Clock, recognise: Recognise = lambda said:
     """
     for link in links:
         if link == USB:
-            yield from (found for one in usb_devices() if (found := no_port(one)) is not None)
+            yield from (box for one in usb_devices() if (box := no_port(one)) is not None)
         elif link.startswith(MDNS):
             yield from _announced(link.removeprefix(MDNS), recognise)
         elif link == VISA:
