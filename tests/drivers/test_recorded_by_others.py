@@ -27,7 +27,7 @@ ANSWERS = {  # by whom: driver, question, answer, what is read, settings
     "delta, InstrumentKit": (TableSupply, b"MEAS:CUR?\n", b"0.1\n", 0.1, {"model": "delta-sm"}),
     "siglent, PyMeasure": (TableSupply, b"CH1:CURR?\n", b"0.5\n", 0.5, {"model": "siglent-spd1000x"}),
     "e36312a, PyMeasure": (KeysightSupply, b"CURR? (@3)\n", b"0.5\n", 0.5, {"output": 3}),
-    "esp301, InstrumentKit": (Esp301Stage, b"1TP\r", b"42\r", 42.0, {}),
+    "esp301, InstrumentKit": (Esp301Stage, b"1TP\r", b"42\r\n", 42.0, {}),
 }
 
 
