@@ -90,11 +90,15 @@ class Source(_Part):
 
 
 class ReadingPart(Source):
-    """The DUT's three columns. `axes` says where the body's x, y and z come from: ["y", "x", "-z"] turns them."""
+    """The DUT's three columns. `axes` says where the body's x, y and z come from: ["y", "x", "-z"] turns them.
+
+    `every`: of a recording that is faster than anything in it, one row of so many is taken, as it is.
+    """
 
     columns: Three
     unit: FieldUnit
     axes: Axes = ("x", "y", "z")
+    every: Annotated[int, Field(strict=True, ge=1, le=10_000)] = 1
 
 
 class ReferencePart(Source):

@@ -163,7 +163,8 @@ class _Readings:
     def __init__(self, opened: _Opened, part: SegmentPart | None) -> None:
         self._opened, self._part, self._mapping = opened, part, opened.mapping
         self.clocks: dict[str, Clock] = {}
-        self.stream, self.at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
+        self.stream, at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
+        self.at = Stamps(at.t_s[:: self._mapping.reading.every], at.rows[:: self._mapping.reading.every])
         self.values = values[self.at.rows]
 
     def sampled(self, group: Source, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:

@@ -213,3 +213,17 @@ def test_rows_without_stamps_have_a_rate(tmp_path: Path) -> None:
     found = take_in(tmp_path / "log.mat", "mat", read_mapping(mapping(tmp_path, rate))).run
     assert found.t_s == pytest.approx(made.t_s)
     assert np.array_equal(found.reading, made.reading)
+
+
+def test_one_row_of_several_is_taken_as_it_is_with_all_that_belongs_to_it(tmp_path: Path) -> None:
+    made = tumble(50)
+    found = imported(
+        tmp_path,
+        made,
+        ('unit = "nT"\n\n[ref', 'unit = "nT"\nevery = 7\n\n[ref'),
+        more='[channels.temp_dut]\ncolumn = "temp"\nunit = "degC"\n',
+    ).run
+    assert found.t_s == pytest.approx(made.t_s[::7])
+    assert np.array_equal(found.reading, made.reading[::7])
+    assert np.array_equal(found.reference_vector, made.reference[::7])
+    assert np.array_equal(found.channel("temp_dut").values, made.temperature_C[::7])
