@@ -26,7 +26,9 @@ class Asked:
             return Identity(**ask_once(self._connection, "identify", name=self.name))
         except OSError as error:
             raise InstrumentError(
-                f"{self.name}: the guardian is gone ({error}).", fault="guardian lost", remedy="Begin this step again."
+                f"{self.name}: the guardian is gone ({error}); how the coils are is not known.",
+                fault="guardian lost",
+                remedy="Say `labcal bench off`, then begin this step again.",
             ) from error
 
 
@@ -39,7 +41,15 @@ def all_greeted(instruments: Mapping[str, Greets], config: BenchConfig, clock: C
     with ExitStack() as afterwards:
         for name, one in instruments.items():
             link = config.instruments[name].link
-            if isinstance(one, GuardedInstrument) and (connection := found([link])) is not None:
+            if isinstance(one, GuardedInstrument) and (connection := _another(link)) is not None:
                 afterwards.callback(connection.close)
                 there[name], apart[name] = Asked(name, connection), link
         return greeted(there, apart, clock)
+
+
+def _another(link: str) -> Connection | None:
+    """One more connection to the guardian of this port; None where there is none, or no handle for it."""
+    try:
+        return found([link])
+    except OSError:
+        return None

@@ -144,7 +144,18 @@ def test_what_does_not_say_who_it_is_goes_by_the_name_of_its_service(monkeypatch
     monkeypatch.setattr(looking, "announced", lambda interface: [said])
     (one,) = find(["mdns://"], RealClock())
     assert one.driver == ""
+    assert one.said.endswith("`labcal bench find 10.0.0.9` asks its usual ports")
     assert "\n[instruments.x]" not in draft([one])
+
+
+def test_what_a_device_says_of_itself_reaches_no_terminal_unseen() -> None:
+    from labcal.bench.links.announced import _said
+    from labcal.bench.links.plugged import _seen
+
+    info: Any = SimpleNamespace(decoded_properties={"model": "M\x1b[2J", "Manufacturer": "A\n"})
+    assert _said(info, "x._lxi._tcp.local.") == "A ,M [2J,,"
+    assert _said(SimpleNamespace(decoded_properties={}), "\x1b]0;x\x07" + "y" * 500)[:5] == " ]0;x"
+    assert _seen("U6\x1b[31m\n") == "U6[31m"
 
 
 def test_an_address_that_is_none_of_this_computer_is_refused() -> None:

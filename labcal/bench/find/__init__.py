@@ -47,6 +47,9 @@ def _on_usb(link: str) -> Iterator[Found]:
 def _announced(interface: str, recognise: Recognise) -> Iterator[Found]:
     for one in announced(interface):
         who = by_words(one.link, one.said, recognise)
+        if one.link.startswith("http://"):  # its page, and no port that a driver speaks to
+            yield Found(one.link, f"{one.said}: announces itself; `labcal bench find {one.host}` asks its usual ports")
+            continue
         yield Found(one.link, f"{one.said}: announces itself{UNASKED}", who.driver, who.kind, who.settings)
 
 

@@ -31,7 +31,9 @@ KNOWN = {
     (0x2939, ANY): Known("a Zaber", "zaber", "platform"),
     (0x2A3C, ANY): Known("a module of Trinamic", "trinamic-tmcl", "platform"),
     (0x0CD5, 0x0006): Known("a LabJack U6", "daq-inputs", "reference", "daq://u6"),
-    (0x0CD5, 0x0007): Known("a LabJack T7 (read over its network port: modbus-tcp://)", "labjack-t7", "reference"),
+    (0x0CD5, 0x0007): Known(
+        "a LabJack T7, read over its network port", "labjack-t7", "reference", "modbus-tcp://HOST:502"
+    ),
     (0x3923, ANY): Known("a device of National Instruments", "daq-inputs", "reference", "daq://ni/Dev1"),
     (0x2341, ANY): Known("an Arduino", "microcontroller", "coil"),
     (0x2E8A, ANY): Known("a Raspberry Pi Pico", "microcontroller", "coil"),
@@ -55,9 +57,9 @@ def silent(link: str, device: Plugged) -> Found:
 
 def no_port(device: Plugged) -> Found | None:
     """A device on USB that is no port, if one of an instrument's; it is asked nothing."""
-    if (one := known(device)) is None or not (one.link or one.driver == "labjack-t7"):
+    if (one := known(device)) is None or not one.link:
         return None
-    return Found(one.link or "modbus-tcp://", f"{_numbers(device)}: {one.what}; not asked", one.driver, one.kind)
+    return Found(one.link, f"{_numbers(device)}: {one.what}; not asked", one.driver, one.kind)
 
 
 def _numbers(device: Plugged) -> str:

@@ -18,7 +18,7 @@ SERVICES = {  # LXI Device Specification, on discovery by mDNS; the link of one 
 }
 FACTS = ("Manufacturer", "Model", "SerialNumber", "FirmwareVersion")
 LISTEN_S = 3.0
-MOST = 200
+MOST, LONGEST = 200, 120
 HOW = "mdns:// needs zeroconf; install it: pip install 'labcal[network]'"
 
 
@@ -102,4 +102,5 @@ class _Listener:
 def _said(info: Any, name: str) -> str:
     facts = {key.lower(): value or "" for key, value in info.decoded_properties.items()}
     told = [facts.get(key.lower(), "") for key in FACTS]
-    return ",".join(told) if told[1] else name.split("._")[0]
+    words = ",".join(told) if told[1] else name.split("._")[0]
+    return "".join(letter if letter.isprintable() else " " for letter in words[:LONGEST])

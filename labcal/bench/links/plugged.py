@@ -23,7 +23,11 @@ def serial_ports() -> list[Plugged]:
     """The serial ports that are devices on USB."""
     from serial.tools.list_ports import comports
 
-    return [Plugged(one.vid, one.pid or 0, one.product or "", one.device) for one in comports() if one.vid is not None]
+    return [
+        Plugged(one.vid, one.pid or 0, _seen(one.product or ""), one.device)
+        for one in comports()
+        if one.vid is not None
+    ]
 
 
 def usb_devices() -> list[Plugged]:
@@ -36,5 +40,9 @@ def _read(folder: Path) -> Plugged | None:
     with suppress(OSError, ValueError):
         vendor, product = (int((folder / name).read_text(), 16) for name in ("idVendor", "idProduct"))
         words = folder / "product"
-        return Plugged(vendor, product, words.read_text().strip() if words.exists() else "")
+        return Plugged(vendor, product, _seen(words.read_text()) if words.exists() else "")
     return None
+
+
+def _seen(words: str) -> str:
+    return "".join(letter for letter in words if letter.isprintable())[:80]
