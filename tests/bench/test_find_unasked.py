@@ -149,13 +149,13 @@ def test_what_does_not_say_who_it_is_goes_by_the_name_of_its_service(monkeypatch
 
 
 def test_what_a_device_says_of_itself_reaches_no_terminal_unseen() -> None:
-    from labcal.bench.links.announced import _said
-    from labcal.bench.links.plugged import _seen
+    from labcal.bench.links.announced import in_words
+    from labcal.bench.links.plugged import printable
 
     info: Any = SimpleNamespace(decoded_properties={"model": "M\x1b[2J", "Manufacturer": "A\n"})
-    assert _said(info, "x._lxi._tcp.local.") == "A ,M [2J,,"
-    assert _said(SimpleNamespace(decoded_properties={}), "\x1b]0;x\x07" + "y" * 500)[:5] == " ]0;x"
-    assert _seen("U6\x1b[31m\n") == "U6[31m"
+    assert in_words(info, "x._lxi._tcp.local.") == "A ,M [2J,,"
+    assert in_words(SimpleNamespace(decoded_properties={}), "\x1b]0;x\x07" + "y" * 500)[:5] == " ]0;x"
+    assert printable("U6\x1b[31m\n") == "U6[31m"
 
 
 def test_an_address_that_is_none_of_this_computer_is_refused() -> None:

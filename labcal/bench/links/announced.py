@@ -85,7 +85,7 @@ class _Listener:
         if info is None or not (hosts := info.parsed_addresses()):
             return
         rank = list(SERVICES).index(kind)
-        one = Announced(hosts[0], SERVICES[kind].format(host=hosts[0], port=info.port), _said(info, name))
+        one = Announced(hosts[0], SERVICES[kind].format(host=hosts[0], port=info.port), in_words(info, name))
         with self._lock:
             if len(self._found) < MOST and rank < self._found.get(hosts[0], (len(SERVICES), one))[0]:
                 self._found[hosts[0]] = rank, one
@@ -99,7 +99,8 @@ class _Listener:
         """It was there."""
 
 
-def _said(info: Any, name: str) -> str:
+def in_words(info: Any, name: str) -> str:
+    """What a service tells of its instrument, as *IDN? has it, or its own name; nothing in it that is not seen."""
     facts = {key.lower(): value or "" for key, value in info.decoded_properties.items()}
     told = [facts.get(key.lower(), "") for key in FACTS]
     words = ",".join(told) if told[1] else name.split("._")[0]

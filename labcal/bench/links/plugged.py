@@ -24,7 +24,7 @@ def serial_ports() -> list[Plugged]:
     from serial.tools.list_ports import comports
 
     return [
-        Plugged(one.vid, one.pid or 0, _seen(one.product or ""), one.device)
+        Plugged(one.vid, one.pid or 0, printable(one.product or ""), one.device)
         for one in comports()
         if one.vid is not None
     ]
@@ -40,9 +40,10 @@ def _read(folder: Path) -> Plugged | None:
     with suppress(OSError, ValueError):
         vendor, product = (int((folder / name).read_text(), 16) for name in ("idVendor", "idProduct"))
         words = folder / "product"
-        return Plugged(vendor, product, _seen(words.read_text()) if words.exists() else "")
+        return Plugged(vendor, product, printable(words.read_text()) if words.exists() else "")
     return None
 
 
-def _seen(words: str) -> str:
+def printable(words: str) -> str:
+    """What a device says of itself, without what is not seen."""
     return "".join(letter for letter in words if letter.isprintable())[:80]
