@@ -4,17 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from typing import Protocol
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
-from labcal.bench.driver_kit.roles import Identity, Instrument
+from labcal.bench.driver_kit.roles import Identity
 from labcal.errors import InstrumentError
 
 LOOK_S = 0.005  # how often it is seen whether the others have answered
 Answers = dict[str, Identity | InstrumentError]
 
 
-def greeted(instruments: Mapping[str, Instrument], apart: Mapping[str, str], clock: Clock) -> dict[str, Identity]:
+class Greets(Protocol):
+    """What can be asked who it is."""
+
+    def identify(self) -> Identity:
+        """Who answers. Raises InstrumentError."""
+        ...
+
+
+def greeted(instruments: Mapping[str, Greets], apart: Mapping[str, str], clock: Clock) -> dict[str, Identity]:
     """Each one's identity by name. Raises the InstrumentError of the first, in their order, that is silent or another.
 
     `apart`: the lines of those that may be asked in a thread of their own. All others are asked here, one after
@@ -40,13 +49,13 @@ def lines_apart(config: BenchConfig) -> dict[str, str]:
     return {name: link for name, link in ours if not link.startswith(("emulated://", "manual://"))}
 
 
-def _apart(clock: Clock, instruments: Mapping[str, Instrument], names: Iterable[str]) -> Answers:
+def _apart(clock: Clock, instruments: Mapping[str, Greets], names: Iterable[str]) -> Answers:
     assert isinstance(clock, RealClock)
     with clock.apart():
         return _asked(instruments, names)
 
 
-def _asked(instruments: Mapping[str, Instrument], names: Iterable[str]) -> Answers:
+def _asked(instruments: Mapping[str, Greets], names: Iterable[str]) -> Answers:
     """Their answers, up to the first that is none."""
     answers = Answers()
     for name in names:

@@ -12,6 +12,7 @@ from labcal.bench.config import read_config
 from labcal.bench.driver_kit.identities import one_at_two_links
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.client import ask_once, found
+from labcal.bench.line_advice import advised
 from labcal.bench.links import ports
 from labcal.bench.links.quoting import abridged
 from labcal.bench.loading import Loader
@@ -67,7 +68,7 @@ def _answer(loader: Loader, name: str) -> Identity | InstrumentError:
     try:
         return _asked(loader, name)
     except InstrumentError as error:
-        return error
+        return advised(error, loader.config.instruments[name])
 
 
 def _identified(loader: Loader, name: str, answer: Identity | InstrumentError) -> Identified:

@@ -28,10 +28,22 @@ class Stamps:
     rows: NDArray[np.intp]
 
 
-def stamps_of(stream: Stream, group: ColumnSource, time: TimePart) -> Stamps:
-    """The clock of a group. Raises InputError for a missing stamp, and for stamps that do not grow unless dropped."""
-    column = group.time or time.column
-    raw = _seconds(stream, column, group.time_unit or time.unit)
+def clock_of(group: ColumnSource, time: TimePart) -> tuple[str, str] | None:
+    """The column of a group's stamps, and their unit; None where its rows have none, but a rate."""
+    column, unit = group.time or time.column, group.time_unit or time.unit
+    return None if column is None else (column, unit or "s")
+
+
+def stamps_of(stream: Stream, group: ColumnSource, time: TimePart, of: str) -> Stamps:
+    """The clock of a group, or its rate: as many as the column `of` has values.
+
+    Raises InputError for a missing stamp, and for stamps that do not grow unless dropped.
+    """
+    if (clock := clock_of(group, time)) is None:
+        rows = np.arange(len(stream.number(of)))
+        return Stamps(rows / (time.rate_Hz or 1.0) * (1 + group.clock_rate_ppm * 1e-6) + group.clock_offset_s, rows)
+    column, unit = clock
+    raw = _seconds(stream, column, unit)
     if (missing := np.flatnonzero(~np.isfinite(raw))).size:
         raise stream.fault("expected a time, found none", int(missing[0]), column)
     rows = np.arange(len(raw))

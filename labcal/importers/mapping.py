@@ -58,12 +58,23 @@ class _Part(BaseModel):
 
 
 class TimePart(_Part):
-    """The clock of every group that states none of its own; what to do with stamps that do not grow."""
+    """The clock of every group that states none of its own, or the rate of rows without one; and what to do with
+    stamps that do not grow.
+    """
 
-    column: Name
-    unit: TimeUnit
+    column: Name | None = None
+    unit: TimeUnit | None = None
+    rate_Hz: Annotated[float, Field(strict=True, ge=1e-4, le=1e5)] | None = None
     duplicates: Literal["refuse", "drop"] = "refuse"
     backward: Literal["refuse", "drop"] = "refuse"
+
+    @model_validator(mode="after")
+    def _one_clock(self) -> Self:
+        if (self.column is None) == (self.rate_Hz is None):
+            raise ValueError("needs a column, or rate_Hz where the rows have no stamps, and not both")
+        if (self.unit is None) != (self.column is None):
+            raise ValueError("a column of stamps needs a unit, and nothing else does")
+        return self
 
 
 class ColumnSource(_Part):
@@ -79,11 +90,15 @@ class ColumnSource(_Part):
 
 
 class ReadingPart(ColumnSource):
-    """The DUT's three columns. `axes` says where the body's x, y and z come from: ["y", "x", "-z"] turns them."""
+    """The DUT's three columns. `axes` says where the body's x, y and z come from: ["y", "x", "-z"] turns them.
+
+    `every`: of a recording that is faster than anything in it, one row of so many is taken, as it is.
+    """
 
     columns: Three
     unit: FieldUnit
     axes: Axes = ("x", "y", "z")
+    every: Annotated[int, Field(strict=True, ge=1, le=10_000)] = 1
 
 
 class ReferencePart(ColumnSource):

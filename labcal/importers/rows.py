@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.importers import attitude
-from labcal.importers.clock import Stamps, is_date, stamps_of, utc
+from labcal.importers.clock import Stamps, clock_of, is_date, stamps_of, utc
 from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
 from labcal.importers.mapping import ColumnSource, Mapping, SegmentPart
 from labcal.importers.readers import read_recording
@@ -128,8 +128,8 @@ def _wanted(groups: Sequence[ColumnSource], mapping: Mapping) -> dict[str, Wante
     """The columns of each stream of one file."""
     found: dict[str, WantedColumns] = {}
     for group in groups:
-        is_text = (group.time_unit or mapping.time.unit) == "iso"
-        clock = frozenset([group.time or mapping.time.column])
+        column, unit = clock_of(group, mapping.time) or ("", "")
+        is_text, clock = unit == "iso", frozenset([column] if column else [])
         stated = [getattr(group, name, None) for name in ("columns", "column")]
         numbers = frozenset(n for s in stated if s is not None for n in ((s,) if isinstance(s, str) else s))
         texts = clock if is_text else frozenset[str]()
@@ -163,13 +163,14 @@ class _Readings:
     def __init__(self, opened: _Opened, part: SegmentPart | None) -> None:
         self._opened, self._part, self._mapping = opened, part, opened.mapping
         self.clocks: dict[str, StampStatistics] = {}
-        self.stream, self.at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
+        self.stream, at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
+        self.at = Stamps(at.t_s[:: self._mapping.reading.every], at.rows[:: self._mapping.reading.every])
         self.values = values[self.at.rows]
 
     def sampled(self, group: ColumnSource, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
         """A group's stream, its stamps, and its columns (n, k) of all rows."""
         stream = self._opened.stream(group, self._part)
-        at = stamps_of(stream, group, self._mapping.time)
+        at = stamps_of(stream, group, self._mapping.time, columns[0])
         values = stream.together([*columns, *_clock_columns(group, self._mapping)])[:, : len(columns)]
         self.clocks[name] = _clock(at, values)
         return stream, at, values
@@ -184,7 +185,8 @@ class _Readings:
 
 def _clock_columns(group: ColumnSource, mapping: Mapping) -> list[str]:
     """The column of the group's clock where it holds numbers: it has to be as long as the others."""
-    return [] if (group.time_unit or mapping.time.unit) == "iso" else [group.time or mapping.time.column]
+    clock = clock_of(group, mapping.time)
+    return [] if clock is None or clock[1] == "iso" else [clock[0]]
 
 
 def _same_clock(group: ColumnSource, mapping: Mapping) -> bool:

@@ -97,7 +97,9 @@ def _in_use(days: Array, values: Array, u: Array, permitted: float, hours: Array
     if hours is None or not np.ptp(hours) > 0:
         return IntervalProposal(METHODS[2], None, None, "how long it was in use is not known")
     if not np.ptp(days) > 0:
-        return IntervalProposal(METHODS[2], None, None, "all calibrations are of one day: hours of use a day are not known")
+        return IntervalProposal(
+            METHODS[2], None, None, "all calibrations are of one day: hours of use a day are not known"
+        )
     found = _line(hours, values, u)
     if isinstance(found, str):
         return IntervalProposal(METHODS[2], None, None, found)

@@ -13,10 +13,10 @@ from typing import get_type_hints
 
 import pytest
 
-from labcal.bench import find as looking
 from labcal.bench.clock import RealClock
 from labcal.bench.config import read_config
 from labcal.bench.find import Found, draft, find, places
+from labcal.bench.find import questions as looking
 from labcal.bench.loading import recogniser
 from labcal.bench.serve import outlet_of, serve
 from labcal.cli import execute

@@ -7,6 +7,7 @@ from pathlib import Path
 
 NEEDS = {  # a file of checks: what it imports
     "test_ea_psu_controller.py": ("ea_psu_controller",),
+    "test_foreign_emulators.py": ("lewis", "pyvisa_sim", "sinstruments"),
     "test_makers_modules.py": ("u6", "nidaqmx"),
     "test_minimalmodbus.py": ("minimalmodbus",),
     "test_pymodbus.py": ("pymodbus",),

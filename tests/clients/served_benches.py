@@ -50,7 +50,7 @@ BENCHES: tuple[tuple[Part, ...], ...] = (  # in the order of ROLES
     (table("siglent-spd3303x"), table("rohde-schwarz-hmp"), table("keithley-2200"), RELAY,
      ("oriental-az", {"address": 1}), ("labjack-t7", {"uT_per_V": [10.0, 10.0, 10.0]}), ("mavlink", {})),
     (table("siglent-spd1000x"), table("bk-9130b"), table("agilent-66xx"), RELAY,
-     ("leadshine", {"address": 1}), ("rm3100", {}), LINE),
+     ("leadshine", {"address": 1}), ("gsm", {"period_s": 0.25}), LINE),
     (table("delta-sm"), table("agilent-e3631a"), ("genesys", {}), RELAY,
      ("zaber", {}), ("twinleaf", {}), LINE),
     (table("keithley-2260b"), table("kikusui-pbz"), table("rohde-schwarz-hmc804x"), RELAY,

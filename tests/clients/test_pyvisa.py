@@ -7,13 +7,20 @@ from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from typing import Any
 
+import numpy as np
 import pytest
 import pyvisa
+from pyvisa.util import from_ascii_block
 from served_benches import Line
 from waiting import settled, until
 
+from drivers.gsm import Gsm
+from drivers.gsm import Settings as GsmSettings
+from drivers.pos1 import Pos1
+from labcal.bench.driver_kit.testing import scripted
+
 BY = "pyvisa with pyvisa-py"
-PATIENT_MS = 30_000
+PATIENT_MS, READINGS = 30_000, 20
 ESC = b"\x1b"
 DEAF_S = 0.06  # an AlphaLab after a chunk: the least pause, nothing to wait for
 
@@ -108,6 +115,30 @@ def test_pos1(line: Line) -> None:
         assert 20_000 < nT < 100_000
         assert sensor.query(f"range {round(nT)}") == "ok"
         assert "[80]" in sensor.query("run")
+
+
+@pytest.mark.met("pos-1", BY, "20 readings: its numbers of the text in our driver's nanotesla")
+def test_pos1_readings(line: Line) -> None:
+    with opened(line, "\0") as sensor:
+        assert sensor.query("mode text") == "ok"
+        said = [sensor.query("run").encode() for _ in range(READINGS)]
+    theirs = [from_ascii_block(words.decode(), "f", lambda text: text.split()[:1])[0] / 1000 for words in said]
+    wire = [(b"mode text\0", b"ok\0"), *((b"run\0", words + b"\0") for words in said)]
+    with scripted(Pos1, wire, period_s=3.0) as ours:
+        ours.start()
+        blocks = ours.read_until(ours._clock.now() + 3.0 * READINGS - 0.1)
+    assert np.vstack([block.values for block in blocks])[:, 0] == pytest.approx(theirs, abs=1e-6)
+
+
+@pytest.mark.met("gsm", BY, "20 readings: the numbers that it reads of its lines in our driver's nanotesla")
+def test_gsm_readings(line: Line) -> None:
+    with opened(line) as sensor:
+        sensor.read()  # it may have begun before we came
+        said = [sensor.read() for _ in range(READINGS)]
+    theirs = [from_ascii_block(words, "f", str.split) for words in said]
+    ours = Gsm.parse_again(GsmSettings(period_s=0.25), "\n".join([*said, ""]).encode())
+    assert ours[:, 0].tolist() == [numbers[-2] for numbers in theirs]
+    assert all(numbers[-1] == 99 for numbers in theirs)
 
 
 @pytest.mark.met("alphalab", BY, "binary requests: its lists in chunks, a reading whose magnitude fits its axes")

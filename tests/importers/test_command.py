@@ -99,8 +99,15 @@ def test_a_folder_of_other_things_gets_no_bundle(log: Path, tmp_path: Path) -> N
     assert sorted(tmp_path.iterdir()) == sorted([*before, stated])
 
 
-@pytest.mark.parametrize("name", ["av-mageval.toml", "px4-battery-current.toml"])
-def test_the_mappings_of_the_measured_data_are_read(name: str) -> None:
+@pytest.mark.parametrize("name", sorted(path.name for path in EXAMPLES.glob("*.toml")))
+def test_the_mappings_of_the_measured_data_are_read_and_say_what_makes_them(name: str) -> None:
     from labcal.importers import read_mapping
 
     assert read_mapping(EXAMPLES / name).dut.serial
+    said = (EXAMPLES / name).read_text(encoding="utf-8")
+    assert "#   git clone https://" in said
+    assert f"--map {name}" in said
+
+
+def test_there_are_mappings_of_four_public_sets() -> None:
+    assert len(list(EXAMPLES.glob("*.toml"))) >= 4

@@ -127,3 +127,19 @@ def test_a_unit_of_time_that_cannot_be_is_named(tmp_path: Path) -> None:
 
 def test_a_good_recording_is_taken_without_a_word(tmp_path: Path) -> None:
     assert imported(tmp_path, table(tumble())).remarks == ()
+
+
+def test_beside_one_magnitude_no_clock_is_blamed_for_a_disturbance(tmp_path: Path) -> None:
+    from labcal.loop.close import prepare
+    from labcal.loop.data.checks import check_data
+
+    made = tumble()
+    made.reading[made.t_s > 70.0] += 5000 * np.sin(made.t_s[made.t_s > 70.0])[:, None]
+    site = (
+        'kind = "vector"\ncolumns = ["rx", "ry", "rz"]\nunit = "nT"\nframe = "body"\n',
+        'kind = "site"\nvalue_nT = 48000.0\n',
+    )
+    source = csv(tmp_path / "log.csv", table(made))
+    problem, level, _ = prepare(take_in(source, "csv", read_mapping(mapping(tmp_path, site))).run)
+    finding = check_data(problem, level)
+    assert finding is None or finding.kind != "clock"

@@ -36,6 +36,11 @@ WRONG = {  # change, more at the end, line, words
         None,
         "already",
     ),
+    "a rate beside a column": (('unit = "s"', 'unit = "s"\nrate_Hz = 10.0'), "", 7, "not both"),
+    "no clock": (('column = "t"\nunit = "s"\n', ""), "", 7, "needs a column, or rate_Hz"),
+    "a column without its unit": (('column = "t"\nunit = "s"\n', 'column = "t"\n'), "", 7, "needs a unit"),
+    "a unit without its column": (('column = "t"\nunit = "s"\n', 'rate_Hz = 5.0\nunit = "s"\n'), "", 7, "needs a unit"),
+    "a rate of nothing": (('column = "t"\nunit = "s"\n', "rate_Hz = 0.0\n"), "", 8, "time.rate_Hz"),
     "no number": (("", ""), '[[segments]]\nid = "a"\nstart_s = nan\n', 22, "start_s"),
     "another format": (("labcal-mapping/1", "labcal-mapping/9"), "", 1, "format"),
 }

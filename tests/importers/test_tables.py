@@ -202,3 +202,28 @@ def test_a_matlab_file_that_grows_beyond_reason_is_not_unpacked(tmp_path: Path) 
     assert (tmp_path / "log.mat").stat().st_size < 200_000
     with pytest.raises(InputError, match="would grow"):
         take_in(tmp_path / "log.mat", "mat", read_mapping(mapping(tmp_path)))
+
+
+def test_rows_without_stamps_have_a_rate(tmp_path: Path) -> None:
+    from scipy.io import savemat
+
+    made, rate = tumble(50), ('column = "t"\nunit = "s"', "rate_Hz = 4.0")
+    columns = {name: values for name, values in table(made).items() if name != "t"}
+    savemat(tmp_path / "log.mat", columns | {"rate": 4.0, "longer": np.zeros(70)})
+    found = take_in(tmp_path / "log.mat", "mat", read_mapping(mapping(tmp_path, rate))).run
+    assert found.t_s == pytest.approx(made.t_s)
+    assert np.array_equal(found.reading, made.reading)
+
+
+def test_one_row_of_several_is_taken_as_it_is_with_all_that_belongs_to_it(tmp_path: Path) -> None:
+    made = tumble(50)
+    found = imported(
+        tmp_path,
+        made,
+        ('unit = "nT"\n\n[ref', 'unit = "nT"\nevery = 7\n\n[ref'),
+        more='[channels.temp_dut]\ncolumn = "temp"\nunit = "degC"\n',
+    ).run
+    assert found.t_s == pytest.approx(made.t_s[::7])
+    assert np.array_equal(found.reading, made.reading[::7])
+    assert np.array_equal(found.reference_vector, made.reference[::7])
+    assert np.array_equal(found.channel("temp_dut").values, made.temperature_C[::7])

@@ -215,8 +215,8 @@ class Babble(socketserver.StreamRequestHandler):
 
 def test_a_server_that_speaks_no_http_is_a_way_that_failed() -> None:
     for babbling in serving(socketserver.ThreadingTCPServer(("127.0.0.1", 0), Babble)):
-        with pytest.raises(InputError, match=r"nobody was told by the webhook at 127\.0\.0\.1: "):
-            tell([Webhook(f"http://127.0.0.1:{babbling.server_address[1]}/hook")], "s", "t", {})
+        with pytest.raises(InputError, match=r"nobody was notified by the webhook at 127\.0\.0\.1: "):
+            notify([Webhook(f"http://127.0.0.1:{babbling.server_address[1]}/hook")], "s", "t", {})
 
 
 def test_a_fault_of_labcal_s_own_does_not_keep_the_address(

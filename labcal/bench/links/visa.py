@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import re
+import warnings
 from contextlib import suppress
 from importlib import import_module
 from typing import Any
@@ -34,6 +35,28 @@ def canonical(address: str) -> str:
         raise InputError(f"link 'visa://{address}': a raw socket is tcp://HOST:PORT (docs/bench.md)")
     last = [] if parts[-1] == "INSTR" else ["INSTR"]
     return "::".join([f"{found[1]}{found[2] or 0}", *parts, *last])
+
+
+def resources(backend: str = "py") -> list[str]:
+    """Links of all that VISA sees: GPIB, USB, and what answers its call on the network; none where it cannot look.
+
+    Raises InputError without pyvisa.
+    """
+    try:
+        manager = import_module("pyvisa").ResourceManager(f"@{backend}")
+    except (ImportError, OSError, ValueError) as error:
+        raise InputError(HOW) from error
+    with warnings.catch_warnings(), suppress(Exception):  # each backend fails in its own way where it lacks something
+        warnings.simplefilter("ignore")
+        return [f"visa://{name}" for name in manager.list_resources("?*") if _is_ours(name)]
+    return []
+
+
+def _is_ours(name: str) -> bool:
+    """Whether it is an instrument, and neither a serial line nor a raw socket."""
+    with suppress(InputError):
+        return bool(canonical(name)) and name.upper().endswith("::INSTR")
+    return False
 
 
 class VisaPort:

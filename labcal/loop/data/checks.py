@@ -215,7 +215,9 @@ def _signed(row: Array) -> str:
 
 
 def _clock(problem: LinearProblem, declared: float) -> Finding | None:
-    """The stream whose stamps are seconds off, and by how much."""
+    """The stream whose stamps are seconds off, and by how much; in a field that never changes no stamp can be."""
+    if _never_changes(problem.run):
+        return None
     found = sorted(parallel_map(partial(_offset, problem), _streams(problem.run)), key=lambda o: o.residual_nT)
     equal = [o for o in found if o.residual_nT <= policy.POLICY.equivalent_rms * found[0].residual_nT]
     farthest = max(abs(o.offset_s) for o in equal)
@@ -224,6 +226,12 @@ def _clock(problem: LinearProblem, declared: float) -> Finding | None:
     text = ", or ".join(f"the stamps of {STREAM_OWNER[o.stream]} {_offset_text(o.offset_s)}" for o in equal)
     change = f"put right, the base model leaves {found[0].residual_nT:.0f} instead of {declared:.0f} nT"
     return Finding("clock", "data", f"The clocks do not agree: {text}; {change}.")
+
+
+def _never_changes(run: Run) -> bool:
+    """Whether the reference is one magnitude throughout: an offset would only choose other rows."""
+    magnitude = run.reference_magnitude
+    return run.reference_vector is None and magnitude is not None and bool(np.ptp(magnitude) == 0)
 
 
 def _offset_text(offset_s: float) -> str:

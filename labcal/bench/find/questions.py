@@ -1,4 +1,4 @@
-"""What answers on which port: every place is asked who is there, in the words of the drivers, and nothing is set."""
+"""What answers on a line: it is asked who is there, in the words of the drivers, and nothing is set."""
 
 from __future__ import annotations
 
@@ -7,15 +7,12 @@ import struct
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, suppress
 from dataclasses import dataclass
-from pathlib import Path
 
 from labcal.bench.clock import Clock
-from labcal.bench.links import Link, abridged, open_link
+from labcal.bench.links import Link, open_link
 from labcal.errors import InputError, InstrumentError
 
-PORTS = (5025, 5555, 9221, 2268, 50000, 502)  # of instruments that speak over TCP
 BAUDS = (9600, 19200, 57600, 115200)
-DEVICES = ("/dev/serial/by-id/*", "/dev/ttyUSB*", "/dev/ttyACM*", "/dev/usbtmc*")
 LISTEN_S, ANSWER_S = 0.3, 0.4
 ADDRESSES = range(1, 4)  # of Modbus devices
 IDN = (  # of what answers *IDN?, by its text
@@ -70,6 +67,9 @@ PROBES = (  # each ends first what the one before may have left in another's buf
 )
 
 
+MESSAGE = Probe((b"*IDN?\n",), PROBES[0].answer, "", "", 2.0)  # where a write is a message, it must be a whole one
+
+
 @dataclass(frozen=True, slots=True)
 class Telegram:
     """A question in bytes, and what the answer is by which `driver` is known: `said` has groups of what to show."""
@@ -89,39 +89,29 @@ TELEGRAMS = (  # asked last: to what speaks in lines they are the beginning of o
 )  # fmt: skip
 
 
-def places(stated: Sequence[str]) -> list[str]:
-    """Links to ask: those stated (a link, a device, or a host with the usual ports), else this computer's devices."""
-    if not stated:
-        devices = sorted({Path(name).resolve() for pattern in DEVICES for name in _glob(pattern)})
-        return [f"usbtmc://{path}" if path.name.startswith("usbtmc") else f"serial://{path}" for path in devices]
-    return [link for place in stated for link in _links(place)]
-
-
-def _glob(pattern: str) -> Iterator[Path]:
-    return Path("/").glob(pattern.removeprefix("/"))
-
-
-def _links(place: str) -> list[str]:
-    if "://" in place:
-        return [place]
-    if place.startswith("/"):
-        return [f"usbtmc://{place}" if "usbtmc" in place else f"serial://{place}"]
-    return [f"{'modbus-tcp' if port == 502 else 'tcp'}://{place}:{port}" for port in PORTS]
-
-
-def find(links: Sequence[str], clock: Clock, recognise: Recognise = lambda said: None) -> Iterator[Found]:
-    """What answers at each of these; nothing is yielded of a place that is silent.
+def asked(link: str, clock: Clock, recognise: Recognise = lambda said: None) -> Iterator[Found]:
+    """What answers on this link; nothing is yielded where it is silent.
 
     `recognise`: settings of the driver scpi-table for an answer to *IDN?, where one of its tables fits.
     """
-    for link in links:
-        scheme, _, rest = link.partition("://")
-        if scheme == "modbus-tcp":
-            yield from _modbus(link, clock, LABJACK)
-        elif scheme == "serial":
-            yield from _serial(rest.partition("?")[0], clock, recognise)
-        elif scheme != "emulated":
-            yield from _asked(link, clock, PROBES[:1], recognise)
+    scheme, _, rest = link.partition("://")
+    if scheme == "modbus-tcp":
+        yield from _modbus(link, clock, LABJACK)
+    elif scheme == "serial":
+        yield from _serial(rest.partition("?")[0], clock, recognise)
+    elif scheme != "emulated":
+        yield from _asked(link, clock, [MESSAGE] if scheme in ("visa", "usbtmc") else PROBES[:1], recognise)
+
+
+def by_words(url: str, said: str, recognise: Recognise) -> Found:
+    """What an answer to *IDN? is known by."""
+    for pattern, driver, kind in IDN:
+        if re.fullmatch(pattern, said, re.IGNORECASE):
+            return Found(url, said, driver, kind)
+    if (stated := recognise(said)) is not None:
+        words = ", ".join(f'{key} = "{value}"' for key, value in stated.items())
+        return Found(url, said, "scpi-table", "coil", words)
+    return Found(url, said)
 
 
 def _serial(device: str, clock: Clock, recognise: Recognise) -> Iterator[Found]:
@@ -154,7 +144,8 @@ def _asked(url: str, clock: Clock, probes: Sequence[Probe], recognise: Recognise
             heard += answer
             for line in re.split(rb"[\r\n\0]+", answer.strip()):
                 if re.fullmatch(probe.answer, line):
-                    yield _found(url, line.decode(), probe, recognise)
+                    said = line.decode()
+                    yield Found(url, said, probe.driver, probe.kind) if probe.driver else by_words(url, said, recognise)
                     return
         if talker := _talker(url, heard, SENDS[:-1]):  # one that is slow
             yield talker
@@ -183,18 +174,6 @@ def _talker(url: str, heard: bytes, known: Sequence[tuple[bytes, str, str]]) -> 
         if re.fullmatch(form, lines[-1]):
             return Found(url, f"sends by itself: {lines[-1].decode()}", driver, kind)
     return None
-
-
-def _found(url: str, said: str, probe: Probe, recognise: Recognise) -> Found:
-    if probe.driver:
-        return Found(url, said, probe.driver, probe.kind)
-    for pattern, driver, kind in IDN:
-        if re.fullmatch(pattern, said, re.IGNORECASE):
-            return Found(url, said, driver, kind)
-    if (stated := recognise(said)) is not None:
-        words = ", ".join(f'{key} = "{value}"' for key, value in stated.items())
-        return Found(url, said, "scpi-table", "coil", words)
-    return Found(url, said)
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,41 +227,3 @@ def _device(read: Callable[[int, int, int], list[int]], device: int, known: Sequ
         if fits:
             return register.driver, register.kind, register.said
     return ("", "", "a device that is not known") if there else ()
-
-
-HEAD = """# What `labcal bench find` found. It is refused until a person has stated what is commented out: limits first.
-name = "cage"
-
-[cage]
-# constants_nT_per_A = [ , , ]   # measured, nT per ampere of each coil; or matrix_nT_per_A, or calibration
-
-[cage.limits]
-# current_A =                    # what the thinnest wire of a coil bears for ever
-# ramp_A_per_s =                 # full current must ramp down within 1.5 s
-# field_nT =                     # at the centre, ambient included
-
-[dut]
-# serial = ""
-"""
-
-
-ASKS = {  # what a person must state beside its role
-    "waveshare-relay": "x = , y = , z = ", "csv-line": "columns = [ ]", "labjack-t7": "uT_per_V = [ , , ]",
-}  # fmt: skip
-
-
-def draft(found: Sequence[Found]) -> str:
-    """A bench.toml of what was found, with what a person must still state commented out."""
-    parts = [HEAD]
-    for number, one in enumerate(found, 1):
-        said = abridged(one.said).replace("\n", " ")
-        if not one.driver:
-            parts.append(f"# {one.link}: {said}: no driver of labcal is known to fit.\n")
-            continue
-        limits = "max_current_A = , compliance_V = " if one.kind == "coil" else ""
-        settings = ", ".join(filter(None, (one.settings, limits, ASKS.get(one.driver, ""))))
-        name, role = f"{one.driver.replace('-', '_')}_{number}", one.kind + "-x, -y or -z" * bool(limits)
-        lines = [f"[instruments.{name}]  # {said}", f'driver = "{one.driver}"', f'link = "{one.link}"']
-        lines += [f'# role = ""  # {role}'] + [f"# settings = {{ {settings} }}"] * bool(settings)
-        parts.append("\n".join(lines) + "\n")
-    return "\n".join(parts)

@@ -1,0 +1,55 @@
+"""Seven instruments on real lines are greeted at once, the guardian's supplies too."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from served_lab import Served, all_gone
+
+from labcal.bench import open_bench
+from labcal.bench.guarded_greeting import Asked
+from labcal.errors import InstrumentError
+
+SUPPLIES = {"supply_x", "supply_y", "supply_z"}
+
+
+def answer_only_together(lab: Served, patch: pytest.MonkeyPatch) -> set[str]:
+    """From now on a supply says who it is once all three have been asked; those that have been."""
+    asked = set[str]()
+
+    def held(name: str, emulator: Any) -> None:
+        take, emit = emulator.take, emulator.emit
+
+        def heard(t_s: float, data: bytes) -> None:
+            if b"*IDN?" in data:
+                asked.add(name)
+            take(t_s, data)
+
+        patch.setattr(emulator, "take", heard)
+        patch.setattr(emulator, "emit", lambda until_s: [] if name in asked < SUPPLIES else emit(until_s))
+
+    for name in SUPPLIES:
+        held(name, lab.emulator(name))
+    return asked
+
+
+def test_no_supply_waits_for_another_to_say_who_it_is(lab: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    try:
+        with open_bench(lab.file, identify=False) as bench:
+            asked = answer_only_together(lab, monkeypatch)
+            assert len(bench.identities()) == 7
+            assert asked == SUPPLIES
+    finally:
+        all_gone(lab.file)
+
+
+def test_a_guardian_that_is_gone_meanwhile_is_named() -> None:
+    class Gone:
+        def order(self, order: str, **what: Any) -> int:
+            raise BrokenPipeError("broken pipe")
+
+    gone: Any = Gone()
+    with pytest.raises(InstrumentError, match="supply_x: the guardian is gone") as caught:
+        Asked("supply_x", gone).identify()
+    assert caught.value.fault == "guardian lost"
