@@ -102,7 +102,7 @@ class Hands:
 
 @pytest.fixture
 def hands(qtbot, tmp_path, monkeypatch, patience, kept_windows):
-    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path / "home"))  # nothing is written into it but by labcal itself
     window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     kept_windows.append(window)
     window.show()
@@ -132,7 +132,9 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     hands.to(history.table)
     hands.strike(Qt.Key.Key_Space)
     hands.name_a_file(history.export, tmp_path / "run.zip")
-    hands.until((tmp_path / "run.zip").is_file)
+    hands.until(lambda: bool(history.said.text()) or history.fault.isVisible())
+    assert not history.fault.isVisible(), history.fault.text.text()
+    assert (tmp_path / "run.zip").is_file()
 
 
 def measured(hands):

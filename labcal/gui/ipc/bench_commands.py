@@ -63,6 +63,7 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
         instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
         serial_pattern=dut.serial_pattern,
         virtual_time=config.simulated,
+        camera=config.camera or "",
         earth=None if config.site is None else _earth(config.site),
     )
 
