@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.answers import Doubt, Greeting, Identified
 from labcal.gui.ipc.bench_commands import read_bench
@@ -88,3 +89,14 @@ def test_what_the_earth_s_field_is_at_the_bench_s_place_stands_beside_the_ambien
     assert facts.earth.magnitude_nT == pytest.approx(48_100, abs=600)  # of middle Europe in these years
     assert 200 < facts.earth.U_nT < 500
     assert f"{facts.earth.model} here, outdoors: 48 " in bench.cage_words.text().replace("\u202f", " ")
+
+
+def test_no_heading_of_the_table_is_cut_where_room_is_least(still, bench, qtbot):
+    before = still.size()
+    header = bench.table.horizontalHeader()
+    for width in (1024, 1400, 1024):
+        still.resize(width, 700)
+        qtbot.waitUntil(lambda wide=width: still.width() == wide, timeout=60_000)
+        QApplication.processEvents()
+        assert [n for n in range(header.count()) if header.sectionSize(n) < header.sectionSizeHint(n)] == []
+    still.resize(before)

@@ -119,7 +119,7 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     fitted_and_traced(hands)
     signed(hands)
     page = hands.window.page("Certificate")
-    hands.name_a_file(page.report, tmp_path / "report.html")
+    hands.name_a_file(page.paper.report, tmp_path / "report.html")
     hands.until(lambda: opened == [str(tmp_path / "report.html")])
     assert "EM-07" in (tmp_path / "report.html").read_text(encoding="utf-8")
     choose = next(one for one in page.drop.children() if hasattr(one, "text") and one.text() == "Choose a file …")

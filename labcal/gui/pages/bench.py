@@ -109,9 +109,7 @@ class BenchPage(QWidget):
         row.addStretch()
         for widget in (simulated, choose, self.reconnect, self.check):
             row.addWidget(widget)
-        self.table = Table(HEADINGS, stretch=5)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(3, header.ResizeMode.Stretch)
+        self.table = Table(HEADINGS, 3, 5)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)

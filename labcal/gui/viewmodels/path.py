@@ -90,7 +90,8 @@ class PathViewModel(QObject):
         if not state.bench:
             return Next("Start", self.tr("Open a bench"))
         if self._run.alive:
-            return Next("Run", self.tr("See the run"))
+            asked = self._run.state == "asking"
+            return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"))
         if not state.dut_serial or state.dut_objection or not state.operator:
             return Next("Start", self.tr("Say who and what"))
         if last is not None and last.status == "interrupted":

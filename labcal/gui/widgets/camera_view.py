@@ -9,35 +9,29 @@ from __future__ import annotations
 import time
 from importlib import import_module
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from threading import Event, Thread
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPoint, QRect, Qt, QTimer
+from PySide6.QtCore import QPoint, QRect, Qt, QTemporaryDir, QTimer
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from labcal.errors import InputError
-from labcal.gui.translations.sentences import in_words
-
 LOOK_MS = 80
 OLD_S = 2.0  # a picture that is older is no picture of now
-NO_EXTRA = "No camera: OpenCV is not installed (pip install 'labcal[camera]')."
+Missing = Literal["", "extra", "camera", "pictures"]  # what there is none of
 Frame = NDArray[np.uint8]  # (rows, columns, 3), blue first
 
 
-def opened(source: str) -> Any:
-    """The camera of this number, or at this address, as OpenCV has it. Raises InputError."""
+def opened(source: str) -> tuple[Any, Missing]:
+    """The camera of this number, or at this address, as OpenCV has it; or what is missing."""
     try:
         cv2 = import_module("cv2")
     except ImportError:
-        raise InputError(NO_EXTRA) from None
+        return None, "extra"
     camera = cv2.VideoCapture(int(source) if source.isdigit() else source)
-    if not camera.isOpened():
-        raise InputError(f"No camera answers at {source}.")
-    return camera
+    return camera, "" if camera.isOpened() else "camera"
 
 
 class Watching:
@@ -45,7 +39,7 @@ class Watching:
 
     def __init__(self, source: str) -> None:
         self.latest: tuple[float, Frame] | None = None  # and when it came, by the computer's monotonic clock
-        self.fault = ""
+        self.missing: Missing = ""
         self._over = Event()
         Thread(target=self._watch, args=(source,), daemon=True, name="camera").start()
 
@@ -54,16 +48,14 @@ class Watching:
         self._over.set()
 
     def _watch(self, source: str) -> None:
-        try:
-            camera = opened(source)
-        except InputError as fault:
-            self.fault = fault.what
+        camera, self.missing = opened(source)
+        if self.missing:
             return
         try:
             while not self._over.is_set():
                 good, frame = camera.read()
                 if not good:
-                    self.fault = f"The camera {source} gives no picture any more."
+                    self.missing = "pictures"
                     return
                 self.latest = time.monotonic(), frame
         finally:
@@ -78,7 +70,7 @@ class CameraView(QWidget):
         self.setMinimumSize(128, 120)
         self.source = ""
         self._watching: Watching | None = None
-        self._folder: TemporaryDirectory[str] | None = None
+        self._folder = QTemporaryDir()
         self._timer = QTimer(self, interval=LOOK_MS)
         self._timer.timeout.connect(self.look)
         self.hide()
@@ -104,16 +96,19 @@ class CameraView(QWidget):
         """The path of a file that holds what is seen now, gone with the window; "" where that is nothing."""
         if (picture := self.picture()) is None:
             return ""
-        self._folder = self._folder or TemporaryDirectory(prefix="labcal-camera-", ignore_cleanup_errors=True)
-        file = Path(self._folder.name) / f"{time.time_ns()}.png"
+        file = Path(self._folder.path()) / f"{time.time_ns()}.png"
         return str(file) if picture.save(str(file)) else ""
 
     def words(self) -> str:
         """What stands in the place of the picture where there is none."""
         if self._watching is None or self.picture() is not None:
             return ""
-        if self._watching.fault:
-            return in_words(self._watching.fault)
+        if self._watching.missing:
+            return {
+                "extra": self.tr("No camera: OpenCV is not installed (pip install 'labcal[camera]')."),
+                "camera": self.tr("No camera answers at {0}.").format(self.source),
+                "pictures": self.tr("The camera {0} gives no picture any more.").format(self.source),
+            }[self._watching.missing]
         if (latest := self._watching.latest) is None:
             return self.tr("The camera has given no picture yet …")
         return self.tr("The camera has given no picture for {0:.0f} s.").format(time.monotonic() - latest[0])
