@@ -52,12 +52,14 @@ class Table(QTableWidget):
         if self._keeping:
             return
         self._keeping = True
-        for column in self._stretched:
-            header.setSectionResizeMode(column, mode.Stretch)
-        for column in self._stretched:
-            if header.sectionSize(column) < (needed := header.sectionSizeHint(column)):
-                header.setSectionResizeMode(column, mode.Interactive)
-                header.resizeSection(column, needed)
+        needed = {column: header.sectionSizeHint(column) for column in self._stretched}
+        room = self.viewport().width() - sum(header.sectionSize(n) for n in range(header.count()) if n not in needed)
+        whole = room // len(needed) >= max(needed.values())
+        for column, width in needed.items():
+            header.setSectionResizeMode(column, mode.Stretch if whole else mode.Interactive)
+            if not whole:
+                room -= width
+                header.resizeSection(column, width + (max(0, room) if column == self._stretched[-1] else 0))
         self._keeping = False
 
     def set_headings(self, headings: tuple[str, ...]) -> None:
