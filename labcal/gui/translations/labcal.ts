@@ -4791,11 +4791,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT are left over, no more than the noise, {1} nT.</source>
+        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT are left over, the noise is {1} nT. Trace the residual.</source>
+        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4791,12 +4791,12 @@
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT are left over, no more than the noise, {1} nT.</source>
-        <translation>✓ Gut: {0} nT bleiben übrig, nicht mehr als das Rauschen, {1} nT.</translation>
+        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
+        <translation>✓ Gut: {0} nT bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT.</translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT are left over, the noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Noch nicht gut: {0} nT bleiben übrig, das Rauschen ist {1} nT. Weiter mit »Rest erklären«.</translation>
+        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Noch nicht gut: {0} nT bleiben übrig, das angegebene Rauschen ist {1} nT. Weiter mit »Rest erklären«.</translation>
     </message>
     <message>
         <source>{0} nT are left over; no noise is stated to compare it with.</source>

@@ -4791,12 +4791,12 @@
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT are left over, no more than the noise, {1} nT.</source>
-        <translation>✓ Bon : il reste {0} nT, pas plus que le bruit, {1} nT.</translation>
+        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
+        <translation>✓ Bon : il reste {0} nT, pas plus que le bruit indiqué, {1} nT.</translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT are left over, the noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Pas encore bon : il reste {0} nT, le bruit est de {1} nT. Ensuite « Expliquer le résidu ».</translation>
+        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Pas encore bon : il reste {0} nT, le bruit indiqué est de {1} nT. Ensuite « Expliquer le résidu ».</translation>
     </message>
     <message>
         <source>{0} nT are left over; no noise is stated to compare it with.</source>
