@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from labcal.gui.theming.theme import Theme
 
 ROOT = Path(__file__).parents[1]
+WORDS = "four words for pictures"  # of a key that is thrown away
 SIZE, WALL = (1360, 860), (1920, 1080)
 SHEETS = {"small": ((1024, 700), False), "desk": ((1920, 1080), False), "4k": ((3840, 2160), True)}  # and F11
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
@@ -200,9 +201,9 @@ class Studio:
         if files and not files[0].standing.signatures:
             path = files[0].path
             worker = self.app_state.quick_worker
-            worker.request(NewKey("jdoe@lab", "render"), done.append, done.append)
+            worker.request(NewKey("jdoe@lab", WORDS), done.append, done.append)
             worker.request(Approve(path, "A. Smith"), done.append, done.append)
-            worker.request(Sign(path, "jdoe@lab", "render"), done.append, done.append)
+            worker.request(Sign(path, "jdoe@lab", WORDS), done.append, done.append)
             self.wait(lambda: len(done) == 4)
 
 

@@ -144,7 +144,7 @@ class CertificatePage(QWidget):
         row = QHBoxLayout()
         row.addWidget(label(self.tr("1"), "title"))
         self.stated = StatedFields()
-        row.addWidget(self.approver, 2)
+        row.addWidget(self.approver, 1)
         row.addWidget(self.stated.superseded, 1)
         row.addWidget(self.approve)
         return row

@@ -3455,6 +3455,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>See what is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3455,6 +3455,10 @@
         <translation>Rest erklären</translation>
     </message>
     <message>
+        <source>See what is not known</source>
+        <translation>Sehen, was offen ist</translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation>Ausgeben</translation>
     </message>

@@ -3455,6 +3455,10 @@
         <translation>Expliquer le résidu</translation>
     </message>
     <message>
+        <source>See what is not known</source>
+        <translation>Voir ce qui reste inconnu</translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation>Remettre</translation>
     </message>
