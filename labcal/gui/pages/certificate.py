@@ -37,7 +37,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step, standing_word, state_of
 from labcal.gui.widgets.calibration_views import CalibrationViews
-from labcal.gui.widgets.common import Card, button, label, say_wanted, set_state
+from labcal.gui.widgets.common import Card, button, label, plain, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
@@ -223,6 +223,7 @@ class CertificatePage(QWidget):
         self.list.setVisible(bool(self._files))
         if one is not None:
             self.heading.setText(f"{one.dut.serial}  ·  {one.run_id}")
+            self.heading.setToolTip(plain(self.heading.text()))  # the whole, where there is no room for it
             standing = one.standing
             draft = not standing.signatures
             state = "" if draft else state_of(standing)
