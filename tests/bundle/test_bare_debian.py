@@ -40,9 +40,11 @@ class Debian:
         )
         assert made.returncode == 0, made.stdout[-2000:]
         shutil.copy("/etc/resolv.conf", root / "etc" / "resolv.conf")
+
+    def trust_as_here(self) -> None:
+        """Whom this computer trusts: after Debian's own list came with the packages, and would replace it."""
         if CERTIFICATES.exists():
-            (root / CERTIFICATES.parent.relative_to("/")).mkdir(parents=True, exist_ok=True)
-            shutil.copy(CERTIFICATES, root / CERTIFICATES.relative_to("/"))
+            shutil.copy(CERTIFICATES, self.root / CERTIFICATES.relative_to("/"))
 
     def run(self, words: str) -> str:
         """What a shell there says to `words`; fails the test where they fail."""
@@ -62,6 +64,7 @@ def debian(tmp_path_factory: pytest.TempPathFactory) -> Debian:
     found = Debian(tmp_path_factory.mktemp("debian") / "root")
     found.run("apt-get update -q")
     found.run(f"DEBIAN_FRONTEND=noninteractive apt-get install -y -q {' '.join(named_in_readme())}")
+    found.trust_as_here()
     archive = subprocess.run(["git", "archive", "HEAD"], cwd=ROOT, capture_output=True, timeout=60, check=True).stdout
     (found.root / "root" / "labcal").mkdir()
     subprocess.run(["tar", "-x", "-C", found.root / "root" / "labcal"], input=archive, timeout=60, check=True)

@@ -120,4 +120,7 @@ def test_no_heading_of_the_table_is_cut_where_room_is_least(still, bench, qtbot)
         qtbot.waitUntil(lambda wide=width: still.width() == wide, timeout=60_000)
         QApplication.processEvents()
         assert [n for n in range(header.count()) if header.sectionSize(n) < header.sectionSizeHint(n)] == []
+        assert (
+            sum(map(header.sectionSize, range(header.count()))) >= bench.table.viewport().width()
+        )  # none is left over
     still.resize(before)

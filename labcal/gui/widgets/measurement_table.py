@@ -41,10 +41,17 @@ class Table(QTableWidget):
         for column in self._stretched:
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
         if len(stretch) > 1:  # what is left is shared: a share may be too little
-            header.sectionResized.connect(self._keep_headings)
+            for changed in (header.sectionResized, header.geometriesChanged):
+                changed.connect(self._keep_headings)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
         described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """More room, or less, is shared anew."""
+        super().resizeEvent(event)
+        if len(self._stretched) > 1:
+            self._keep_headings()
 
     def _keep_headings(self) -> None:
         """A column that takes what room is left takes no less than its heading needs."""
