@@ -125,6 +125,8 @@ class Studio:
                     painter.drawImage((n % ACROSS) * (SHEET_PX + GAP_PX), (n // ACROSS) * high, one)
             self.keep(sheet, self.themes[0], self.out / f"pages-{name}.png")
         self.window.toggle_wall()
+        self.window.style_queue.finish()
+        self.live(1.0)
 
     def small_page(self, page: str, size: tuple[int, int]) -> QImage:
         """One page at a size, made small for a sheet."""
