@@ -1,6 +1,6 @@
 """Renders every page of the window, in both themes, with real data of a simulated lab, into docs/images.
 
-    xvfb-run -a python tools/render_window.py [--home DIR] [--only run-prompt,fit] [--out DIR]
+    xvfb-run -a python tools/render_window.py [--home DIR] [--only run-prompt,fit] [--pace "at once"] [--out DIR]
 
 A preflight is run through the real worker, fitted, traced and signed; `--home` keeps that lab for the next time.
 """
@@ -14,14 +14,22 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
+if TYPE_CHECKING:
+    from labcal.gui.theming.theme import Theme
+
 ROOT = Path(__file__).parents[1]
+WORDS = "four words for pictures"  # of a key that is thrown away
 SIZE, WALL = (1360, 860), (1920, 1080)
+SHEETS = {"small": ((1024, 700), False), "desk": ((1920, 1080), False), "4k": ((3840, 2160), True)}  # and F11
+PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
+SHEET_PX, ACROSS, GAP_PX = 620, 2, 8  # of one page on a sheet, how many stand beside each other, and between them
 METHODS = ("ml", "centered", "twostep", "ekf", "foster-elkaim")
 NAMES = (
     "start",
@@ -36,6 +44,7 @@ NAMES = (
     "loop",
     "certificate",
     "history",
+    "pages",
 )
 
 
@@ -52,7 +61,7 @@ def small(image: QImage, kept: list[int]) -> QImage:
 class Studio:
     """One window, and the patience to wait for it."""
 
-    def __init__(self, home: Path, out: Path, only: tuple[str, ...]) -> None:
+    def __init__(self, home: Path, out: Path, only: tuple[str, ...], pace: str) -> None:
         from labcal.gui.theming.theme import DARK, LIGHT
         from labcal.gui.viewmodels.app_state import AppState
         from labcal.gui.window import Window
@@ -60,7 +69,7 @@ class Studio:
         self.themes, self.out, self.only = (LIGHT, DARK), out, only
         settings = QSettings(str(home / "render.ini"), QSettings.Format.IniFormat)
         settings.clear()
-        settings.setValue("pace", "100 times")
+        settings.setValue("pace", pace)
         settings.setValue("seed", 3)
         self.app_state = AppState(settings)
         self.window = Window(self.app_state, LIGHT)
@@ -70,7 +79,7 @@ class Studio:
         self.app_state.open_bench(str(ROOT / "examples" / "simulated.toml"))
         self.wait(lambda: bool(self.app_state.facts))
 
-    def wait(self, until: Callable[[], bool], seconds: float = 300) -> None:
+    def wait(self, until: Callable[[], bool], seconds: float = 3600) -> None:
         """Let the window live until something is so."""
         end = time.monotonic() + seconds
         while not until():
@@ -99,10 +108,43 @@ class Studio:
             self.live(0.7)
             if (self.window.width(), self.window.height()) != size:
                 print(f"{name}: {self.window.width()} x {self.window.height()}, wider or higher than {size}")
-            file = self.out / f"{name}-{theme.name}.png"
-            kept = [QColor(getattr(theme, name)).rgb() for name in theme.__dataclass_fields__ if name != "name"]
-            small(self.window.grab().toImage(), kept).save(str(file))
-            print(file.relative_to(ROOT) if file.is_relative_to(ROOT) else file, file.stat().st_size // 1024, "kB")
+            self.keep(self.window.grab().toImage(), theme, self.out / f"{name}-{theme.name}.png")
+
+    def sheets(self) -> None:
+        """Every page at three sizes, those of one size on one sheet."""
+        for name, (size, wall) in SHEETS.items():
+            if wall != self.window.wall:
+                self.window.toggle_wall()
+            seen = [self.small_page(page, size) for page in PAGES]
+            high = max(one.height() for one in seen) + GAP_PX
+            rows = -(-len(seen) // ACROSS)
+            sheet = QImage((SHEET_PX + GAP_PX) * ACROSS, high * rows, QImage.Format.Format_RGB32)
+            sheet.fill(QColor(self.themes[0].line))
+            with QPainter(sheet) as painter:
+                for n, one in enumerate(seen):
+                    painter.drawImage((n % ACROSS) * (SHEET_PX + GAP_PX), (n // ACROSS) * high, one)
+            self.keep(sheet, self.themes[0], self.out / f"pages-{name}.png")
+        self.window.toggle_wall()
+        self.window.style_queue.finish()
+        self.live(1.0)
+
+    def small_page(self, page: str, size: tuple[int, int]) -> QImage:
+        """One page at a size, made small for a sheet."""
+        self.window.resize(*size)
+        self.window.set_theme(self.themes[0])
+        self.window.open_page(page)
+        self.live(1.0)
+        self.wait(lambda: not self.app_state.quick_worker.busy)
+        self.window.style_queue.finish()
+        self.live(0.7)
+        image = self.window.grab().toImage()
+        return image.scaledToWidth(SHEET_PX, Qt.TransformationMode.SmoothTransformation)
+
+    def keep(self, image: QImage, theme: Theme, file: Path) -> None:
+        """Write a picture, as small as it may be."""
+        kept = [QColor(getattr(theme, name)).rgb() for name in theme.__dataclass_fields__ if name != "name"]
+        small(image, kept).save(str(file))
+        print(file.relative_to(ROOT) if file.is_relative_to(ROOT) else file, file.stat().st_size // 1024, "kB")
 
     def wants(self, *names: str) -> bool:
         """Whether any of these pictures is asked for."""
@@ -140,11 +182,11 @@ class Studio:
         study = self.app_state.study_vm
         study.open(run)
         self.wait(lambda: not study.busy)
-        if self.wants("fit"):
+        if self.wants("fit", "pages"):
             study.fit(*METHODS)
             self.wait(lambda: not study.busy)
             self.shoot("fit", "Fit")
-        if self.wants("loop"):
+        if self.wants("loop", "pages"):
             study.close_loop()
             self.wait(lambda: not study.busy)
             self.shoot("loop", "Loop")
@@ -161,9 +203,9 @@ class Studio:
         if files and not files[0].standing.signatures:
             path = files[0].path
             worker = self.app_state.quick_worker
-            worker.request(NewKey("jdoe@lab", "render"), done.append, done.append)
+            worker.request(NewKey("jdoe@lab", WORDS), done.append, done.append)
             worker.request(Approve(path, "A. Smith"), done.append, done.append)
-            worker.request(Sign(path, "jdoe@lab", "render"), done.append, done.append)
+            worker.request(Sign(path, "jdoe@lab", WORDS), done.append, done.append)
             self.wait(lambda: len(done) == 4)
 
 
@@ -173,12 +215,13 @@ def main() -> None:
     parser.add_argument("--home", type=Path, help="where the rendered lab lives (default: a temporary folder)")
     parser.add_argument("--only", default="", help=f"some of {','.join(NAMES)}")
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
+    parser.add_argument("--pace", default="100 times", help="of the simulated lab; at once, there is no run-live")
     given = parser.parse_args()
     home = given.home or Path(tempfile.mkdtemp(prefix="labcal-render-"))
     given.out.mkdir(parents=True, exist_ok=True)
     os.environ["LABCAL_HOME"] = str(home)
     application = QApplication(sys.argv[:1])
-    studio = Studio(home, given.out, tuple(name for name in given.only.split(",") if name))
+    studio = Studio(home, given.out, tuple(name for name in given.only.split(",") if name), given.pace)
     render(studio)
     studio.window.close()
     application.quit()
@@ -210,12 +253,14 @@ def render(studio: Studio) -> None:
     studio.shoot("run-over", "Run")
     studio.shoot("start", "Start")
     studio.shoot("bench", "Bench")
-    if studio.wants("fit", "loop"):
+    if studio.wants("fit", "loop", "pages"):
         studio.study(run)
-    if studio.wants("certificate", "history"):
+    if studio.wants("certificate", "history", "pages"):
         studio.sign()
         studio.shoot("certificate", "Certificate")
         studio.shoot("history", "History")
+    if studio.wants("pages"):
+        studio.sheets()
     app_state.fault.emit(
         Fault(
             "instrument",

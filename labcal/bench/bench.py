@@ -66,8 +66,8 @@ class Reopens(Protocol):
 class Bench:
     """Instruments in their roles. Angles are the contract's (`angle_sign` is applied), currents are signed.
 
-    `simulated_operator` does to a simulated lab what a prompt asks; None in a real one. `carry` is what the DUT's place
-    has beyond a remote reference's; None where that is not known, or the reference stands at the DUT.
+    `simulated_operator` does to a simulated lab what a prompt asks; None in a real one. `dut_serial`: of the run's
+    DUT. `carry`: what the DUT's place has beyond a remote reference's; None where unknown, or it stands at the DUT.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class Bench:
         carry: Place | None = None,
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
-        self.platform, self.reference, self.dut = platform, reference, dut
+        self.platform, self.reference, self.dut, self.dut_serial = platform, reference, dut, config.dut.serial
         self.by_hand = next((i for i in instruments.values() if isinstance(i, ByHand)), None)
         self._guardian = guardian
         if guardian is not None:

@@ -242,6 +242,7 @@ class DutConfig(_Table):
 
     serial: Text = Field(min_length=1)
     serial_pattern: Annotated[Text, AfterValidator(serials.usable_pattern)] = serials.USUAL  # of a whole serial
+    serial_at_mounting: bool = False  # after each mounting its serial is asked for, and no other is taken
     model: Text = ""
     item: Annotated[Item, BeforeValidator(_days_as_text)] | None = None  # as it came in
     unit: Literal["nT", "count"] = "nT"
@@ -296,6 +297,7 @@ class BenchConfig(_Table):
     laboratory: Laboratory | None = None
     customer: Address | None = None
     equipment: tuple[Annotated[Equipment, BeforeValidator(_days_as_text)], ...] = ()
+    camera: Annotated[Text, BeforeValidator(str)] | None = None  # at the cage: its number here, or an address
     served: bool = False  # its instruments are emulated ones on ports of this computer: `labcal bench serve` writes it
     instruments: dict[str, InstrumentConfig]
     twin: dict[str, Any] = Field(default={}, exclude=True, repr=False)

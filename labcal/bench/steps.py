@@ -241,7 +241,21 @@ def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str, *instead
     yield from to_angle(bench, 0.0)
     attitude = np.asarray(body_from_cage, dtype=float)
     drawing = {"body_from_cage": attitude.tolist(), "axis_cage": list(bench.config.platform.axis_cage)}
-    return (yield Prompt(bench.clock.now(), key, text, ("done", *instead), True, drawing)) or "done"
+    answer = (yield Prompt(bench.clock.now(), key, text, ("done", *instead), True, drawing)) or "done"
+    if answer == "done" and bench.config.dut.serial_at_mounting:
+        yield from serial_of_what_is_mounted(bench, key)
+    return answer
+
+
+def serial_of_what_is_mounted(bench: Bench, key: str) -> Work[None]:
+    """Ask for the serial of what stands on the platform until it is that of the run's DUT; each answer is recorded."""
+    wanted = bench.dut_serial
+    text = f"Scan the serial of the DUT as it is mounted now: this run is of {wanted}."
+    while True:
+        said = yield Prompt(bench.clock.now(), f"serial-{key}", text, (), acts=True, drawing={"serial": wanted})
+        if (said or "").strip() == wanted:
+            return
+        text = f"{said or 'nothing'}: that is not the DUT of this run. Mount {wanted}, then scan its serial again."
 
 
 def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:

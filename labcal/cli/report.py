@@ -28,9 +28,10 @@ def report(
     xml_cert: Path | None = typer.Option(
         None, "--xml-cert", metavar="CERT.pem", help="The key's X.509 certificate, then those of its issuers."
     ),
+    label: bool = typer.Option(False, "--label", help="A label for the DUT: FILE.pdf, FILE.svg or FILE.png."),
     force: bool = FORCE,
 ) -> None:
-    """Write the report of a run, or the certificate of a calibration.
+    """Write the report of a run, or the certificate of a calibration; with --label the label for its DUT.
 
     A certificate's PDF is PDF/A-3b with the signed file inside where the extra `paper` is there, else a plain one, and
     stderr says so; its XML needs the extra `dcc`.
@@ -40,9 +41,20 @@ def report(
 
     if (xml_key is None) != (xml_cert is None):
         raise InputError("--xml-key and --xml-cert belong together: a key, and the certificate that says whose it is")
+    if label:
+        return _label(source, out, allowed_signers, before or xml_key, force)
     by = None
     if xml_key is not None and xml_cert is not None:
         by = XmlKeyFiles(xml_key, xml_cert, partial(passphrase, f"Passphrase of {xml_key.name}: "))
     tell = partial(say, err=True)
     session.report(source, out, allowed_signers, before=before, xml_key=by, tell=tell, force=force)
+    return say(out)
+
+
+def _label(source: str, out: Path, allowed_signers: Path | None, of_a_report: Path | None, force: bool) -> None:
+    from labcal import session
+
+    if of_a_report is not None:
+        raise InputError("--label goes without --before, --xml-key and --xml-cert: they are of a report")
+    session.label(Path(source), out, allowed_signers, force=force)
     say(out)

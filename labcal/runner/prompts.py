@@ -11,8 +11,8 @@ Answer = Callable[[Prompt], str]
 
 
 def first_choice(prompt: Prompt) -> str:
-    """The answer of a bench where nothing can be hurt: the first choice."""
-    return prompt.choices[0] if prompt.choices else ""
+    """The answer of a bench where nothing can be hurt: the first choice; of a serial, the one that is wanted."""
+    return prompt.choices[0] if prompt.choices else str(prompt.drawing.get("serial", ""))
 
 
 def information_only(prompt: Prompt) -> str:

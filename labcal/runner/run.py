@@ -126,7 +126,9 @@ def run_procedure(
     if first is not None:
         writer.write(Event(bench.clock.now(), *first))
     _remark(remark, writer, bench.clock.now(), tell)
-    return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
+    return _drive(
+        bench, procedure, {**values, **(filled or {})}, header.dut.serial, writer, answer, control, tell, show, 0.0
+    )
 
 
 def resume_run(
@@ -158,7 +160,9 @@ def resume_run(
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
     _report_lifted(bench, writer, at_s)
     _remark(remark, writer, at_s, tell)
-    return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)
+    return _drive(
+        bench, procedure, values | {"resume": done}, header.dut.serial, writer, answer, control, tell, show, offset
+    )
 
 
 def _report_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
@@ -195,6 +199,7 @@ def _drive(
     bench: Bench,
     procedure: FoundProcedure,
     values: Mapping[str, Any],
+    dut_serial: str,
     writer: RunWriter,
     answer: Answer,
     control: Control | None,
@@ -207,6 +212,7 @@ def _drive(
         writer.repeats = True
     else:
         writer.late_s = LATE_S
+    bench.dut_serial = dut_serial
     drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, writer.check)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:

@@ -52,7 +52,7 @@ from labcal.session.records import (
     keep_photo,
     runs,
 )
-from labcal.session.reporting import changed_since, report
+from labcal.session.reporting import changed_since, label, report
 from labcal.session.signing import NOTHING_STATED, approve, sign, verify
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle, run_of
 from labcal.session.trust import (
@@ -98,6 +98,7 @@ __all__ = [
     "import_calibration",
     "import_foreign",
     "keep_photo",
+    "label",
     "listed_keys",
     "load_calibration",
     "load_run",

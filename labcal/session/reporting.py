@@ -13,6 +13,7 @@ from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import administrative_of
 from labcal.certificate.report import Circumstances, calibration_page, run_page, write_report
 from labcal.certificate.report.front import images_in
+from labcal.certificate.report.label import write_label
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.files.outputs import claim
@@ -66,6 +67,20 @@ def report(
         bundle = run_bundle(source)
         run = bundle.run()
         write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
+
+
+def label(calibration: Path, out: Path, allowed_signers: Path | None = None, *, force: bool = False) -> None:
+    """Write the label for the DUT of a calibration, as `.pdf`, `.svg` or `.png`. Raises InputError."""
+    if not certificate.looks_like_calibration(calibration):
+        raise InputError("a label is made of a calibration: name its file", file=calibration)
+    read = [calibration, *([allowed_signers] if allowed_signers else [])]
+    [output] = claim("report", out, inputs=read, force=force)
+    with output.writing():
+        checked = verify(calibration, allowed_signers)
+        found = certificate.parse_calibration(checked.content, calibration)
+        run = run_of(found)
+        stated = _circumstances(found, run).administrative.laboratory
+        write_label(found, checked, stated.name if stated else "", run.started_utc[:10] if run else "", out)
 
 
 def _report_calibration(

@@ -124,6 +124,21 @@ def test_a_scan_reaches_no_answer_of_an_open_question(still, keys):
     assert still.app_state.bench_worker.said == [Answer("why", "lift")]
 
 
+@pytest.mark.parametrize("focus", ["entry", "sidebar"])
+def test_a_scan_answers_a_question_for_the_serial_wherever_the_focus_is(still, keys, focus):
+    from labcal.gui.ipc.messages import Answer, RunProcedure
+    from labcal.record.stream import Prompt
+
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    asked = Prompt(1.0, "serial-mount-x", "Scan it.", (), acts=True, drawing={"serial": "EM-07"})
+    still.app_state.bench_worker.items.emit((asked,))
+    entry = still.page("Run").live.prompt.entry
+    keys(entry if focus == "entry" else still.sidebar, "EM-19", 0.01, Qt.Key.Key_Return)
+    assert still.app_state.bench_worker.said == [Answer("serial-mount-x", "EM-19")]
+    assert still.app_state.lab.state.dut_serial == "EM-07"
+    assert not still.scan_card.isVisible()
+
+
 @pytest.mark.parametrize("apart_s", [0.05, 0.2])
 def test_what_a_person_types_stays_where_it_is_typed(still, keys, apart_s):
     still.top.operator.clear()

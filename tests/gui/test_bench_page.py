@@ -1,16 +1,21 @@
 """The bench page without a process: readings, the cage's vectors, reconnect, an instrument that is silent."""
 
+import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QLabel
 
+from labcal.bench.coils.state import FieldReading
 from labcal.gui.ipc.answers import Doubt, Greeting, Identified
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.bench import reading_text
 from labcal.record.stream import Block
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -43,6 +48,23 @@ def test_the_parts_of_the_field_are_those_that_were_recorded_together(still, ben
     last = {bench.table.text(row, 1): bench.table.text(row, 4) for row in range(bench.table.rowCount())}
     assert (last["supply_x"], last["dut"]) == ("+0.000 A", "+1.0  +2.0  +3.0 count")
     assert "applied" in bench.cage_words.text()
+
+
+def test_what_the_reference_read_last_is_what_the_panel_at_the_right_says(still, bench):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    block = Block("reference", "reference", ("ref_x", "ref_y", "ref_z"), T, FIELD)
+    still.app_state.bench_worker.items.emit((block,))
+    told(still)
+    lab = still.app_state.run.lab
+    seen = FieldReading(None, (20_400.0, 1_150.0, -43_700.0), time.monotonic() - 30.0)  # at zero, after the last block
+    still.app_state.bench_worker.states.emit(replace(lab, field=seen))
+    bench.show_readings()
+    last = {bench.table.text(row, 1): bench.table.text(row, 4) for row in range(bench.table.rowCount())}
+    values, _, age = last["reference"].partition("   ")
+    assert values == reading_text("reference", seen.seen_nT)
+    assert age.endswith("s ago")
+    in_panel = [one.text() for one in still.side.findChildren(QLabel)]
+    assert set(values.removesuffix(" nT").split("  ")) <= set(in_panel)
 
 
 def test_the_cage_is_turned_by_keys(qtbot, bench):
@@ -88,3 +110,17 @@ def test_what_the_earth_s_field_is_at_the_bench_s_place_stands_beside_the_ambien
     assert facts.earth.magnitude_nT == pytest.approx(48_100, abs=600)  # of middle Europe in these years
     assert 200 < facts.earth.U_nT < 500
     assert f"{facts.earth.model} here, outdoors: 48 " in bench.cage_words.text().replace("\u202f", " ")
+
+
+def test_no_heading_of_the_table_is_cut_where_room_is_least(still, bench, qtbot):
+    before = still.size()
+    header = bench.table.horizontalHeader()
+    for width in (1024, 1400, 1024):
+        still.resize(width, 700)
+        qtbot.waitUntil(lambda wide=width: still.width() == wide, timeout=60_000)
+        QApplication.processEvents()
+        assert [n for n in range(header.count()) if header.sectionSize(n) < header.sectionSizeHint(n)] == []
+        assert (
+            sum(map(header.sectionSize, range(header.count()))) >= bench.table.viewport().width()
+        )  # none is left over
+    still.resize(before)

@@ -4,7 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.answers import Change, Ended, Look, Loop, Proposal
 from labcal.gui.ipc.bench_commands import procedures, rehearse
@@ -39,6 +41,24 @@ def test_procedures_stand_in_groups_and_are_found_by_what_they_do(choose):
     assert in_sight(choose) == ["The cage and its reference", "cage-map"]
     choose.search.setText("")
     assert len(in_sight(choose)) == choose.list.count()
+
+
+@pytest.mark.parametrize("width", [1024, 1360])
+def test_no_heading_of_the_list_is_cut(still, choose, qtbot, width):
+    before = still.size()
+    still.resize(width, 700)
+    QApplication.processEvents()
+    qtbot.waitUntil(lambda: still.width() == width, timeout=60_000)
+    choose.search.clear()
+    cut = []
+    for item in map(choose.list.item, range(choose.list.count())):
+        place = choose.list.visualItemRect(item)
+        metrics = QFontMetrics(item.font() if item.font().bold() else choose.list.font())
+        room = QRect(0, 0, place.width() - 8, 1000)
+        needed = metrics.boundingRect(room, int(Qt.TextFlag.TextWordWrap), item.text())
+        cut += [item.text()] if needed.height() > place.height() else []
+    still.resize(before)
+    assert cut == []
 
 
 def test_what_was_typed_is_there_again_after_another_procedure(choose):

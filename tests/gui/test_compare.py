@@ -1,19 +1,21 @@
 """Two runs chosen in the History stand beside each other: figures with E_n, residuals and loci over each other."""
 
+import re
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QFileDialog
 from test_calibration_views import FOUND, calibration
 from test_path import RUN
 
 from labcal.gui.ipc import compare_commands
 from labcal.gui.ipc.answers import Compared, Comparison, Figure
 from labcal.gui.ipc.compare_commands import compare, newest_file
-from labcal.gui.ipc.messages import CompareRuns, ListRuns
+from labcal.gui.ipc.messages import CompareRuns, ExportRun, ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.widgets.trend import Trend, courses
@@ -77,6 +79,35 @@ def test_two_chosen_runs_are_compared_the_older_one_first_and_back_again(still, 
 def test_only_two_whole_runs_are_compared(page, qtbot, runs):
     choose(page, qtbot, *runs)
     assert not page.compare.isEnabled()
+
+
+def test_several_chosen_runs_are_exported_into_a_folder_each_by_serial_and_date(
+    still, page, qtbot, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    choose(page, qtbot, "r2", "r1")
+    qtbot.mouseClick(page.export, Qt.MouseButton.LeftButton)
+    asked = {one.run: one for one in still.app_state.quick_worker.commands(ExportRun)}
+    assert {one.format for one in asked.values()} == {"bundle"}
+    assert sorted(asked) == ["r1", "r2"]
+    names = [Path(one.out).name for one in asked.values()]
+    assert all(re.fullmatch(r"EM-07_2026-01-0[4-7]_\d{6}_preflight\.zip", name) for name in names)
+    assert len(set(names)) == 2
+    choose(page, qtbot, "r0")
+    assert not page.export.isEnabled()  # an interrupted run is no bundle yet
+
+
+def test_what_is_in_the_folder_already_is_not_overwritten(still, page, qtbot, tmp_path, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    choose(page, qtbot, "r2", "r1")
+    qtbot.mouseClick(page.export, Qt.MouseButton.LeftButton)
+    first = still.app_state.quick_worker.commands(ExportRun)[0].out
+    Path(first).write_bytes(b"mine")
+    still.app_state.quick_worker.asked.clear()
+    qtbot.mouseClick(page.export, Qt.MouseButton.LeftButton)
+    assert still.app_state.quick_worker.commands(ExportRun) == []
+    assert page.fault.text.text() == f"{Path(first).name} is there already; nothing was written."
+    page.fault.show_fault(None)
 
 
 def test_what_was_asked_before_is_not_shown_in_place_of_what_was_asked_last(still, page, qtbot):

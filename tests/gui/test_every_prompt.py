@@ -29,16 +29,18 @@ from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
 from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import Prompt
 from labcal.runner import find, run_procedure
+from labcal.runner.prompts import first_choice
 from labcal.store import Store
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 INSTALLED = sorted(e.name for e in entry_points(group="labcal.procedures") if e.value.startswith("procedures."))
 BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "configuration, no such file", "a fault")
+BESIDE += ("rotate-axis, another serial",)
 DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.
-SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away", "half", "reversed"}
+SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away", "half", "reversed", "serial"}
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError
@@ -103,6 +105,10 @@ class Questions:
         elif way == "by hand":
             bench = self.folder / "by-hand.toml"
             bench.write_text(EXAMPLE.read_text(encoding="utf-8").replace('"zaber"', '"manual"'), encoding="utf-8")
+        elif way == "another serial":
+            bench, answers = self.folder / "serials.toml", {"serial-mount-z": "EM-08"}
+            text = EXAMPLE.read_text(encoding="utf-8")
+            bench.write_text(text.replace("[dut]\n", "[dut]\nserial_at_mounting = true\n"), encoding="utf-8")
         elif name == "scalar-cage":
             bench, text = self.folder / "scalar.toml", EXAMPLE.read_text(encoding="utf-8")
             for old, new in [("surprise = true", sensor(0)), *SCALAR]:
@@ -120,7 +126,7 @@ class Questions:
             asked.append(prompt)
             if prompt.key == until:
                 raise Stopped("seen")
-            return answers.pop(prompt.key, (*prompt.choices, "")[0])
+            return answers.pop(prompt.key, first_choice(prompt))
 
         clock = VirtualClock(datetime(2026, 1, 5, tzinfo=UTC))
         with pytest.MonkeyPatch.context() as patch, closing(open_bench(bench, clock=clock, seed=3)) as lab:
@@ -236,11 +242,16 @@ def by_hand(asked, words):
     button = asked.ready()[words]
     assert button.isVisible()
     assert button.isEnabled()
-    asked.scan(button)
-    if not asked.prompt.choices:
-        asked.scan(asked.card.entry)
-    assert asked.told() == []
-    assert "EM-99" in asked.window.app_state.lab.state.message
+    if "serial" in asked.prompt.drawing:
+        asked.scan(button)
+        assert asked.told() == ["EM-99"]
+        button = asked.ready()[words]
+    else:
+        asked.scan(button)
+        if not asked.prompt.choices:
+            asked.scan(asked.card.entry)
+        assert asked.told() == []
+        assert "EM-99" in asked.window.app_state.lab.state.message
     asked.bot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert asked.told() == [words]
 
@@ -250,7 +261,9 @@ def by_keyboard(asked, words):
     acts = acting(asked.prompt, words)
     assert isinstance(button, HoldButton) == acts
     entry = () if asked.prompt.choices else (asked.card.entry,)
-    if acts:
+    if "serial" in asked.prompt.drawing:
+        asked.strike(asked.card.entry, Qt.Key.Key_Return)
+    elif acts:
         for widget in (button, *entry):
             asked.strike(widget, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
         assert asked.told() == []

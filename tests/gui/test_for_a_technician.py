@@ -61,3 +61,12 @@ def test_where_nobody_has_a_key_one_is_made_first_and_no_passphrase_stays(still,
     still.open_page("History")
     assert (page.passphrase.text(), page.again.text()) == ("", "")
     page.signer.setCurrentText("")
+
+
+def test_which_calibration_is_chosen_is_whole_in_its_tip(still):
+    still.open_page("Certificate")
+    one = replace(calibration(), run_id="20261123T150524-95b0")
+    still.app_state.quick_worker.answer(ListCalibrations, (one,))
+    heading = still.page("Certificate").heading
+    assert heading.text() == heading.toolTip() == "EM-07  ·  20261123T150524-95b0"
+    still.app_state.path.take_calibrations(())

@@ -102,7 +102,7 @@ class Hands:
 
 @pytest.fixture
 def hands(qtbot, tmp_path, monkeypatch, patience, kept_windows):
-    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path / "home"))  # nothing is written into it but by labcal itself
     window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     kept_windows.append(window)
     window.show()
@@ -119,7 +119,7 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     fitted_and_traced(hands)
     signed(hands)
     page = hands.window.page("Certificate")
-    hands.name_a_file(page.report, tmp_path / "report.html")
+    hands.name_a_file(page.paper.report, tmp_path / "report.html")
     hands.until(lambda: opened == [str(tmp_path / "report.html")])
     assert "EM-07" in (tmp_path / "report.html").read_text(encoding="utf-8")
     choose = next(one for one in page.drop.children() if hasattr(one, "text") and one.text() == "Choose a file …")
@@ -132,7 +132,9 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     hands.to(history.table)
     hands.strike(Qt.Key.Key_Space)
     hands.name_a_file(history.export, tmp_path / "run.zip")
-    hands.until((tmp_path / "run.zip").is_file)
+    hands.until(lambda: bool(history.said.text()) or history.fault.isVisible())
+    assert not history.fault.isVisible(), history.fault.text.text()
+    assert (tmp_path / "run.zip").is_file()
 
 
 def measured(hands):

@@ -230,6 +230,33 @@ def test_a_worker_that_says_no_message_is_a_fault_and_nothing_waits_for_ever(qtb
     assert not client.busy
 
 
+TALKS = """
+import sys
+sys.stdin.readline()
+sys.stdout.write(open({file!r}, encoding="utf-8").read())
+sys.stdout.flush()
+sys.stdin.read()
+"""
+
+
+def test_of_states_that_come_faster_than_they_are_shown_the_newest_is_and_before_what_was_said_after_it(
+    qtbot, patience, tmp_path
+):
+    said = [StateRead(LabState((CoilReading("x", None, float(n), True, True, float(n)),))) for n in range(400)]
+    said[300:300] = [Progress("half-way")]
+    file = tmp_path / "said"
+    file.write_text("".join(f"{write_line(one)}\n" for one in said), encoding="utf-8")
+    client, seen = Client(None, ("-c", TALKS.format(file=str(file)))), []
+    client.states.connect(lambda state: seen.append(state.coils[0].current_A))
+    client.progress.connect(seen.append)
+    client.request(ListRuns(), seen.append, seen.append)
+    qtbot.waitUntil(lambda: bool(seen) and seen[-1] == 399.0, timeout=patience)
+    client.close(500)
+    assert seen[seen.index("half-way") - 1] == 299.0
+    assert len(seen) < 200
+    assert [one for one in seen if one != "half-way"] == sorted(one for one in seen if one != "half-way")
+
+
 def how_it_ended(qtbot, patience, program, kill=False):
     client, told = Client(None, ("-c", program)), []
     client.request(ListRuns(), told.append, told.append)

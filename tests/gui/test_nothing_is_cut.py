@@ -44,6 +44,8 @@ SIZES = {
 STEPS = ("zero", "axes-check", "x+20uT-nominal", "x-50uT-full", "closing")
 MOUNT = "Mount the DUT with body Y up along the platform axis, body X towards the cage's X, at platform angle 0."
 TURNED = Prompt(1.0, "mount-y", MOUNT, ("done", "redo x"), True, {"body_from_cage": np.eye(3).tolist()})
+ANOTHER = "EM-10: that is not the DUT of this run. Mount EM-09, then scan its serial again."
+SCANNED = Prompt(1.0, "serial-mount-y", ANOTHER, (), True, {"serial": "EM-09"})
 SILENT = Fault("instrument", "reference: no sample for 3.1 s.", "Look at its power and at its cable.", "trace")
 WORST = Measurement(9.0, "closure x", 12.0, 3.0, "nT", 500.0)
 
@@ -100,6 +102,12 @@ def begun(window, *items):
     send(window, Step(0.0, 3, 5, STEPS[2], 2460.0, STEPS, 20.0), WORST, *items)
     window.page("Run").live.draw()
     return "Run"
+
+
+def watched(window):
+    """The camera is none, and says so."""
+    window.page("Run").live.prompt.camera.source = "nowhere"
+    return begun(window, TURNED)
 
 
 def measuring(window):
@@ -176,6 +184,8 @@ STATES = {
     "Run, a scan": scanned,
     "Run, refused settings": refused,
     "Run, a question": lambda window: begun(window, TURNED),
+    "Run, a question with a camera": watched,
+    "Run, which serial": lambda window: begun(window, SCANNED),
     "Run, measuring": measuring,
     "Run, finished": lambda window: ended(window, "finished"),
     "Run, finished, details": lambda window: ended(window, "finished", details=True),

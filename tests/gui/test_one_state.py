@@ -214,7 +214,7 @@ def of_the_run(seen, run):
         yield f"the verdict is {live.verdict.word.text()!r} of a run that is {run.status!r}"
     if (live.middle.currentWidget() is live.verdict) != (run.state == "ended"):
         yield f"a verdict stands while the run is {run.state}, or none when it has ended"
-    if run.alive != (seen.window.next.text() == "Next: See the run"):
+    if run.alive != (seen.window.next.text() in ("Next: See the run", "Next: Answer the question")):
         yield f"{seen.window.next.text()!r} while the run is {run.state}"
     if run.alive and "Ready." in seen.window.page("Start").question.text():
         yield "Ready, while a run goes on"

@@ -11,7 +11,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.start import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record import Dut
-from labcal.record.stream import Measurement, Step
+from labcal.record.stream import Measurement, Prompt, Step
 
 RUN = RunLine("r1", "2026-01-05T07:00:00Z", "finished", "EM-07", "J. Doe", "preflight")
 ANOTHER = replace(RUN, run_id="r0", dut_serial="EM-08", verdict="clean")
@@ -35,7 +35,20 @@ HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, 
     "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with the run", "Start"),
     "drafted": ((RUN,), (calibration(signed=False),), "✓✓○○", "Trace the residual", "Loop"),
     "traced": ((DONE,), (calibration(signed=False),), "✓✓✓○", "Sign", "Certificate"),
-    "unexplained": ((replace(RUN, verdict="ambiguous"),), (calibration(signed=False),), "✓✓▲○", "Sign", "Certificate"),
+    "ambiguous": (
+        (replace(RUN, verdict="ambiguous"),),
+        (calibration(signed=False),),
+        "✓✓▲○",
+        "See what is not known",
+        "Loop",
+    ),
+    "unexplained, signed": (
+        (replace(RUN, verdict="unexplained"),),
+        (calibration(provisional=True),),
+        "✓✓▲▲",
+        "Sign",
+        "Certificate",
+    ),
     "provisional": ((DONE,), (calibration(provisional=True),), "✓✓✓▲", "Sign", "Certificate"),
     "not valid": ((DONE,), (calibration(valid=False),), "✓✓✓✕", "Sign", "Certificate"),
     "signed": ((DONE,), (calibration(),), "✓✓✓✓", "Hand it out", "Certificate"),
@@ -78,6 +91,8 @@ def test_a_run_that_goes_on_is_now(still, path):
     path.take_runs((RUN,))
     still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     assert (marks(still), still.next.text()) == ("●○○○", "Next: See the run")
+    still.app_state.bench_worker.items.emit((Prompt(1.0, "ready", "Hands off?", acts=True),))
+    assert still.next.text() == "Next: Answer the question"
 
 
 @pytest.mark.parametrize(

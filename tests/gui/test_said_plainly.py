@@ -118,11 +118,11 @@ def test_a_report_is_opened_and_its_folder_is_offered(still, qtbot, tmp_path, mo
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
     still.open_page("Certificate")
     page, out = still.page("Certificate"), str(tmp_path / "r.html")
-    page.write_report("c.json", out)
-    assert (opened, page.folder.isHidden()) == ([], True)
+    page.paper.write_report("c.json", out)
+    assert (opened, page.paper.folder.isHidden()) == ([], True)
     still.app_state.quick_worker.answer(WriteReport, out)
-    assert (opened, page.folder.isHidden()) == ([out], False)
-    page.folder.click()
+    assert (opened, page.paper.folder.isHidden()) == ([out], False)
+    page.paper.folder.click()
     assert opened == [out, str(tmp_path)]
 
 

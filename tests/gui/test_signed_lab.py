@@ -105,15 +105,15 @@ def test_the_dcc_is_written_by_a_click_and_a_laboratory_that_is_not_stated_is_as
     page, out = signed.page("Certificate"), tmp_path / "calibration.xml"
     (Path(signed.home) / "laboratory.toml").unlink(missing_ok=True)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *said: (str(out), "DCC (*.xml)"))
-    qtbot.waitUntil(page.report.isEnabled, timeout=LONG_MS)
-    qtbot.mouseClick(page.report, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(page.paper.report.isEnabled, timeout=LONG_MS)
+    qtbot.mouseClick(page.paper.report, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(page.fault.isVisible, timeout=LONG_MS)
     assert "laboratory.toml" in page.fault.text.text()
     page.fault.show_fault(None)
     assert not page.said.text()
     place = 'name = "A"\ncity = "Bern"\ncountry = "CH"\n'
     (Path(signed.home) / "laboratory.toml").write_text(f"{place}[customer]\n{place}")
-    qtbot.mouseClick(page.report, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(page.paper.report, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: page.said.text() == f"Written: {out}" or page.fault.isVisible(), timeout=LONG_MS)
     assert not page.fault.isVisible(), page.fault.text.text()
     assert etree.QName(etree.parse(out).getroot()).localname == "digitalCalibrationCertificate"
@@ -122,7 +122,7 @@ def test_the_dcc_is_written_by_a_click_and_a_laboratory_that_is_not_stated_is_as
 def test_a_calibration_is_handed_out_and_applied(qtbot, signed, tmp_path):
     page = signed.page("Certificate")
     name = Path(page.chosen().path).name
-    page.hand_out(str(tmp_path))
+    page.paper.hand_out(str(tmp_path))
     qtbot.waitUntil(lambda: (tmp_path / "allowed_signers").is_file(), timeout=LONG_MS)
     assert (tmp_path / name).is_file()
     assert (tmp_path / f"{name}.sshsig").is_file()
@@ -130,7 +130,7 @@ def test_a_calibration_is_handed_out_and_applied(qtbot, signed, tmp_path):
     header = ["t_s", "segment", "mode", "dut_x", "dut_y", "dut_z", *sorted(effects)]
     row = ["0", "a", "nominal", "100", "200", "300", *["0"] * len(effects)]
     (tmp_path / "in.csv").write_text(",".join(header) + "\n" + ",".join(row) + "\n")
-    page.apply_to(str(tmp_path / "in.csv"), str(tmp_path / "out.csv"))
+    page.paper.apply_to(str(tmp_path / "in.csv"), str(tmp_path / "out.csv"))
     qtbot.waitUntil(lambda: page.said.text().startswith("1 rows"), timeout=LONG_MS)
     assert "b_x" in (tmp_path / "out.csv").read_text()
 

@@ -22,7 +22,12 @@ def front_of(c: Calibration, v: Verification, images: tuple[str, ...] = ()) -> F
     """The front of the certificate of `c`, whose file was checked as `v`."""
     digest, number = sha256(v.content).hexdigest(), c.number or NO_NUMBER
     said = f"{number} · {c.dut.serial} · SHA-256 {digest[:16]}…"
-    return Front(number, said, stamp(c, v), images, _code(f"{c.number or c.run_id} sha256:{digest}"), _attached(v))
+    return Front(number, said, stamp(c, v), images, _code(code_text(c, digest)), _attached(v))
+
+
+def code_text(c: Calibration, digest: str) -> str:
+    """What a QR code on paper says: the certificate's number, else the run, and the SHA-256 of the file."""
+    return f"{c.number or c.run_id} sha256:{digest}"
 
 
 def stamp(c: Calibration, v: Verification) -> str:

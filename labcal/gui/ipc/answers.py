@@ -171,6 +171,7 @@ class ShellLeft:
 class Fitted:
     """One method's answer; where it has a map also the residual (n,) and the calibrated readings (n, 3) [nT].
 
+    `noise_nT` is what the method makes of its own residual, `stated_nT` what the run states of its sensors.
     `shells` where the run was at rest in fields all round at one magnitude, or at several.
     """
 
@@ -179,6 +180,7 @@ class Fitted:
     residual: Array | None = None
     after: Array | None = None
     shells: tuple[ShellLeft, ...] = ()
+    stated_nT: float | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from labcal.errors import InputError
+from labcal.files.home import home
 from labcal.gui.ipc.answers import (
     Bench,
     Cage,
@@ -42,7 +44,7 @@ from labcal.gui.ipc.wire import fault_of
 from labcal.record import Dut
 
 if TYPE_CHECKING:
-    from labcal.bench.config import CageConfig, SiteConfig
+    from labcal.bench.config import BenchConfig, CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
     from labcal.runner import FoundProcedure, Outcome
 
@@ -63,8 +65,22 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
         instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
         serial_pattern=dut.serial_pattern,
         virtual_time=config.simulated,
+        camera=config.camera or "",
+        laboratory=_laboratory(config),
         earth=None if config.site is None else _earth(config.site),
     )
+
+
+def _laboratory(config: BenchConfig) -> str:
+    """Its name, by the bench file or labcal's folder; "" where nobody says it, or not in a way that can be read."""
+    from labcal.certificate.laboratory import FILE, read_laboratory
+
+    if config.laboratory is not None:
+        return config.laboratory.name
+    with suppress(InputError):
+        own = read_laboratory(home() / FILE).laboratory
+        return own.name if own is not None else ""
+    return ""
 
 
 def _earth(site: SiteConfig) -> Earth | None:

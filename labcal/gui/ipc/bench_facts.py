@@ -61,4 +61,6 @@ class Bench:
     instruments: Mapping[str, Instrument]
     serial_pattern: str = USUAL  # of the DUTs that this bench takes
     virtual_time: bool = False  # it passes as fast as is wanted
+    laboratory: str = ""  # whose bench it is, where that is stated
+    camera: str = ""  # its number on this computer, or its address; shown where the DUT is mounted
     earth: Earth | None = None  # where the bench file states its place

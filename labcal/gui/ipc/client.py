@@ -79,6 +79,7 @@ class Client(QObject):
         self._pending: dict[int, tuple[Command[Any], Callable[[Any], object], OnFault]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
+        self._state: StateRead | None = None  # read, and not shown yet
         self._partial_line, self._stderr, self._ended_here = b"", "", ""
         self._heartbeat = QTimer(self, interval=HEARTBEAT_MS)
         self._heartbeat.timeout.connect(lambda: self.send(Beat()))
@@ -166,6 +167,7 @@ class Client(QObject):
         until = time.monotonic() + TIME_SLICE_S
         while self._lines and time.monotonic() < until:
             self._take(self._lines.popleft())
+        self._show_state()
         if self._lines:
             QTimer.singleShot(0, self, self._drain)
 
@@ -176,14 +178,25 @@ class Client(QObject):
         except InputError as error:
             self._stderr += f"{error}\n"
             return self._kill(self.tr("The work said what this window cannot read, and was ended by it."))
+        if isinstance(event, StateRead):
+            self._state = event
+            return None
+        self._show_state()
         return self._dispatch(event)
+
+    def _show_state(self) -> None:
+        """Of several states that have come the newest alone, before whatever was said after it.
+
+        A window that cannot keep up would else show ever older ones.
+        """
+        event, self._state = self._state, None
+        if event is not None:
+            self.states.emit(event.state)
 
     def _dispatch(self, event: Event) -> None:
         match event:
             case Recorded(items):
                 self.items.emit(items)
-            case StateRead(state):
-                self.states.emit(state)
             case Progress(text):
                 self.progress.emit(text)
             case GoesOn():
@@ -215,6 +228,7 @@ class Client(QObject):
         self._read_stdout()
         while self._lines:
             self._take(self._lines.popleft())
+        self._show_state()
         self._process_gone(self._ended_here or self._how_it_ended(code, status))
 
     def _how_it_ended(self, code: int, status: QProcess.ExitStatus) -> str:

@@ -35,6 +35,7 @@ from labcal.gui.ipc.messages import (
     Progress,
     Sign,
     VerifyFile,
+    WriteLabel,
     WriteReport,
 )
 from labcal.record.specification import UNITS
@@ -238,6 +239,14 @@ def report(channel: Channel, asked: WriteReport) -> str:
     return asked.out
 
 
+def label(channel: Channel, asked: WriteLabel) -> str:
+    """Write the label for the DUT of a calibration."""
+    from labcal import session
+
+    session.label(Path(asked.source), Path(asked.out), force=True)  # the dialogue has asked
+    return asked.out
+
+
 def export(channel: Channel, asked: ExportRun) -> str:
     """Write a run as bundle, csv, hdf5 or mat."""
     from labcal import session
@@ -321,6 +330,7 @@ HANDLERS = (
     handles(Approve, approve),
     handles(Sign, sign),
     handles(WriteReport, report),
+    handles(WriteLabel, label),
     handles(ExportRun, export),
     handles(ImportBundle, import_bundle),
     handles(KeepPhoto, photo),

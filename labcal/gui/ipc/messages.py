@@ -256,6 +256,14 @@ class WriteReport(Command[str]):
 
 
 @dataclass(frozen=True, slots=True)
+class WriteLabel(Command[str]):
+    """Write the label for the DUT of a calibration; answers where."""
+
+    source: str
+    out: str
+
+
+@dataclass(frozen=True, slots=True)
 class ExportRun(Command[str]):
     """Write a run as bundle, csv, hdf5 or mat; answers where."""
 

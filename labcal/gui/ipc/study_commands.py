@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from functools import lru_cache
 from importlib import import_module
+from math import hypot
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -87,10 +88,17 @@ def fit(channel: Channel, asked: FitRun) -> Fitted:
 
     measured, found = loaded_run(asked.run), loaded_fit(asked.run, asked.method)
     if found.affine is None:
-        return Fitted(figures(found), found.noise_nT)
+        return Fitted(figures(found), found.noise_nT, stated_nT=stated_noise(measured))
     rows = thinned(len(measured))
     residual, after = scalar_residual(measured, found)[rows], found.affine.apply(measured.reading[rows])
-    return Fitted(figures(found), found.noise_nT, residual, after, _shells(measured, found))
+    shells = _shells(measured, found)
+    return Fitted(figures(found), found.noise_nT, residual, after, shells, stated_noise(measured))
+
+
+def stated_noise(measured: Run) -> float | None:
+    """Of a magnitude's residual [nT], by what the run states of DUT and reference; None where that is nothing."""
+    dut, reference = measured.dut.noise_nT, measured.reference.noise_nT
+    return None if dut is None or reference is None else hypot(dut, reference)
 
 
 def _shells(measured: Run, found: Fit) -> tuple[ShellLeft, ...]:

@@ -109,9 +109,7 @@ class BenchPage(QWidget):
         row.addStretch()
         for widget in (simulated, choose, self.reconnect, self.check):
             row.addWidget(widget)
-        self.table = Table(HEADINGS, stretch=5)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(3, header.ResizeMode.Stretch)
+        self.table = Table(HEADINGS, 3, 5)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
@@ -252,6 +250,7 @@ class BenchPage(QWidget):
         """What each instrument sent last; the coils' currents as they were read back."""
         run, now, facts = self._app_state.run, self._app_state.lab.state.now, self._app_state.facts
         ages = {name: age_words(old_s) for name, old_s in now.heard_old_s}
+        seen = now.field_measured_nT  # what the panel at the right says of it
         for row in range(self.table.rowCount()):
             role, name = self.table.text(row, 0), self.table.text(row, 1)
             words, age, said = "–", ages.get(name, ""), run.reading.get(name)
@@ -259,6 +258,8 @@ class BenchPage(QWidget):
                 current = now.coil_A["xyz".index(role[-1])]
                 words = "–" if current is None else f"{format_number(current, 3)} A"
                 age = age_words(now.coil_old_s)
+            elif role == "reference" and seen is not None:
+                words, age = reading_text(role, seen), age_words(now.field_old_s)
             elif said is not None:
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
             old = bool(age) and words != "–"

@@ -10,7 +10,6 @@ from typing import TypeVar
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QComboBox,
-    QFileDialog,
     QGridLayout,
     QHBoxLayout,
     QLineEdit,
@@ -21,34 +20,30 @@ from PySide6.QtWidgets import (
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import (
-    ApplyCalibration,
     Approve,
     ChangedSince,
     Command,
-    HandOut,
     ListCalibrations,
     ListKeys,
     NewKey,
     Sign,
     VerifyFile,
-    WriteReport,
 )
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.certificate_paper import Paper
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step, standing_word, state_of
 from labcal.gui.widgets.calibration_views import CalibrationViews
-from labcal.gui.widgets.common import Card, button, label, say_wanted, set_state
+from labcal.gui.widgets.common import Card, button, label, plain, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
-from labcal.gui.widgets.open_externally import FolderButton, open_externally
 from labcal.gui.widgets.stated_fields import StatedFields
 
 R = TypeVar("R")
-REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
 
 class CertificatePage(QWidget):
@@ -128,7 +123,9 @@ class CertificatePage(QWidget):
         card.body.addWidget(self.next)
         card.body.addLayout(self._approve_row())
         card.body.addLayout(self._sign_row())
-        card.body.addLayout(self._paper_row())
+        self.paper = Paper(self._app_state, self.chosen, self.fault)
+        self.said = self.paper.said
+        card.body.addWidget(self.paper)
         return card
 
     def _approve_row(self) -> QHBoxLayout:
@@ -147,7 +144,7 @@ class CertificatePage(QWidget):
         row = QHBoxLayout()
         row.addWidget(label(self.tr("1"), "title"))
         self.stated = StatedFields()
-        row.addWidget(self.approver, 2)
+        row.addWidget(self.approver, 1)
         row.addWidget(self.stated.superseded, 1)
         row.addWidget(self.approve)
         return row
@@ -188,31 +185,6 @@ class CertificatePage(QWidget):
         grid.setColumnStretch(1, 1)
         return grid
 
-    def _paper_row(self) -> QVBoxLayout:
-        self.report = button(
-            self.tr("Report …"), self.tr("For people as .html or .pdf, for machines as a DCC (.xml, PTB's schema)")
-        )
-        self.report.clicked.connect(self._report)
-        self.export = button(
-            self.tr("Hand out …"),
-            self.tr("Copy the file, its signatures and the public keys to a folder"),
-        )
-        self.export.clicked.connect(self._hand_out)
-        self.apply = button(
-            self.tr("Apply to readings …"), self.tr("Add the field, its uncertainty and flags to a .csv of readings")
-        )
-        self.apply.clicked.connect(self._apply)
-        self.said, self.folder = label("", "caption", wrap=True), FolderButton()
-        row, where, both = QHBoxLayout(), QHBoxLayout(), QVBoxLayout()
-        where.addWidget(self.said, 1)
-        where.addWidget(self.folder)
-        row.addStretch()
-        for widget in (self.apply, self.export, self.report):
-            row.addWidget(widget)
-        both.addLayout(where)
-        both.addLayout(row)
-        return both
-
     def chosen(self) -> CalibrationFile | None:
         """The calibration that is chosen."""
         row = self.list.currentRow()
@@ -251,6 +223,7 @@ class CertificatePage(QWidget):
         self.list.setVisible(bool(self._files))
         if one is not None:
             self.heading.setText(f"{one.dut.serial}  ·  {one.run_id}")
+            self.heading.setToolTip(plain(self.heading.text()))  # the whole, where there is no room for it
             standing = one.standing
             draft = not standing.signatures
             state = "" if draft else state_of(standing)
@@ -275,8 +248,7 @@ class CertificatePage(QWidget):
         self.approve.setEnabled(draft and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
         self.new_key.setEnabled(new and bool(name) and words and twice)
-        for widget in (self.report, self.export, self.apply):
-            widget.setEnabled(one is not None)
+        self.paper.setEnabled(one is not None)
         step = next_step(one, self._app_state.lab.state.operator) if one else ""
         if new and self.again.text() and not twice:
             step = self.tr("The two passphrases differ.")
@@ -325,67 +297,6 @@ class CertificatePage(QWidget):
         made = self.tr("{0} has a key now, under this passphrase.").format(name)
         self._ask(NewKey(name, self.passphrase.text()), self.signer, lambda: self.said.setText(made))
         self.again.clear()
-
-    def _report(self) -> None:
-        one = self.chosen()
-        if one is None:
-            return
-        start = str(Path.home() / f"{Path(one.path).stem}.html")
-        out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, REPORTS)
-        if out:
-            self.write_report(one.path, out)
-
-    def write_report(self, source: str, out: str) -> None:
-        """Write the report of a calibration to `out`; what people read is opened."""
-        written = self.tr("Written: {0}").format(out)
-
-        def said(_: object) -> str:
-            self.folder.show_folder(out)
-            if not out.endswith(".xml"):
-                open_externally(out)
-            return written
-
-        self._tell(WriteReport(source, out), said)
-        self.said.setText(self.tr("Writing the report …"))
-
-    def _hand_out(self) -> None:
-        if folder := QFileDialog.getExistingDirectory(self, self.tr("Copy the calibration to")):
-            self.hand_out(folder)
-
-    def hand_out(self, folder: str) -> None:
-        """Copy the chosen calibration, its signatures and the public keys to `folder`."""
-        if (one := self.chosen()) is not None:
-            words = self.tr("Copied to {0}").format(folder)
-
-            def said(_: object) -> str:
-                self.folder.show_folder(folder)
-                return words
-
-            self._tell(HandOut(one.path, folder), said)
-
-    def _apply(self) -> None:
-        source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
-        if source:
-            start = str(Path(source).with_suffix("")) + "-nT.csv"
-            out, _ = QFileDialog.getSaveFileName(self, self.tr("Where the field goes"), start, "CSV (*.csv)")
-            if out:
-                self.apply_to(source, out)
-
-    def apply_to(self, source: str, out: str) -> None:
-        """Correct the readings in `source` by the chosen calibration."""
-        if (one := self.chosen()) is not None:
-            self._tell(ApplyCalibration(one.path, source, out, one.dut.serial), str)
-
-    def _tell(self, command: Command[R], words: Callable[[R], str]) -> None:
-        """Ask the quick worker, and say what came of it beside the buttons."""
-
-        def failed(fault: Fault) -> None:
-            self.said.clear()
-            self.fault.show_fault(fault)
-
-        self.fault.show_fault(None)
-        self.folder.show_folder("")
-        self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)
 
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""

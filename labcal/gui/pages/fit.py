@@ -11,13 +11,15 @@ from labcal.gui.ipc.answers import FitFigures, Fitted, Matrix
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.fit_words import said_of
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
-from labcal.gui.widgets.common import Card, button, label, set_primary
+from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
+from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
@@ -36,7 +38,9 @@ class FitPage(QWidget):
         column.setSpacing(2 * GRID)
         column.addLayout(self._head())
         self.waiting = label("", "caption", wrap=True)
+        self.work = WorkBar()
         column.addWidget(self.waiting)
+        column.addWidget(self.work)
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
@@ -92,6 +96,9 @@ class FitPage(QWidget):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
         self.to_run = go_to_run_button(self._app_state)
+        self.verdict = label("", wrap=True)
+        self.verdict.setAccessibleName(self.tr("Whether the fit is good"))
+        card.body.addWidget(self.verdict)
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         card.body.addWidget(self.table, 1)
@@ -129,6 +136,7 @@ class FitPage(QWidget):
         self.waiting.setText(self.tr("computing: {0}").format(", ".join(study.waiting)) if study.busy else refused)
         self.waiting.setVisible(bool(self.waiting.text()))
         self.cancel.setVisible(study.busy)
+        self.work.show_work(study.busy)
         for widget in (self.fit, self.all):
             widget.setVisible(not study.busy)
         ready = bool(study.run) and not study.busy and not refused
@@ -176,6 +184,10 @@ class FitPage(QWidget):
 
     def _show_pictures(self) -> None:
         method = self.method() or ""
+        words, state = said_of(method, self._study.fits.get(method))
+        self.verdict.setText(words)
+        self.verdict.setVisible(bool(words))
+        set_state(self.verdict, state)
         self.views.show_fit(self._study.look, method, self._study.fits.get(method))
         if self.views.shown() == "growth":
             self._show_growth()

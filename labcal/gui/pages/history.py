@@ -109,7 +109,9 @@ class HistoryPage(QWidget):
             self.tr("Open"), self.tr("Look at this run on the Fit page; nothing recorded is ever changed"), primary=True
         )
         self.open.clicked.connect(self._open)
-        self.export = button(self.tr("Export …"), self.tr("As bundle, CSV, HDF5 or MATLAB file"))
+        self.export = button(
+            self.tr("Export …"), self.tr("As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each")
+        )
         self.export.clicked.connect(self._export)
         self.correct = button(
             self.tr("Correct serial …"),
@@ -128,7 +130,7 @@ class HistoryPage(QWidget):
         row.addStretch()
         self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
-        self.table = Table(HEADINGS, stretch=6)
+        self.table = Table(HEADINGS, 6)
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
         header = self.table.horizontalHeader()
@@ -204,9 +206,9 @@ class HistoryPage(QWidget):
 
     def _chosen(self) -> None:
         one = self.chosen()
-        for widget in (self.open, self.export):
-            widget.setEnabled(one is not None and one.status not in NOT_WHOLE)
         several = self.chosen_runs()
+        self.open.setEnabled(one is not None and one.status not in NOT_WHOLE)
+        self.export.setEnabled(bool(several) and all(each.status not in NOT_WHOLE for each in several))
         self.compare.setEnabled(len(several) == 2 and all(two.status not in NOT_WHOLE for two in several))
         self.correct.setEnabled(one is not None and one.status not in ("running", "imported"))
         self._idle_queue.add(self._draw)
@@ -258,13 +260,23 @@ class HistoryPage(QWidget):
     def _export(self) -> None:
         one = self.chosen()
         if one is None:
-            return
-        started = local_time(one.started_utc)
-        serial = re.sub(r"[^\w.-]", "-", one.dut_serial)
-        start = str(Path.home() / f"{serial}_{started:%Y-%m-%d_%H%M}_{one.procedure or 'bundle'}")
+            return self._export_several()
+        start = str(Path.home() / _file_name(one))
         out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(FORMATS))
         if out:
             self.export_to(one.run_id, FORMATS[kind], out)
+        return None
+
+    def _export_several(self) -> None:
+        folder = QFileDialog.getExistingDirectory(self, self.tr("A bundle of each chosen run, into this folder"))
+        outs = {one.run_id: Path(folder) / f"{_file_name(one)}.zip" for one in self.chosen_runs()}
+        there = sorted(out.name for out in outs.values() if out.exists())
+        if folder and there:
+            words = self.tr("{0} is there already; nothing was written.").format(there[0])
+            return self.fault.show_fault(Fault("input", words, self.tr("Choose another folder.")))
+        for run_id, out in outs.items() if folder else ():
+            self.export_to(run_id, "bundle", str(out))
+        return None
 
     def export_to(self, run: str, kind: Format, out: str) -> None:
         """Write `run` to `out`, then say where it lies."""
@@ -298,3 +310,9 @@ class HistoryPage(QWidget):
         if started is None:
             return datetime.fromtimestamp(Path(one.path).stat().st_mtime, UTC).timestamp()
         return datetime.fromisoformat(started.replace("Z", "+00:00")).timestamp()
+
+
+def _file_name(one: RunLine) -> str:
+    """By serial and date, as it is found again in a folder."""
+    started, serial = local_time(one.started_utc), re.sub(r"[^\w.-]", "-", one.dut_serial)
+    return f"{serial}_{started:%Y-%m-%d_%H%M%S}_{one.procedure or 'bundle'}"

@@ -21,6 +21,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.calibration import EffectRecord, Rival
 
 WORDS = {
@@ -61,7 +62,9 @@ class LoopPage(QWidget):
         column.setSpacing(2 * GRID)
         column.addLayout(self._head())
         self.waiting = label("", "caption", wrap=True)
+        self.work = WorkBar()
         column.addWidget(self.waiting)
+        column.addWidget(self.work)
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
@@ -212,6 +215,7 @@ class LoopPage(QWidget):
         self.fault.show_fault(study.fault)
         self._tell()
         self.cancel.setVisible(study.busy)
+        self.work.show_work(study.busy)
         self.close_loop.setVisible(not study.busy)
         refused = self._app_state.path.why_no_fit(study.run)
         self.close_loop.setEnabled(bool(study.run) and not study.busy and not refused)

@@ -21,6 +21,7 @@ from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.parameter_form import ParameterForm
+from labcal.gui.widgets.work_bar import WorkBar
 
 HEADING = Qt.ItemDataRole.UserRole  # of an item that is no procedure
 PACE_WORDS = {"true": "real time"}
@@ -103,12 +104,16 @@ class Choose(QWidget):
             ),
         )
         self.show_plan.clicked.connect(self.rehearse)
+        self.give_up = button(self.tr("Cancel"), self.tr("End the rehearsal; nothing was begun"))
+        self.give_up.clicked.connect(self._give_up)
+        self.work = WorkBar()
         row = QHBoxLayout()
         for widget in (self.pace_label, self.pace):
             row.addWidget(widget)
         row.addStretch()
-        for act in (self.show_plan, self.start):
+        for act in (self.give_up, self.show_plan, self.start):
             row.addWidget(act)
+        card.body.addWidget(self.work)
         card.body.addWidget(self.objection)
         card.body.addLayout(row)
         return card
@@ -139,6 +144,13 @@ class Choose(QWidget):
             planned,
             lambda fault: show_plan(f"✕ {in_words(fault.text)} {in_words(fault.remedy)}"),
         )
+
+    def _give_up(self) -> None:
+        """Wait for no plan any more: who rehearses it is ended."""
+        self._rehearsed = self._planned = None
+        self.plan.setText(self.tr("given up"))
+        self._app_state.bench_worker.kill()
+        self._check()
 
     def _what_for(self) -> list[str]:
         """Where the run is wanted to tell causes apart: what becomes of it."""
@@ -247,6 +259,10 @@ class Choose(QWidget):
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         self.start.setEnabled(ready)
         self.show_plan.setEnabled(ready)
+        rehearsing = self._rehearsed is not None and not self._app_state.run.alive
+        self.give_up.setVisible(rehearsing)
+        self.show_plan.setVisible(not rehearsing)
+        self.work.show_work(rehearsing)
 
     def _start(self) -> None:
         if self.form is not None:

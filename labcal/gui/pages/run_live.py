@@ -136,7 +136,9 @@ class Live(QWidget):
 
     def _middle(self) -> QWidget:
         self.prompt, self.fault = PromptCard(self._theme), FaultCard(closable=False)
-        self.prompt.answered.connect(self._run.answer)
+        self.prompt.answered.connect(self._answer)
+        self._app_state.bench_changed.connect(self._take_camera)
+        self._take_camera()
         self.fault.report_requested.connect(self._app_state.report_requested)
         self.middle = QStackedWidget()
         self._picture = self._live_card()
@@ -153,6 +155,18 @@ class Live(QWidget):
         column.addWidget(self.lights)
         column.addWidget(self.middle, 1)
         return holder
+
+    def _take_camera(self) -> None:
+        facts = self._app_state.facts
+        self.prompt.camera.source = "" if facts is None else facts.camera
+
+    def _answer(self, text: str) -> None:
+        """Send it; what the camera sees as the DUT is said to stand goes into the record as well."""
+        seen = self.prompt.camera.save() if text == "done" else ""
+        self._run.answer(text)
+        if seen:
+            words = self.tr("as it was mounted")
+            self._app_state.request(KeepPhoto(seen), lambda kept: self._run.note(words, **kept))
 
     def _live_card(self) -> Card:
         card = Card()

@@ -16,6 +16,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.common import Card, button, flat, label, set_state
+from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
@@ -88,8 +89,12 @@ class StartPage(QWidget):
         )
         self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
         self.open.clicked.connect(lambda: self._app_state.page_requested.emit("Bench"))
+        self.logo, self.laboratory = Logo(), label("", "caption", wrap=True)
         row = QHBoxLayout()
+        row.setSpacing(2 * GRID)
+        row.addWidget(self.logo)
         words = QVBoxLayout()
+        words.addWidget(self.laboratory)
         words.addWidget(self.date)
         words.addWidget(self.question)
         row.addLayout(words, 1)
@@ -145,6 +150,8 @@ class StartPage(QWidget):
         facts = self._app_state.facts
         self._show_reference("" if facts is None else facts.reference.calibration or "")
         self._show_cage(None if facts is None else facts.cage)
+        self.laboratory.setText("" if facts is None else facts.laboratory)
+        self.laboratory.setVisible(bool(self.laboratory.text()))
         self._enable()
 
     def _show_reference(self, said: str) -> None:

@@ -7,6 +7,10 @@ FAULTS = (  # of several that fit the first counts
         "Data", "'{0}' is no serial number: letters and digits, and . : / + # ( ) - or blanks between them"
     ),
     QT_TRANSLATE_NOOP("Data", "'{0}' is no serial number of this bench: they match {1} (dut.serial_pattern)"),
+    QT_TRANSLATE_NOOP("Data", "{0}: would lie among what is labcal's own; name another folder"),
+    QT_TRANSLATE_NOOP("Data", "{0}: a label has a QR code: pip install 'labcal[paper]'"),
+    QT_TRANSLATE_NOOP("Data", "{0}: a label ends in {1}"),
+    QT_TRANSLATE_NOOP("Data", "{0}: a report ends in {1}"),
     QT_TRANSLATE_NOOP("Data", "a run needs the serial number of its DUT: --dut SERIAL"),
     QT_TRANSLATE_NOOP("Data", "run {0} was not interrupted: it is {1}"),
     QT_TRANSLATE_NOOP("Data", "run {0} is of DUT {1}, the bench has {2}"),

@@ -289,6 +289,33 @@
     </message>
 </context>
 <context>
+    <name>CameraView</name>
+    <message>
+        <source>No camera: OpenCV is not installed (pip install &apos;labcal[camera]&apos;).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No camera answers at {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera {0} gives no picture any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has given no picture yet …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has given no picture for {0:.0f} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the camera: the DUT as it stands now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations</source>
@@ -375,30 +402,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Report …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hand out …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy the file, its signatures and the public keys to a folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Apply to readings …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Draft: not signed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -436,34 +439,6 @@
     </message>
     <message>
         <source>{0} has a key now, under this passphrase.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Writing the report …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy the calibration to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copied to {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Readings of this DUT</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where the field goes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -510,7 +485,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the rehearsal; nothing was begun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -790,6 +777,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Scan the serial of the DUT as it is mounted now: this run is of {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: that is not the DUT of this run. Mount {1}, then scan its serial again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -998,6 +993,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: a label ends in {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: a report ends in {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a run needs the serial number of its DUT: --dut SERIAL</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1095,6 +1098,14 @@
     </message>
     <message>
         <source>{0}: the link does not open ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2591,6 +2602,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Whether the fit is good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a run above, then Fit.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2808,7 +2823,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>As bundle, CSV, HDF5 or MATLAB file</source>
+        <source>As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2869,6 +2884,18 @@
     </message>
     <message>
         <source>Export the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bundle of each chosen run, into this folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is there already; nothing was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2992,6 +3019,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>as it was mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What happens now</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3079,6 +3110,13 @@
     </message>
     <message>
         <source>{0} has not the role measure in the trust list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Logo</name>
+    <message>
+        <source>The laboratory&apos;s logo</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3253,6 +3291,89 @@
     </message>
 </context>
 <context>
+    <name>Paper</name>
+    <message>
+        <source>Report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply to readings …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files into a folder …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print a label for the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label as a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent to the printer: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the printer …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the calibration to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings of this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the field goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ParameterForm</name>
     <message>
         <source>Settings that most runs leave as they are</source>
@@ -3310,6 +3431,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Answer the question</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Say who and what</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3330,11 +3455,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>See what is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Printer</name>
+    <message>
+        <source>this computer has no program {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} ended with {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not printed ({0}): opened, to be printed from there.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3365,7 +3509,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Scan it, or type it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4640,6 +4792,25 @@
     </message>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} nT are left over; no noise is stated to compare it with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WorkBar</name>
+    <message>
+        <source>Something is being computed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -289,6 +289,33 @@
     </message>
 </context>
 <context>
+    <name>CameraView</name>
+    <message>
+        <source>No camera: OpenCV is not installed (pip install &apos;labcal[camera]&apos;).</source>
+        <translation>Keine Kamera: OpenCV ist nicht installiert (pip install &apos;labcal[camera]&apos;).</translation>
+    </message>
+    <message>
+        <source>No camera answers at {0}.</source>
+        <translation>Unter {0} antwortet keine Kamera.</translation>
+    </message>
+    <message>
+        <source>The camera {0} gives no picture any more.</source>
+        <translation>Die Kamera {0} liefert kein Bild mehr.</translation>
+    </message>
+    <message>
+        <source>The camera has given no picture yet …</source>
+        <translation>Die Kamera hat noch kein Bild geliefert …</translation>
+    </message>
+    <message>
+        <source>The camera has given no picture for {0:.0f} s.</source>
+        <translation>Die Kamera hat seit {0:.0f} s kein Bild geliefert.</translation>
+    </message>
+    <message>
+        <source>Picture of the camera: the DUT as it stands now</source>
+        <translation>Bild der Kamera: der Prüfling, wie er jetzt steht</translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations</source>
@@ -383,30 +410,6 @@
         <translation>2</translation>
     </message>
     <message>
-        <source>Report …</source>
-        <translation>Bericht …</translation>
-    </message>
-    <message>
-        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
-        <translation>Für Menschen als .html oder .pdf, für Maschinen als DCC (.xml, Schema der PTB)</translation>
-    </message>
-    <message>
-        <source>Hand out …</source>
-        <translation>Ausgeben …</translation>
-    </message>
-    <message>
-        <source>Copy the file, its signatures and the public keys to a folder</source>
-        <translation>Datei, Unterschriften und öffentliche Schlüssel in einen Ordner kopieren</translation>
-    </message>
-    <message>
-        <source>Apply to readings …</source>
-        <translation>Anwenden …</translation>
-    </message>
-    <message>
-        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
-        <translation>Einer .csv mit Messwerten das Feld, seine Unsicherheit und Kennzeichen zufügen</translation>
-    </message>
-    <message>
         <source>nobody yet</source>
         <translation>niemand</translation>
     </message>
@@ -437,34 +440,6 @@
     <message>
         <source>{0} has a key now, under this passphrase.</source>
         <translation>{0} hat jetzt einen Schlüssel mit diesem Kennwort.</translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation>Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>Written: {0}</source>
-        <translation>Geschrieben: {0}</translation>
-    </message>
-    <message>
-        <source>Writing the report …</source>
-        <translation>Bericht wird geschrieben …</translation>
-    </message>
-    <message>
-        <source>Copy the calibration to</source>
-        <translation>Kalibrierung kopieren nach</translation>
-    </message>
-    <message>
-        <source>Copied to {0}</source>
-        <translation>Kopiert nach {0}</translation>
-    </message>
-    <message>
-        <source>Readings of this DUT</source>
-        <translation>Messwerte dieses Prüflings</translation>
-    </message>
-    <message>
-        <source>Where the field goes</source>
-        <translation>Wohin das Feld geschrieben wird</translation>
     </message>
 </context>
 <context>
@@ -510,8 +485,20 @@
         <translation>Am simulierten Labor proben: Feld, Drehrate, Winkel, Temperatur, Zeit und was Sie gefragt werden</translation>
     </message>
     <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End the rehearsal; nothing was begun</source>
+        <translation>Die Probe beenden; es wurde nichts begonnen</translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation>Probe am simulierten Labor …</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>aufgegeben</translation>
     </message>
     <message>
         <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
@@ -790,6 +777,14 @@
         <translation>Den Prüfling mit Körperachse {0} nach oben längs der Tischachse einbauen, Körperachse {1} zur {2}-Achse des Käfigs, bei Tischwinkel 0.</translation>
     </message>
     <message>
+        <source>Scan the serial of the DUT as it is mounted now: this run is of {0}.</source>
+        <translation>Die Seriennummer des Prüflings scannen, wie er jetzt eingebaut ist: diese Messung gilt {0}.</translation>
+    </message>
+    <message>
+        <source>{0}: that is not the DUT of this run. Mount {1}, then scan its serial again.</source>
+        <translation>{0}: das ist nicht der Prüfling dieser Messung. {1} einbauen, dann seine Seriennummer nochmals scannen.</translation>
+    </message>
+    <message>
         <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
         <translation>Den Prüfling mit Körperachse Z nach oben einbauen, Körperachse X zum X des Käfigs; dann {0}.</translation>
     </message>
@@ -998,6 +993,14 @@
         <translation>»{0}« ist keine Seriennummer dieses Messplatzes: sie entsprechen {1} (dut.serial_pattern)</translation>
     </message>
     <message>
+        <source>{0}: a label ends in {1}</source>
+        <translation>{0}: ein Etikett endet auf {1}</translation>
+    </message>
+    <message>
+        <source>{0}: a report ends in {1}</source>
+        <translation>{0}: ein Bericht endet auf {1}</translation>
+    </message>
+    <message>
         <source>a run needs the serial number of its DUT: --dut SERIAL</source>
         <translation>eine Messung braucht die Seriennummer ihres Prüflings</translation>
     </message>
@@ -1096,6 +1099,14 @@
     <message>
         <source>{0}: the link does not open ({1}).</source>
         <translation>{0}: Die Verbindung lässt sich nicht öffnen ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
+        <translation>{0}: läge unter dem, was labcal gehört; einen anderen Ordner nennen</translation>
+    </message>
+    <message>
+        <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
+        <translation>{0}: ein Etikett hat einen QR-Code: pip install &apos;labcal[paper]&apos;</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -2595,6 +2606,10 @@
         <translation>Parameter</translation>
     </message>
     <message>
+        <source>Whether the fit is good</source>
+        <translation>Ob die Anpassung gut ist</translation>
+    </message>
+    <message>
         <source>computing: {0}</source>
         <translation>rechnet: {0}</translation>
     </message>
@@ -2808,8 +2823,8 @@
         <translation>Export …</translation>
     </message>
     <message>
-        <source>As bundle, CSV, HDF5 or MATLAB file</source>
-        <translation>Als Bündel, CSV-, HDF5- oder MATLAB-Datei</translation>
+        <source>As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each</source>
+        <translation>Als Paket, CSV-, HDF5- oder MATLAB-Datei; von mehreren Messungen je ein Paket</translation>
     </message>
     <message>
         <source>Correct serial …</source>
@@ -2870,6 +2885,18 @@
     <message>
         <source>Export the run</source>
         <translation>Messung exportieren</translation>
+    </message>
+    <message>
+        <source>A bundle of each chosen run, into this folder</source>
+        <translation>Ein Paket je gewählter Messung, in diesen Ordner</translation>
+    </message>
+    <message>
+        <source>{0} is there already; nothing was written.</source>
+        <translation>{0} gibt es schon; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>Exported: {0}</source>
@@ -2976,6 +3003,10 @@
         <translation>Die Kalibrierung aus dieser Messung schätzen</translation>
     </message>
     <message>
+        <source>as it was mounted</source>
+        <translation>wie eingebaut</translation>
+    </message>
+    <message>
         <source>What happens now</source>
         <translation>Was jetzt geschieht</translation>
     </message>
@@ -3080,6 +3111,13 @@
     <message>
         <source>{0} has not the role measure in the trust list.</source>
         <translation>{0} hat in der Vertrauensliste nicht die Rolle measure.</translation>
+    </message>
+</context>
+<context>
+    <name>Logo</name>
+    <message>
+        <source>The laboratory&apos;s logo</source>
+        <translation>Das Logo des Labors</translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3291,89 @@
     </message>
 </context>
 <context>
+    <name>Paper</name>
+    <message>
+        <source>Report …</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation>Für Menschen als .html oder .pdf, für Maschinen als DCC (.xml, Schema der PTB)</translation>
+    </message>
+    <message>
+        <source>Apply to readings …</source>
+        <translation>Anwenden …</translation>
+    </message>
+    <message>
+        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
+        <translation>Einer .csv mit Messwerten das Feld, seine Unsicherheit und Kennzeichen zufügen</translation>
+    </message>
+    <message>
+        <source>Hand out</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
+        <translation>Die Datei mit Signaturen und Schlüsseln, der Kalibrierschein auf Papier, ein Etikett für den Prüfling</translation>
+    </message>
+    <message>
+        <source>Files into a folder …</source>
+        <translation>Dateien in einen Ordner …</translation>
+    </message>
+    <message>
+        <source>Print the certificate</source>
+        <translation>Kalibrierschein drucken</translation>
+    </message>
+    <message>
+        <source>Print a label for the DUT</source>
+        <translation>Etikett für den Prüfling drucken</translation>
+    </message>
+    <message>
+        <source>Label as a file …</source>
+        <translation>Etikett als Datei …</translation>
+    </message>
+    <message>
+        <source>Sent to the printer: {0}</source>
+        <translation>An den Drucker gegeben: {0}</translation>
+    </message>
+    <message>
+        <source>Asking the printer …</source>
+        <translation>Der Drucker wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Write the label</source>
+        <translation>Das Etikett schreiben</translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation>Geschrieben: {0}</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Bericht wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Copy the calibration to</source>
+        <translation>Kalibrierung kopieren nach</translation>
+    </message>
+    <message>
+        <source>Copied to {0}</source>
+        <translation>Kopiert nach {0}</translation>
+    </message>
+    <message>
+        <source>Readings of this DUT</source>
+        <translation>Messwerte dieses Prüflings</translation>
+    </message>
+    <message>
+        <source>Where the field goes</source>
+        <translation>Wohin das Feld geschrieben wird</translation>
+    </message>
+</context>
+<context>
     <name>ParameterForm</name>
     <message>
         <source>Settings that most runs leave as they are</source>
@@ -3310,6 +3431,10 @@
         <translation>Messung ansehen</translation>
     </message>
     <message>
+        <source>Answer the question</source>
+        <translation>Die Frage beantworten</translation>
+    </message>
+    <message>
         <source>Say who and what</source>
         <translation>Sagen, wer und was</translation>
     </message>
@@ -3330,12 +3455,31 @@
         <translation>Rest erklären</translation>
     </message>
     <message>
+        <source>See what is not known</source>
+        <translation>Sehen, was offen ist</translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Sign</source>
         <translation>Signieren</translation>
+    </message>
+</context>
+<context>
+    <name>Printer</name>
+    <message>
+        <source>this computer has no program {0}</source>
+        <translation>dieser Rechner hat kein Programm {0}</translation>
+    </message>
+    <message>
+        <source>{0} ended with {1}</source>
+        <translation>{0} endete mit {1}</translation>
+    </message>
+    <message>
+        <source>Not printed ({0}): opened, to be printed from there.</source>
+        <translation>Nicht gedruckt ({0}): geöffnet, um von dort zu drucken.</translation>
     </message>
 </context>
 <context>
@@ -3365,8 +3509,16 @@
         <translation>Den Pfad einer Datei in die Antwort schreiben</translation>
     </message>
     <message>
+        <source>Scan it, or type it</source>
+        <translation>Scannen oder tippen</translation>
+    </message>
+    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
+    </message>
+    <message>
+        <source>A scan answers by itself; what is typed is sent by Enter.</source>
+        <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
     </message>
     <message>
         <source>None</source>
@@ -4641,6 +4793,25 @@
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
+    </message>
+    <message>
+        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
+        <translation>✓ Gut: {0} nT bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT.</translation>
+    </message>
+    <message>
+        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Noch nicht gut: {0} nT bleiben übrig, das angegebene Rauschen ist {1} nT. Weiter mit »Rest erklären«.</translation>
+    </message>
+    <message>
+        <source>{0} nT are left over; no noise is stated to compare it with.</source>
+        <translation>{0} nT bleiben übrig; es ist kein Rauschen angegeben, mit dem das verglichen werden könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkBar</name>
+    <message>
+        <source>Something is being computed</source>
+        <translation>Es wird gerechnet</translation>
     </message>
 </context>
 </TS>

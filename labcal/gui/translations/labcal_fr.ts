@@ -289,6 +289,33 @@
     </message>
 </context>
 <context>
+    <name>CameraView</name>
+    <message>
+        <source>No camera: OpenCV is not installed (pip install &apos;labcal[camera]&apos;).</source>
+        <translation>Pas de caméra : OpenCV n&apos;est pas installé (pip install &apos;labcal[camera]&apos;).</translation>
+    </message>
+    <message>
+        <source>No camera answers at {0}.</source>
+        <translation>Aucune caméra ne répond à {0}.</translation>
+    </message>
+    <message>
+        <source>The camera {0} gives no picture any more.</source>
+        <translation>La caméra {0} ne donne plus d&apos;image.</translation>
+    </message>
+    <message>
+        <source>The camera has given no picture yet …</source>
+        <translation>La caméra n&apos;a pas encore donné d&apos;image …</translation>
+    </message>
+    <message>
+        <source>The camera has given no picture for {0:.0f} s.</source>
+        <translation>La caméra n&apos;a donné aucune image depuis {0:.0f} s.</translation>
+    </message>
+    <message>
+        <source>Picture of the camera: the DUT as it stands now</source>
+        <translation>Image de la caméra : le DUT tel qu&apos;il se trouve maintenant</translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations</source>
@@ -383,30 +410,6 @@
         <translation>2</translation>
     </message>
     <message>
-        <source>Report …</source>
-        <translation>Rapport …</translation>
-    </message>
-    <message>
-        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
-        <translation>Pour les personnes en .html ou .pdf, pour les machines en DCC (.xml, schéma de la PTB)</translation>
-    </message>
-    <message>
-        <source>Hand out …</source>
-        <translation>Remettre …</translation>
-    </message>
-    <message>
-        <source>Copy the file, its signatures and the public keys to a folder</source>
-        <translation>Copier le fichier, ses signatures et les clés publiques dans un dossier</translation>
-    </message>
-    <message>
-        <source>Apply to readings …</source>
-        <translation>Appliquer …</translation>
-    </message>
-    <message>
-        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
-        <translation>Ajouter le champ, son incertitude et ses repères à un .csv de lectures</translation>
-    </message>
-    <message>
         <source>nobody yet</source>
         <translation>personne encore</translation>
     </message>
@@ -437,34 +440,6 @@
     <message>
         <source>{0} has a key now, under this passphrase.</source>
         <translation>{0} a maintenant une clé, sous cette phrase de passe.</translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation>Écrire le rapport</translation>
-    </message>
-    <message>
-        <source>Written: {0}</source>
-        <translation>Écrit : {0}</translation>
-    </message>
-    <message>
-        <source>Writing the report …</source>
-        <translation>Écriture du rapport …</translation>
-    </message>
-    <message>
-        <source>Copy the calibration to</source>
-        <translation>Copier l&apos;étalonnage vers</translation>
-    </message>
-    <message>
-        <source>Copied to {0}</source>
-        <translation>Copié vers {0}</translation>
-    </message>
-    <message>
-        <source>Readings of this DUT</source>
-        <translation>Lectures de ce DUT</translation>
-    </message>
-    <message>
-        <source>Where the field goes</source>
-        <translation>Où écrire le champ</translation>
     </message>
 </context>
 <context>
@@ -510,8 +485,20 @@
         <translation>Répéter sur le laboratoire simulé : champ, vitesse, angles, température, durée, et ce qu&apos;on vous demande</translation>
     </message>
     <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>End the rehearsal; nothing was begun</source>
+        <translation>Arrêter la répétition ; rien n&apos;a commencé</translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation>Répétition sur le laboratoire simulé …</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>abandonné</translation>
     </message>
     <message>
         <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
@@ -790,6 +777,14 @@
         <translation>Monter le DUT axe {0} du corps vers le haut le long de l&apos;axe du plateau, axe {1} du corps vers le {2} de la cage, plateau à l&apos;angle 0.</translation>
     </message>
     <message>
+        <source>Scan the serial of the DUT as it is mounted now: this run is of {0}.</source>
+        <translation>Lisez le numéro de série du DUT tel qu&apos;il est monté maintenant : cette mesure porte sur {0}.</translation>
+    </message>
+    <message>
+        <source>{0}: that is not the DUT of this run. Mount {1}, then scan its serial again.</source>
+        <translation>{0} : ce n&apos;est pas le DUT de cette mesure. Montez {1}, puis lisez de nouveau son numéro de série.</translation>
+    </message>
+    <message>
         <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
         <translation>Monter le DUT axe Z du corps vers le haut, axe X du corps vers le X de la cage ; puis {0}.</translation>
     </message>
@@ -998,6 +993,14 @@
         <translation>« {0} » n&apos;est pas un numéro de série de ce banc : ils suivent {1} (dut.serial_pattern)</translation>
     </message>
     <message>
+        <source>{0}: a label ends in {1}</source>
+        <translation>{0} : une étiquette se termine par {1}</translation>
+    </message>
+    <message>
+        <source>{0}: a report ends in {1}</source>
+        <translation>{0} : un rapport se termine par {1}</translation>
+    </message>
+    <message>
         <source>a run needs the serial number of its DUT: --dut SERIAL</source>
         <translation>une mesure exige le numéro de série de son DUT</translation>
     </message>
@@ -1096,6 +1099,14 @@
     <message>
         <source>{0}: the link does not open ({1}).</source>
         <translation>{0} : la liaison ne s&apos;ouvre pas ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
+        <translation>{0} : serait parmi ce qui appartient à labcal ; indiquez un autre dossier</translation>
+    </message>
+    <message>
+        <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
+        <translation>{0} : une étiquette a un code QR : pip install &apos;labcal[paper]&apos;</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -2595,6 +2606,10 @@
         <translation>paramètre</translation>
     </message>
     <message>
+        <source>Whether the fit is good</source>
+        <translation>Si l&apos;ajustement est bon</translation>
+    </message>
+    <message>
         <source>computing: {0}</source>
         <translation>calcul : {0}</translation>
     </message>
@@ -2808,8 +2823,8 @@
         <translation>Exporter …</translation>
     </message>
     <message>
-        <source>As bundle, CSV, HDF5 or MATLAB file</source>
-        <translation>En paquet, CSV, HDF5 ou fichier MATLAB</translation>
+        <source>As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each</source>
+        <translation>En paquet, CSV, HDF5 ou MATLAB ; de plusieurs mesures un paquet chacune</translation>
     </message>
     <message>
         <source>Correct serial …</source>
@@ -2870,6 +2885,18 @@
     <message>
         <source>Export the run</source>
         <translation>Exporter la mesure</translation>
+    </message>
+    <message>
+        <source>A bundle of each chosen run, into this folder</source>
+        <translation>Un paquet par mesure choisie, dans ce dossier</translation>
+    </message>
+    <message>
+        <source>{0} is there already; nothing was written.</source>
+        <translation>{0} existe déjà ; rien n&apos;a été écrit.</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Choisissez un autre dossier.</translation>
     </message>
     <message>
         <source>Exported: {0}</source>
@@ -2976,6 +3003,10 @@
         <translation>Estimer l&apos;étalonnage à partir de cette mesure</translation>
     </message>
     <message>
+        <source>as it was mounted</source>
+        <translation>tel que monté</translation>
+    </message>
+    <message>
         <source>What happens now</source>
         <translation>Ce qui se passe</translation>
     </message>
@@ -3080,6 +3111,13 @@
     <message>
         <source>{0} has not the role measure in the trust list.</source>
         <translation>{0} n&apos;a pas le rôle measure dans la liste de confiance.</translation>
+    </message>
+</context>
+<context>
+    <name>Logo</name>
+    <message>
+        <source>The laboratory&apos;s logo</source>
+        <translation>Le logo du laboratoire</translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3291,89 @@
     </message>
 </context>
 <context>
+    <name>Paper</name>
+    <message>
+        <source>Report …</source>
+        <translation>Rapport …</translation>
+    </message>
+    <message>
+        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation>Pour les personnes en .html ou .pdf, pour les machines en DCC (.xml, schéma de la PTB)</translation>
+    </message>
+    <message>
+        <source>Apply to readings …</source>
+        <translation>Appliquer …</translation>
+    </message>
+    <message>
+        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
+        <translation>Ajouter le champ, son incertitude et ses repères à un .csv de lectures</translation>
+    </message>
+    <message>
+        <source>Hand out</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
+        <translation>Le fichier avec ses signatures et ses clés, le certificat sur papier, une étiquette pour le DUT</translation>
+    </message>
+    <message>
+        <source>Files into a folder …</source>
+        <translation>Les fichiers dans un dossier …</translation>
+    </message>
+    <message>
+        <source>Print the certificate</source>
+        <translation>Imprimer le certificat</translation>
+    </message>
+    <message>
+        <source>Print a label for the DUT</source>
+        <translation>Imprimer une étiquette pour le DUT</translation>
+    </message>
+    <message>
+        <source>Label as a file …</source>
+        <translation>Étiquette en fichier …</translation>
+    </message>
+    <message>
+        <source>Sent to the printer: {0}</source>
+        <translation>Envoyé à l&apos;imprimante : {0}</translation>
+    </message>
+    <message>
+        <source>Asking the printer …</source>
+        <translation>L&apos;imprimante est interrogée …</translation>
+    </message>
+    <message>
+        <source>Write the label</source>
+        <translation>Écrire l&apos;étiquette</translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation>Écrit : {0}</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Écriture du rapport …</translation>
+    </message>
+    <message>
+        <source>Copy the calibration to</source>
+        <translation>Copier l&apos;étalonnage vers</translation>
+    </message>
+    <message>
+        <source>Copied to {0}</source>
+        <translation>Copié vers {0}</translation>
+    </message>
+    <message>
+        <source>Readings of this DUT</source>
+        <translation>Lectures de ce DUT</translation>
+    </message>
+    <message>
+        <source>Where the field goes</source>
+        <translation>Où écrire le champ</translation>
+    </message>
+</context>
+<context>
     <name>ParameterForm</name>
     <message>
         <source>Settings that most runs leave as they are</source>
@@ -3310,6 +3431,10 @@
         <translation>Voir la mesure</translation>
     </message>
     <message>
+        <source>Answer the question</source>
+        <translation>Répondre à la question</translation>
+    </message>
+    <message>
         <source>Say who and what</source>
         <translation>Dire qui et quoi</translation>
     </message>
@@ -3330,12 +3455,31 @@
         <translation>Expliquer le résidu</translation>
     </message>
     <message>
+        <source>See what is not known</source>
+        <translation>Voir ce qui reste inconnu</translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation>Remettre</translation>
     </message>
     <message>
         <source>Sign</source>
         <translation>Signer</translation>
+    </message>
+</context>
+<context>
+    <name>Printer</name>
+    <message>
+        <source>this computer has no program {0}</source>
+        <translation>cet ordinateur n&apos;a pas de programme {0}</translation>
+    </message>
+    <message>
+        <source>{0} ended with {1}</source>
+        <translation>{0} s&apos;est terminé avec {1}</translation>
+    </message>
+    <message>
+        <source>Not printed ({0}): opened, to be printed from there.</source>
+        <translation>Non imprimé ({0}) : ouvert, à imprimer de là.</translation>
     </message>
 </context>
 <context>
@@ -3365,8 +3509,16 @@
         <translation>Écrire le chemin d&apos;un fichier dans la réponse</translation>
     </message>
     <message>
+        <source>Scan it, or type it</source>
+        <translation>Lisez-le ou tapez-le</translation>
+    </message>
+    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
+    </message>
+    <message>
+        <source>A scan answers by itself; what is typed is sent by Enter.</source>
+        <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
     </message>
     <message>
         <source>None</source>
@@ -4641,6 +4793,25 @@
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
+    </message>
+    <message>
+        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
+        <translation>✓ Bon : il reste {0} nT, pas plus que le bruit indiqué, {1} nT.</translation>
+    </message>
+    <message>
+        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Pas encore bon : il reste {0} nT, le bruit indiqué est de {1} nT. Ensuite « Expliquer le résidu ».</translation>
+    </message>
+    <message>
+        <source>{0} nT are left over; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkBar</name>
+    <message>
+        <source>Something is being computed</source>
+        <translation>Un calcul est en cours</translation>
     </message>
 </context>
 </TS>

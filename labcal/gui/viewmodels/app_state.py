@@ -184,8 +184,10 @@ class AppState(QObject):
             self.settings.setValue("operator", operator.strip())
 
     def scan(self, serial: str) -> None:
-        """A scanner read this where no field waited for it: is it the DUT's serial? Never while a run goes on."""
-        if self.run.alive:
+        """A scanner read this where no field waited for it: is it the DUT's serial? A run may ask for it."""
+        if self.run.asks_serial:
+            self.run.answer(serial)
+        elif self.run.alive:
             self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
         elif said := self.serial_objection(serial):
             self._say_of_dut(self.tr("✕ Scanned, and not taken: {0}").format(said))

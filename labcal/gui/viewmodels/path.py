@@ -90,7 +90,8 @@ class PathViewModel(QObject):
         if not state.bench:
             return Next("Start", self.tr("Open a bench"))
         if self._run.alive:
-            return Next("Run", self.tr("See the run"))
+            asked = self._run.state == "asking"
+            return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"))
         if not state.dut_serial or state.dut_objection or not state.operator:
             return Next("Start", self.tr("Say who and what"))
         if last is not None and last.status == "interrupted":
@@ -101,6 +102,9 @@ class PathViewModel(QObject):
             return Next("Fit", self.tr("Fit the run"), last.run_id)
         if marks["Loop"] == "open":
             return Next("Loop", self.tr("Trace the residual"), last.run_id)
+        if marks["Loop"] == "doubt" and marks["Certificate"] == "open":  # the loop says what to do before signing
+            told = self._study.run == last.run_id and self._study.loop is not None
+            return Next("Loop", self.tr("See what is not known"), "" if told else last.run_id)
         return Next("Certificate", self.tr("Hand it out") if marks["Certificate"] == "done" else self.tr("Sign"))
 
     def _of_the_run(self, last: RunLine | None) -> Mark:

@@ -39,6 +39,7 @@ Mark = Literal["done", "now", "next", "skipped", "broken"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
+SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
 SAID_ELSEWHERE = ("answer", "set-point", "read-back")  # by whoever answered, and by the lab's state
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
@@ -97,6 +98,11 @@ class RunViewModel(QObject):
     def alive(self) -> bool:
         """Whether a run goes on."""
         return self.state in ALIVE
+
+    @property
+    def asks_serial(self) -> bool:
+        """Whether the open question is which DUT stands on the platform."""
+        return self.prompt is not None and SERIAL in self.prompt.drawing
 
     def start(self, order: RunProcedure) -> None:
         """Begin. One run at a time."""

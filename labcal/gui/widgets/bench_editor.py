@@ -65,7 +65,7 @@ class BenchEditor(QWidget):
 
     def _settings_card(self) -> Card:
         self.card = Card(self.tr("Settings of a bench file"), self.tr("limits first"))
-        self.table = Table(HEADINGS, stretch=3)
+        self.table = Table(HEADINGS, 3)
         self.table.setEditTriggers(EDITED_BY.DoubleClicked | EDITED_BY.EditKeyPressed | EDITED_BY.AnyKeyPressed)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self.table.setMinimumHeight(14 * GRID)

@@ -9,6 +9,11 @@ from PySide6.QtWidgets import QAbstractItemView, QListWidget
 class GroupedList(QListWidget):
     """As a QListWidget, which stays where it is when a key would lead it to a heading."""
 
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWordWrap(True)  # a heading that is too long for its line takes two
+        self.setResizeMode(QListWidget.ResizeMode.Adjust)
+
     def moveCursor(self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier) -> QModelIndex:
         """Where a key leads to; from a heading on to what is below it."""
         index = super().moveCursor(action, modifiers)

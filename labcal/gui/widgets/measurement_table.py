@@ -22,7 +22,7 @@ RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 class Table(QTableWidget):
     """A read-only table with named columns; Ctrl+C copies what is selected, with tabs."""
 
-    def __init__(self, headings: tuple[str, ...], stretch: int = 0) -> None:
+    def __init__(self, headings: tuple[str, ...], *stretch: int) -> None:
         super().__init__(0, len(headings))
         self._headings: tuple[str, ...] = ()
         self.set_headings(headings)
@@ -37,10 +37,37 @@ class Table(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
+        self._stretched, self._keeping = stretch or (0,), False
+        for column in self._stretched:
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
+        if len(stretch) > 1:  # what is left is shared: a share may be too little
+            for changed in (header.sectionResized, header.geometriesChanged):
+                changed.connect(self._keep_headings)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
         described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """More room, or less, is shared anew."""
+        super().resizeEvent(event)
+        if len(self._stretched) > 1:
+            self._keep_headings()
+
+    def _keep_headings(self) -> None:
+        """A column that takes what room is left takes no less than its heading needs."""
+        header, mode = self.horizontalHeader(), QHeaderView.ResizeMode
+        if self._keeping:
+            return
+        self._keeping = True
+        needed = {column: header.sectionSizeHint(column) for column in self._stretched}
+        room = self.viewport().width() - sum(header.sectionSize(n) for n in range(header.count()) if n not in needed)
+        whole = room // len(needed) >= max(needed.values())
+        for column, width in needed.items():
+            header.setSectionResizeMode(column, mode.Stretch if whole else mode.Interactive)
+            if not whole:
+                room -= width
+                header.resizeSection(column, width + (max(0, room) if column == self._stretched[-1] else 0))
+        self._keeping = False
 
     def set_headings(self, headings: tuple[str, ...]) -> None:
         """Name the columns, as many as there are names."""

@@ -15,15 +15,18 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.run import SERIAL
+from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, set_state
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
+MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
-    "body_from_cage": "Mounted",
+    MOUNTING: "Mounted",
     "reference_m": "Placed",
     "reference_turned": "Placed",
     "dut_away": "Taken away",
@@ -87,7 +90,6 @@ class PromptCard(Card):
         self.coils.setAccessibleName(self.tr("How the coils are"))
         words.addWidget(self.coils)
         self.entry = QLineEdit()
-        self.entry.setPlaceholderText(self.tr("Write it here"))
         self.entry.returnPressed.connect(self._enter)
         self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
         self.choose.clicked.connect(self._choose)
@@ -101,7 +103,11 @@ class PromptCard(Card):
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
         row.addLayout(words, 1)
-        row.addWidget(self.drawing, 1)
+        self.camera = CameraView()
+        pictures = QVBoxLayout()
+        for widget in (self.drawing, self.camera):
+            pictures.addWidget(widget, 1)
+        row.addLayout(pictures, 1)
         self.body.addLayout(row, 1)
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
@@ -113,6 +119,7 @@ class PromptCard(Card):
         if prompt is self._prompt:
             return
         self._prompt = prompt
+        self.camera.watch(prompt is not None and MOUNTING in prompt.drawing)
         if prompt is None:
             self.call.stop()
             return
@@ -123,7 +130,12 @@ class PromptCard(Card):
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
         self.choose.setVisible(FILE in prompt.drawing)
+        self.entry.setPlaceholderText(
+            self.tr("Scan it, or type it") if SERIAL in prompt.drawing else self.tr("Write it here")
+        )
         self._make_buttons(prompt)
+        if SERIAL in prompt.drawing:
+            self.entry.setFocus()
 
     def say_coils(self, coil_words: str) -> None:
         """What the coils do while a person's hands may be near them: as the side panel says it, at any moment."""
@@ -153,7 +165,10 @@ class PromptCard(Card):
             self._make_senders(prompt)
         self._buttons.addStretch()
         held = [b for b in (*self.choices.values(), self.send) if isinstance(b, HoldButton)]
-        self.hint.setText(self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else "")
+        by_key = self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else ""
+        self.hint.setText(
+            self.tr("A scan answers by itself; what is typed is sent by Enter.") if SERIAL in prompt.drawing else by_key
+        )
 
     def _make_senders(self, prompt: Prompt) -> None:
         """What sends the words; where they say that something was moved, by click or held key alone."""
@@ -175,8 +190,8 @@ class PromptCard(Card):
         return made
 
     def _enter(self) -> None:
-        if self._prompt is not None and not self._prompt.acts:
-            self._send_text()
+        if self._prompt is not None and (SERIAL in self._prompt.drawing or not self._prompt.acts):
+            self._send_text()  # a scanner that is as slow as a person ends what it reads by Enter
 
     def _choose(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("A file for the record"))

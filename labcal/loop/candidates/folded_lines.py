@@ -50,7 +50,8 @@ def _leads(scores: Array, power: float, of_image: float, tried: int) -> bool:
     """Whether the likeliest of `tried` frequencies is likelier than the image, by what each leaves of the scores."""
     total = float(np.sum(scores**2))
     left, by_image = (max(total - 2 * one / len(scores), EXACT * total) for one in (power, of_image))
-    return 0.5 * scores.size * np.log(by_image / left) > policy.POLICY.equivalent_nats + np.log(tried)
+    lead = 0.5 * scores.size * float(np.log(by_image / left))
+    return lead > policy.POLICY.equivalent_nats + float(np.log(tried))
 
 
 def _image(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) -> float | None:

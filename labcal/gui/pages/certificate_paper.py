@@ -1,0 +1,153 @@
+"""What a calibration is given away as: reports, paper, the label for its DUT, its files, and readings in nT."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QVBoxLayout, QWidget
+
+from labcal.gui.ipc.answers import CalibrationFile
+from labcal.gui.ipc.messages import ApplyCalibration, Command, HandOut, WriteLabel, WriteReport
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import button, label
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.open_externally import FolderButton, open_externally
+from labcal.gui.widgets.printer import Printer
+
+R = TypeVar("R")
+REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
+LABELS = "PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"
+
+
+class Paper(QWidget):
+    """Buttons for the calibration that `chosen` gives, and a line that says what came of it; faults go to `fault`."""
+
+    def __init__(self, app_state: AppState, chosen: Callable[[], CalibrationFile | None], fault: FaultCard) -> None:
+        super().__init__()
+        self._app_state, self._chosen, self._fault = app_state, chosen, fault
+        self.said, self.folder = label("", "caption", wrap=True), FolderButton()
+        self.printer = Printer(self)
+        self.printer.said.connect(self.said.setText)
+        self.report = button(
+            self.tr("Report …"), self.tr("For people as .html or .pdf, for machines as a DCC (.xml, PTB's schema)")
+        )
+        self.report.clicked.connect(self._report)
+        self.export = button(
+            self.tr("Hand out"),
+            self.tr("The file with its signatures and keys, the certificate on paper, a label for the DUT"),
+        )
+        self.export.setMenu(self._menu())
+        self.apply = button(
+            self.tr("Apply to readings …"), self.tr("Add the field, its uncertainty and flags to a .csv of readings")
+        )
+        self.apply.clicked.connect(self._apply)
+        where, row, both = QHBoxLayout(), QHBoxLayout(), QVBoxLayout(self)
+        both.setContentsMargins(0, 0, 0, 0)
+        both.setSpacing(GRID)
+        where.addWidget(self.said, 1)
+        where.addWidget(self.folder)
+        row.addStretch()
+        for widget in (self.apply, self.export, self.report):
+            row.addWidget(widget)
+        both.addLayout(where)
+        both.addLayout(row)
+
+    def _menu(self) -> QMenu:
+        menu = QMenu(self)
+        for words, act in (
+            (self.tr("Files into a folder …"), self._hand_out),
+            (self.tr("Print the certificate"), self.print_certificate),
+            (self.tr("Print a label for the DUT"), self.print_label),
+            (self.tr("Label as a file …"), self._label),
+        ):
+            menu.addAction(words).triggered.connect(act)
+        return menu
+
+    def print_certificate(self) -> None:
+        """Print the certificate of the chosen calibration."""
+        if (one := self._chosen()) is not None:
+            self._print(WriteReport(one.path, self.printer.file(one.path, "certificate")))
+
+    def print_label(self) -> None:
+        """Print the label for the DUT of the chosen calibration."""
+        if (one := self._chosen()) is not None:
+            self._print(WriteLabel(one.path, self.printer.file(one.path, "label")))
+
+    def _print(self, command: WriteReport | WriteLabel) -> None:
+        words = self.tr("Sent to the printer: {0}").format(Path(command.out).name)
+
+        def sent(out: str) -> str:
+            self.said.setText(self.tr("Asking the printer …"))
+            self.printer.print_file(out, words)
+            return self.said.text()
+
+        self._tell(command, sent)
+
+    def _label(self) -> None:
+        if (one := self._chosen()) is not None:
+            start = str(Path.home() / f"{Path(one.path).stem}-label.pdf")
+            out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the label"), start, LABELS)
+            if out:
+                self._tell(WriteLabel(one.path, out), self._written)
+
+    def _written(self, out: str) -> str:
+        """Say where something was written; what people read is opened."""
+        self.folder.show_folder(out)
+        if not out.endswith(".xml"):
+            open_externally(out)
+        return self.tr("Written: {0}").format(out)
+
+    def _report(self) -> None:
+        if (one := self._chosen()) is not None:
+            start = str(Path.home() / f"{Path(one.path).stem}.html")
+            out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, REPORTS)
+            if out:
+                self.write_report(one.path, out)
+
+    def write_report(self, source: str, out: str) -> None:
+        """Write the report of a calibration to `out`; what people read is opened."""
+        self._tell(WriteReport(source, out), self._written)
+        self.said.setText(self.tr("Writing the report …"))
+
+    def _hand_out(self) -> None:
+        if folder := QFileDialog.getExistingDirectory(self, self.tr("Copy the calibration to")):
+            self.hand_out(folder)
+
+    def hand_out(self, folder: str) -> None:
+        """Copy the chosen calibration, its signatures and the public keys to `folder`."""
+        if (one := self._chosen()) is not None:
+            words = self.tr("Copied to {0}").format(folder)
+
+            def said(_: object) -> str:
+                self.folder.show_folder(folder)
+                return words
+
+            self._tell(HandOut(one.path, folder), said)
+
+    def _apply(self) -> None:
+        source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
+        if source:
+            start = str(Path(source).with_suffix("")) + "-nT.csv"
+            out, _ = QFileDialog.getSaveFileName(self, self.tr("Where the field goes"), start, "CSV (*.csv)")
+            if out:
+                self.apply_to(source, out)
+
+    def apply_to(self, source: str, out: str) -> None:
+        """Correct the readings in `source` by the chosen calibration."""
+        if (one := self._chosen()) is not None:
+            self._tell(ApplyCalibration(one.path, source, out, one.dut.serial), str)
+
+    def _tell(self, command: Command[R], words: Callable[[R], str]) -> None:
+        """Ask the quick worker, and say what came of it beside the buttons."""
+
+        def failed(fault: Fault) -> None:
+            self.said.clear()
+            self._fault.show_fault(fault)
+
+        self._fault.show_fault(None)
+        self.folder.show_folder("")
+        self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)

@@ -1,0 +1,94 @@
+"""Long work shows a bar and can be stopped; a fit says in words whether it is good."""
+
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtCore import Qt
+
+from labcal.gui.ipc.answers import FitFigures, Fitted
+from labcal.gui.ipc.messages import FitRun, Rehearse
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.fit_words import said_of
+
+K = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def fitted(left_nT, stated_nT):
+    """A method takes its own noise from what is left over: that says nothing of how good it is."""
+    said = FitFigures(True, None, K, (0.0, 0.0, 0.0), holdout_rms_scalar_nT=left_nT)
+    return Fitted(said, left_nT, stated_nT=stated_nT)
+
+
+@pytest.fixture
+def studied(still):
+    """A run under study, with nothing asked."""
+    study = still.app_state.study_vm
+    study.forget("r1")
+    yield study
+    study.forget("")
+    study.changed.emit()
+
+
+@pytest.mark.parametrize(("name", "begin"), [("Fit", "fit"), ("Loop", "close_loop")])
+def test_what_is_computed_shows_a_bar_until_it_is_stopped(still, studied, qtbot, name, begin):
+    still.open_page(name)
+    page = still.page(name)
+    assert not page.work.isVisible()
+    getattr(studied, begin)(*(["ml"] if begin == "fit" else []))
+    assert page.work.isVisible()
+    assert (page.work.minimum(), page.work.maximum()) == (0, 0)  # it moves
+    qtbot.mouseClick(page.cancel, Qt.MouseButton.LeftButton)
+    assert still.app_state.fit_worker.killed == 1
+    assert not page.work.isVisible()
+
+
+def test_a_rehearsal_shows_a_bar_and_is_given_up_by_a_click(still, qtbot):
+    still.open_page("Run")
+    choose, worker = still.page("Run").choose, still.app_state.bench_worker
+    qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
+    assert choose.work.isVisible()
+    assert not choose.start.isEnabled()
+    qtbot.mouseClick(choose.give_up, Qt.MouseButton.LeftButton)
+    assert worker.killed == 1
+    for one in [one for one in worker.asked if isinstance(one.command, Rehearse)]:
+        one.failed(Fault("ended", "The work was ended by this window."))
+    assert choose.plan.text() == "given up"
+    assert not choose.work.isVisible()
+    assert not choose.give_up.isVisible()
+    assert choose.start.isEnabled()
+    assert choose.show_plan.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("left_nT", "stated_nT", "words", "state"),
+    [
+        (11.0, 10.0, "ml: ✓ Good: 11.0 nT are left over, no more than the stated noise, 10.0 nT.", "good"),
+        (
+            11.6,
+            10.0,
+            "ml: ▲ Not good yet: 11.6 nT are left over, the stated noise is 10.0 nT. Trace the residual.",
+            "warning",
+        ),
+        (11.0, None, "ml: 11.0 nT are left over; no noise is stated to compare it with.", ""),
+        (None, 10.0, "", ""),
+    ],
+)
+def test_a_fit_says_whether_it_is_good(still, studied, left_nT, stated_nT, words, state):
+    assert said_of("ml", fitted(left_nT, stated_nT)) == (words, state)
+    still.open_page("Fit")
+    page = still.page("Fit")
+    studied.fit("ml")
+    still.app_state.fit_worker.answer(FitRun, fitted(left_nT, stated_nT))
+    page.idle_queue.finish()
+    assert (page.verdict.text(), page.verdict.property("state") or "") == (words, state)
+    assert page.verdict.isVisible() == bool(words)
+
+
+def test_what_a_run_states_of_its_noise_comes_with_its_fit():
+    from labcal.gui.ipc.study_commands import stated_noise
+
+    def run(dut, reference):
+        return SimpleNamespace(dut=SimpleNamespace(noise_nT=dut), reference=SimpleNamespace(noise_nT=reference))
+
+    assert stated_noise(run(15.0, 8.0)) == pytest.approx(17.0)
+    assert (stated_noise(run(None, 8.0)), stated_noise(run(15.0, None))) == (None, None)
