@@ -14,7 +14,7 @@ from labcal.bench.guardian.proxies import GuardedInstrument
 from labcal.errors import InstrumentError
 
 
-class Asked:
+class AskedSupply:
     """An instrument of the guardian's, asked who it is beside the session's own orders, which wait for one another."""
 
     def __init__(self, name: str, connection: Connection) -> None:
@@ -43,7 +43,7 @@ def all_greeted(instruments: Mapping[str, Greets], config: BenchConfig, clock: C
             link = config.instruments[name].link
             if isinstance(one, GuardedInstrument) and (connection := _another(link)) is not None:
                 afterwards.callback(connection.close)
-                there[name], apart[name] = Asked(name, connection), link
+                there[name], apart[name] = AskedSupply(name, connection), link
         return greeted(there, apart, clock)
 
 

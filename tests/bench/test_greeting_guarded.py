@@ -8,7 +8,7 @@ import pytest
 from served_lab import Served, all_gone
 
 from labcal.bench import open_bench
-from labcal.bench.guarded_greeting import Asked
+from labcal.bench.guarded_greeting import AskedSupply
 from labcal.errors import InstrumentError
 
 SUPPLIES = {"supply_x", "supply_y", "supply_z"}
@@ -51,5 +51,5 @@ def test_a_guardian_that_is_gone_meanwhile_is_named() -> None:
 
     gone: Any = Gone()
     with pytest.raises(InstrumentError, match="supply_x: the guardian is gone") as caught:
-        Asked("supply_x", gone).identify()
+        AskedSupply("supply_x", gone).identify()
     assert caught.value.fault == "guardian lost"

@@ -51,7 +51,8 @@ def block_folds(
 ) -> BlockFolds:
     """Blocks of `block_s` (a fortieth of the recorded time, not less than five correlation times) in random folds.
 
-    A segment is at least two blocks; the guard is at most a third of the shortest, so that training keeps its rows.
+    A segment is at least two blocks, and more where segments are few: without the blocks of one fold there are others
+    to hold out of the rest. The guard is at most a third of the shortest, so that training keeps its rows.
     """
     t, segment = problem.scene.t_s, problem.scene.segment
     parts = stretches(segment)
@@ -59,12 +60,13 @@ def block_folds(
     length = block_s or max(
         recorded / BLOCKS, CORRELATION_TIMES * correlation_s, BLOCK_ROWS * float(np.median(np.diff(t)))
     )
-    block, count, shortest = np.empty(len(t), dtype=np.intp), 0, length
+    block, count, shortest, fewest = np.empty(len(t), dtype=np.intp), 0, length, max(2, -(-FOLDS // len(parts)))
     fold_of: list[int] = []
     draw = np.random.default_rng(seed)
     for part in parts:
         span = float(t[part][-1] - t[part][0])
-        pieces = max(round(span / length), 2 if len(t[part]) >= TWO_BLOCKS else 1)
+        rows = t[part].size
+        pieces = max(round(span / length), min(fewest, 2 * rows // TWO_BLOCKS) if rows >= TWO_BLOCKS else 1)
         inside = np.minimum((t[part] - t[part][0]) / max(span, 1e-9) * pieces, pieces - 1e-9).astype(int)
         block[part] = count + inside
         count, shortest = count + pieces, min(shortest, span / pieces)

@@ -27,6 +27,7 @@ from labcal.model.effects.regressors import on_each_axis, stretches
 Array = NDArray[np.float64]
 DEGREES = (2, 3)  # of what is not straight
 HARMONICS = (1, 2, 3)  # of the platform's angle
+MOST_DIRECTIONS = 300  # of a misfit that are integrated over: the work grows as their cube
 NEAREST = 3  # rivals that are scored beside what both may miss
 
 
@@ -54,8 +55,20 @@ def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate],
 def _leads_beside_both(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, rival: Candidate) -> bool:
     """Whether `chosen` still leads where neither it nor the rival may explain what the other's form misses."""
     beside = [discrepancy(pool, chosen), *misfits(pool, [chosen, rival])]
-    own, other = (evidence_beside_misfit(pool, others, c, beside) for c in (chosen, rival))
+    own, other = (_evidence_beside(pool, others, c, beside) for c in (chosen, rival))
     return own >= max(other, 0.0) + policy.POLICY.equivalent_nats
+
+
+def _evidence_beside(
+    pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, beside: Sequence[Span]
+) -> float:
+    """The evidence for a cause [nats] with what may be missed integrated over its likeliest prior.
+
+    Of very many directions, which are nearly all that a record can hold, only what is across them counts.
+    """
+    if sum(span.columns.shape[2] for span in beside) > MOST_DIRECTIONS:
+        return pool.score(chosen, pool.null_model(others, beside)).evidence
+    return evidence_beside_misfit(pool, others, chosen, beside)
 
 
 def _is_unrelated(candidate: Candidate, chosen: Candidate, related: set[str]) -> bool:

@@ -56,6 +56,8 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
     while True:
         pool.tell(pool, accepted, "the selection on each part of the blocks")
         cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted)))
+        if accepted and (own := against_own_base(base_set, pool, blocks, cv_error)).after >= own.before:
+            return _of_the_base_alone(base_set, pool, selection, level)
         pool.tell(pool, accepted, "what does as well")
         equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
         reportable = n_reportable(pool, cv_error, level, accepted, equivalents)
@@ -77,6 +79,14 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         refused={**selection.refused, **contributions},
         outlier_distance=outlier_distance(pool.residual_everywhere(accepted)[0], pool.valid),
     )
+
+
+def _of_the_base_alone(base_set: CandidateSet, pool: CandidateSet, selection: Selection, level: NoiseFloor) -> Evidence:
+    """The evidence where the effects are worse than the base about its own map, on rows that neither saw: none is."""
+    given_up = {c.cause: held for c, held in zip(selection.accepted, selection.contributions, strict=True)}
+    none = replace(selection, accepted=(), contributions=(), refused={**selection.refused, **given_up})
+    alone = base_set.without_rows(~pool.valid)
+    return prove(alone, alone, none, level)
 
 
 def against_own_base(
