@@ -24,6 +24,7 @@ def studied(still):
     """A run under study, with nothing asked."""
     study = still.app_state.study_vm
     study.forget("r1")
+    study.changed.emit()
     yield study
     study.forget("")
     study.changed.emit()

@@ -78,10 +78,13 @@ class Live(QWidget):
         self.frame_timer.timeout.connect(self.draw)
         self.sounds = Sounds(self, app_state.settings)
         self.prompt.calls.connect(lambda: self.sounds.play("needed"))
-        self._run.ended.connect(lambda *_: self.sounds.play("done"))
+        self._run.ended.connect(self._sound_done)  # a method: it goes when the page does, as a lambda would not
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
         self._show()
+
+    def _sound_done(self, _run_id: str, _status: str) -> None:
+        self.sounds.play("done")
 
     def set_theme(self, theme: Theme) -> None:
         """Steps, lights and verdicts in the theme's colours."""
