@@ -6,8 +6,8 @@ import sys
 from collections.abc import Callable
 from contextlib import closing
 from enum import Enum
-from types import SimpleNamespace
-from typing import Any
+from types import ModuleType, SimpleNamespace
+from typing import Any, ClassVar
 
 import pytest
 
@@ -24,7 +24,7 @@ class FakeU6:
     """u6.U6 of LabJackPython, as far as a reader goes: its calls, its names of arguments, its dictionary."""
 
     lost = False
-    calls: list[Any] = []  # noqa: RUF012
+    calls: ClassVar[list[Any]] = []
 
     def __init__(self, debug: bool = False, autoOpen: bool = True, **kargs: Any) -> None:
         assert not autoOpen
@@ -54,7 +54,7 @@ class TerminalConfiguration(Enum):
 class FakeTask:
     """nidaqmx.Task with voltage channels, read on demand."""
 
-    made: list[FakeTask] = []  # noqa: RUF012
+    made: ClassVar[list[FakeTask]] = []
 
     def __init__(self, new_task_name: str = "") -> None:
         self.channels, self.closed, self.ai_channels = list[Any](), False, self
@@ -71,19 +71,31 @@ class FakeTask:
         self.closed = True
 
 
+def played(name: str, **holds: Any) -> ModuleType:
+    """A module of this name that holds these."""
+    module = ModuleType(name)
+    vars(module).update(holds)
+    return module
+
+
+def device(name: str) -> SimpleNamespace:
+    """nidaqmx.system.Device."""
+    return SimpleNamespace(product_type="USB-6218", serial_num=0x1A2B3C4)
+
+
 @pytest.fixture
 def boxes(monkeypatch: pytest.MonkeyPatch) -> None:
     """Both makers' modules, played."""
     monkeypatch.setattr(FakeU6, "calls", [])
     monkeypatch.setattr(FakeTask, "made", [])
-    device = lambda name: SimpleNamespace(product_type="USB-6218", serial_num=0x1A2B3C4)  # noqa: E731
-    for name, module in {
-        "u6": SimpleNamespace(U6=FakeU6), "LabJackPython": SimpleNamespace(staticLib=object()),
-        "nidaqmx": SimpleNamespace(Task=FakeTask),
-        "nidaqmx.system": SimpleNamespace(Device=device),
-        "nidaqmx.constants": SimpleNamespace(TerminalConfiguration=TerminalConfiguration),
-    }.items():  # fmt: skip
-        monkeypatch.setitem(sys.modules, name, module)  # type: ignore[arg-type]
+    for module in (
+        played("u6", U6=FakeU6),
+        played("LabJackPython", staticLib=object()),
+        played("nidaqmx", Task=FakeTask),
+        played("nidaqmx.system", Device=device),
+        played("nidaqmx.constants", TerminalConfiguration=TerminalConfiguration),
+    ):
+        monkeypatch.setitem(sys.modules, module.__name__, module)
 
 
 def on(url: str, then: Callable[[DaqInputs], None], **stated: Any) -> None:
@@ -161,8 +173,8 @@ def test_without_its_module_the_extra_is_named(url: str, package: str, monkeypat
 def test_a_u6_without_its_driver_is_said_and_nothing_is_printed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setitem(sys.modules, "u6", SimpleNamespace())  # type: ignore[arg-type]
-    monkeypatch.setitem(sys.modules, "LabJackPython", SimpleNamespace(staticLib=None))  # type: ignore[arg-type]
+    for module in (played("u6"), played("LabJackPython", staticLib=None)):
+        monkeypatch.setitem(sys.modules, module.__name__, module)
     with pytest.raises(InputError, match="the Exodriver"):
         open_link("daq://u6", RealClock())
     assert capsys.readouterr().out == ""

@@ -37,8 +37,7 @@ def off(bench: Path) -> tuple[int, dict[str, str]]:
 def other(monkeypatch: pytest.MonkeyPatch) -> Iterator[Ear]:
     """The guardian of another bench file, without supplies; its axis z is at zero."""
     ear = Ear()
-    told = lambda *_, **__: [AtZero("z", 0.0, True)]  # noqa: E731
-    monkeypatch.setattr(ear.coils, "zero", told)
+    monkeypatch.setattr(ear.coils, "zero", lambda *_, **__: [AtZero("z", 0.0, True)])
     yield ear
     ports.let_go()
     wire.unlisten(ear.listener, ear.card)

@@ -9,11 +9,13 @@ import PySide6
 import pytest
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QLabel
+from shiboken6 import delete, isValid
 
 from labcal.gui.reopened import Shown
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations import translate
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.sounds import Sounds
 
 LRELEASE = next(Path(PySide6.__file__).parent.glob("lrelease*"), None)
 SHIPPED = sorted(translate.FOLDER.glob("labcal_*.ts"))
@@ -83,6 +85,18 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
     assert window.app_state.settings.value("language") == "de"
     with qtbot.waitSignal(window.coils_off):
         window.top.off.click()
+
+
+def test_the_end_of_a_run_is_not_sounded_by_the_window_before(qapp, qtbot, new_window, restored, monkeypatch):
+    played = []
+    monkeypatch.setattr(Sounds, "play", lambda sounds, sound: played.append((isValid(sounds), sound)))
+    shown, before = Shown(new_window), new_window.page("Run").live
+    new_window.language_switch.click()
+    qtbot.addWidget(shown.window)
+    assert shown.window.page("Run").live is not before
+    delete(before)
+    shown.window.app_state.run.ended.emit("r1", "finished")
+    assert played == [(True, "done")]
 
 
 def test_no_other_language_while_a_run_goes_on(qapp, new_window, restored, monkeypatch):

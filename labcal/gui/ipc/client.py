@@ -11,10 +11,10 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol, TypeVar
 
-from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
+from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from labcal.errors import InputError
-from labcal.files.home import SECRETS
+from labcal.gui.ipc.environment import child_environment
 from labcal.gui.ipc.lines import read_answer, read_event, write_line
 from labcal.gui.ipc.messages import (
     Beat,
@@ -100,7 +100,7 @@ class Client(QObject):
         process.readyReadStandardError.connect(self._read_stderr)
         process.finished.connect(self._process_finished)
         process.errorOccurred.connect(self._process_error)
-        process.setProcessEnvironment(_environment())
+        process.setProcessEnvironment(child_environment())
         self._process, self._stderr, self._partial_line, self._ended_here = process, "", b"", ""
         process.start(sys.executable, list(command))
         self._heartbeat.start()
@@ -267,10 +267,3 @@ def _named_signal(number: int) -> str:
         return f"{number}, {signal.Signals(number).name}"
     except ValueError:
         return str(number)
-
-
-def _environment() -> QProcessEnvironment:
-    found = QProcessEnvironment.systemEnvironment()
-    for name in SECRETS:
-        found.remove(name)
-    return found

@@ -10,9 +10,9 @@ import shutil
 import sys
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTemporaryDir, Signal
+from PySide6.QtCore import QObject, QProcess, QTemporaryDir, Signal
 
-from labcal.files.home import for_children
+from labcal.gui.ipc.environment import child_environment
 from labcal.gui.widgets.open_externally import open_externally
 
 PROGRAM = "lp"  # of CUPS, on Linux and macOS
@@ -39,7 +39,7 @@ class Printer(QObject):
         if program is None:
             return self._open(path, self.tr("this computer has no program {0}").format(PROGRAM))
         process = QProcess(self)
-        process.setProcessEnvironment(_environment())
+        process.setProcessEnvironment(child_environment())
         process.finished.connect(lambda code, _: self._finished(process, code, path, done))
         process.start(program, [path])
         return None
@@ -62,11 +62,3 @@ class Printer(QObject):
     def _open(self, path: str, why: str) -> None:
         open_externally(path)
         self.said.emit(self.tr("Not printed ({0}): opened, to be printed from there.").format(why))
-
-
-def _environment() -> QProcessEnvironment:
-    """What labcal's children may know."""
-    found = QProcessEnvironment()
-    for name, value in for_children().items():
-        found.insert(name, value)
-    return found

@@ -20,7 +20,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
-from labcal.loop.selection.misfit import evidence_beside_misfit, misfits
+from labcal.loop.selection.misfit import evidence_beside_misfit, misfits, scaled, whitened
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
@@ -82,32 +82,25 @@ def discrepancy(pool: CandidateSet, chosen: Candidate) -> Span:
         scene = pool.problem.scene if pool.problem.whole is None else pool.problem.whole.scene
         drives = list(_drives(scene, chosen.term.channels))
         columns = np.concatenate([on_each_axis(drive) for drive in drives], axis=2)
-        return Span(principal_span(cosine_transform(_whitened(pool, columns)[pool.transformed_rows])))
+        return Span(principal_span(cosine_transform(whitened(pool, columns)[pool.transformed_rows])))
 
     return pool.cached(("discrepancy", chosen.term.channels), (), made)
 
 
-def _whitened(pool: CandidateSet, columns: Array) -> Array:
-    problem = pool.problem
-    if problem.bins is None or problem.whole is None:
-        return np.asarray(problem.whiten @ columns)
-    return problem.bins.averaged(problem.whole.whiten @ columns)
-
-
 def _drives(scene: Scene, own: Sequence[str]) -> Iterator[Array]:
     """Powers of the field, its rate, harmonics of the angle, powers of every channel, each (n,)."""
-    field = _scaled(scene.driving_field_nT)
+    field = scaled(scene.driving_field_nT)
     for degree in DEGREES:
         for axes in combinations_with_replacement(range(3), degree):
             yield np.prod(field[:, axes], axis=1)
-    rate = _scaled(np.concatenate([np.gradient(field[part], axis=0) for part in stretches(scene.segment)]))
+    rate = scaled(np.concatenate([np.gradient(field[part], axis=0) for part in stretches(scene.segment)]))
     yield from (*rate.T, *(rate**2).T)
     if scene.rig is not None and np.isfinite(scene.rig.angle_rad).any():
         angle = np.nan_to_num(scene.rig.angle_rad)
         turning = np.isfinite(scene.rig.angle_rad)
         yield from (turning * wave(k * angle) for k in HARMONICS for wave in (np.cos, np.sin))
     for name, values in scene.channels.items():
-        x = _scaled(values - np.median(values))
+        x = scaled(values - np.median(values))
         yield from (_bent(x**degree, x) for degree in DEGREES) if name in own else (x**k for k in (1, *DEGREES))
 
 
@@ -115,7 +108,3 @@ def _bent(values: Array, x: Array) -> Array:
     """What no line in `x` (n,) takes of values (n,): of a load that is switched all powers are the same."""
     line = np.column_stack([np.ones_like(x), x])
     return np.asarray(values - line @ np.linalg.lstsq(line, values, rcond=None)[0])
-
-
-def _scaled(values: Array) -> Array:
-    return np.asarray(values / max(float(np.max(np.abs(values))), 1e-300))

@@ -81,12 +81,13 @@ def _transformed(pool: CandidateSet, chosen: Candidate, forms: Callable[[Scene, 
     shape = pool.whole.scene.field_nT.shape
 
     def on_all_rows() -> Array:
-        return _whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
+        return whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
 
     return cosine_transform(pool.store.memo.get(forms, (chosen,), on_all_rows)[pool.transformed_rows])
 
 
-def _whitened(pool: CandidateSet, columns: Array) -> Array:
+def whitened(pool: CandidateSet, columns: Array) -> Array:
+    """Columns (N, 3, p) of all rows as the pool's problem has them: whitened, and averaged where it is binned."""
     problem = pool.problem
     if problem.bins is None or problem.whole is None:
         return np.asarray(problem.whiten @ columns)
@@ -120,19 +121,19 @@ def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
 def _channels(scene: Scene, chosen: Candidate) -> Iterator[Array]:
     """Its channels and their squares, each (n,)."""
     for name in chosen.term.channels:
-        x = _scaled(scene.channels[name] - np.median(scene.channels[name]))
+        x = scaled(scene.channels[name] - np.median(scene.channels[name]))
         yield from (x, x**2)
 
 
 def _surroundings(scene: Scene, chosen: Candidate) -> Iterator[Array]:
     """The field, for the rig in the cage, and the angle, each (n,); nothing for what a channel alone drives."""
     if chosen.belongs_to == "rig" and scene.rig is not None:
-        yield from _scaled(np.nan_to_num(scene.rig.reference_nT)).T
+        yield from scaled(np.nan_to_num(scene.rig.reference_nT)).T
         turning = np.isfinite(scene.rig.angle_rad)
         angle = np.nan_to_num(scene.rig.angle_rad)
         yield from (turning * wave(k * angle) for k in HARMONICS for wave in (np.cos, np.sin) if turning.any())
     elif chosen.family.of_field or not chosen.term.channels:
-        yield from _scaled(scene.driving_field_nT).T
+        yield from scaled(scene.driving_field_nT).T
 
 
 def _in_time(scene: Scene, columns: Array) -> Iterator[Array]:
@@ -146,5 +147,6 @@ def _in_time(scene: Scene, columns: Array) -> Iterator[Array]:
         yield moved.reshape(columns.shape)
 
 
-def _scaled(values: Array) -> Array:
+def scaled(values: Array) -> Array:
+    """Values (n, ...) with a largest magnitude of one."""
     return np.asarray(values / max(float(np.max(np.abs(values))), 1e-300))

@@ -56,7 +56,8 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
     while True:
         pool.tell(pool, accepted, "the selection on each part of the blocks")
         cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted)))
-        if accepted and (own := against_own_base(base_set, pool, blocks, cv_error)).after >= own.before:
+        own = against_own_base(base_set, pool, blocks, cv_error)
+        if accepted and own.after > policy.POLICY.equivalent_rms * own.before:
             return _of_the_base_alone(base_set, pool, selection, level)
         pool.tell(pool, accepted, "what does as well")
         equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
@@ -71,7 +72,7 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         accepted=accepted,
         rankings=selection.rankings,
         equivalents=equivalents,
-        cv_error=against_own_base(base_set, pool, blocks, cv_error),
+        cv_error=own,
         contributions=selection.contributions[: len(accepted)],
         level=level,
         blocks=blocks,
