@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import numpy as np
 import pytest
@@ -63,15 +62,14 @@ class Table:
 
     def cage(self, name: str) -> np.ndarray:
         """What stands in the cage or turns there, along the table's axes (n, 3)."""
-        in_cage: Any
         if name == "beside":
             in_cage = self.rows["ref"] @ ANSWER.T + REMANENT_nT
         elif name == "motor":
             poles = rotate(UP, 3 * self.rows["angle"], np.tile([90.0, -40.0, 70.0], (len(self.on), 1)))
             in_cage = poles + self.on[:, None] * (poles + [120.0, 60.0, -150.0])
         else:
-            return np.einsum("nij,nj->ni", self.to_table, self.rows["ref"]) @ ANSWER.T + REMANENT_nT
-        return np.einsum("nij,nj->ni", self.to_table, in_cage)
+            return np.asarray(np.einsum("nij,nj->ni", self.to_table, self.rows["ref"]) @ ANSWER.T + REMANENT_nT)
+        return np.asarray(np.einsum("nij,nj->ni", self.to_table, in_cage))
 
 
 @pytest.mark.parametrize(
