@@ -65,6 +65,12 @@ def of_the_rig(run: Run) -> list[Channel]:
     return [c for c in rig if _moves(c.values)]
 
 
+def coils(run: Run) -> list[Channel]:
+    """Currents of the cage's coils that move and are known in all rows."""
+    found = [c for c in run.channels if c.role == "coil" and c.quantity == "current"]
+    return [c for c in found if bool(np.isfinite(c.values).all()) and _moves(c.values)]
+
+
 def room_temperatures(run: Run) -> list[Channel]:
     """Temperatures of the room that move and are known for half of the rows: what the rig's instruments follow."""
     return [c for c in run.channels if c.role == "room" and c.quantity == "temperature" and _moves(c.values)]
