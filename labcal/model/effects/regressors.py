@@ -23,6 +23,7 @@ FIELD_IN_C = "now->field"  # the field along the axes of B
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
 STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
+ALIKE = 0.999  # correlation of two records of one current
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 
 
@@ -66,9 +67,13 @@ def of_the_rig(run: Run) -> list[Channel]:
 
 
 def coils(run: Run) -> list[Channel]:
-    """Currents of the cage's coils that move and are known in all rows."""
-    found = [c for c in run.channels if c.role == "coil" and c.quantity == "current"]
-    return [c for c in found if bool(np.isfinite(c.values).all()) and _moves(c.values)]
+    """Currents of the cage's coils that move and are known in all rows; of one that is recorded twice the first."""
+    found: list[Channel] = []
+    for c in run.channels:
+        if c.role == "coil" and c.quantity == "current" and bool(np.isfinite(c.values).all()) and _moves(c.values):
+            if all(abs(float(np.corrcoef(c.values, other.values)[0, 1])) < ALIKE for other in found):
+                found.append(c)
+    return found
 
 
 def room_temperatures(run: Run) -> list[Channel]:
