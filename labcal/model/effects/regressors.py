@@ -68,12 +68,13 @@ def of_the_rig(run: Run) -> list[Channel]:
 
 def coils(run: Run) -> list[Channel]:
     """Currents of the cage's coils that move and are known in all rows; of one that is recorded twice the first."""
-    found: list[Channel] = []
-    for c in run.channels:
-        if c.role == "coil" and c.quantity == "current" and bool(np.isfinite(c.values).all()) and _moves(c.values):
-            if all(abs(float(np.corrcoef(c.values, other.values)[0, 1])) < ALIKE for other in found):
-                found.append(c)
-    return found
+    currents = [c for c in run.channels if c.role == "coil" and c.quantity == "current"]
+    known = [c for c in currents if bool(np.isfinite(c.values).all()) and _moves(c.values)]
+    return [c for k, c in enumerate(known) if not any(_are_alike(c, other) for other in known[:k])]
+
+
+def _are_alike(one: Channel, other: Channel) -> bool:
+    return abs(float(np.corrcoef(one.values, other.values)[0, 1])) > ALIKE
 
 
 def room_temperatures(run: Run) -> list[Channel]:
