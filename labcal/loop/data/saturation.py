@@ -52,7 +52,7 @@ def beyond_limit(everything: LinearProblem, stuck: Mask) -> Mask:
     """
     if everything.kind != "vector":
         return stuck
-    missing = -np.linalg.solve(everything.affine.K, everything.residual_nT.T).T
+    missing = np.asarray(-np.linalg.solve(everything.affine.K, everything.residual_nT.T).T)
     ends = [end for axis in range(3) for end in _ends(everything.run.reading[:, axis], missing[:, axis], stuck)]
     limits = {limit for limit, _, beyond in ends if beyond}
     return np.asarray(np.any([there for limit, there, _ in ends if limit in limits], axis=0)) & stuck
