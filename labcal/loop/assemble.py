@@ -160,14 +160,13 @@ def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
         return "ambiguous"
     if found.accepted:
         return "explained" if reaches and known and not outlying else "partly-explained"
-    if outlying:
+    saturated = aside[SATURATION.id] >= law.min_set_aside
+    if outlying or (saturated and not reaches):
         return "partly-explained"
-    if (
-        aside[SATURATION.id] >= law.min_set_aside
-        or (aside[OUTLIERS.id] >= law.min_set_aside and found.outlier_distance > law.gross_outlier_sigmas)
-    ) and reaches:
-        return "explained"
-    return "clean" if reaches else "unexplained"
+    gross = aside[OUTLIERS.id] >= law.min_set_aside and found.outlier_distance > law.gross_outlier_sigmas
+    if reaches:
+        return "explained" if saturated or gross else "clean"
+    return "unexplained"
 
 
 def _correlated(found: Evidence) -> bool:
@@ -208,7 +207,10 @@ def _rival(equivalent: Equivalent) -> Rival:
 
 
 def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdict, far: float) -> list[EffectRecord]:
-    """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
+    """Rows set aside are named as a cause where they are more than chance.
+
+    Outliers only where the rest is understood; a limit that readings pile up at is there whatever the rest is.
+    """
     found = []
     law = policy.POLICY
     for effect, count in aside.items():

@@ -32,6 +32,8 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Res
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     left = f" What is left: {shape.says}" if shape is not None else ""
+    if not names and shape is not None and verdict == "partly-explained":
+        return f"Beside the rows set aside there is structure that no known effect carries: {change}.{left} {rows}."
     return sentences[verdict] + left + (f" {rows}." if rows else "")
 
 

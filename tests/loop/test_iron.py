@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import numpy as np
 import pytest
@@ -45,41 +44,44 @@ class Table:
         self.to_table = rotation(UP, -self.rows["angle"])
         self.on = (np.mod(self.rows["t_s"], 21.0) < 9.0).astype(float)
 
-    def problem(self, folder: Path, in_table_nT: np.ndarray, *, zeros: bool) -> LinearProblem:
-        """The base fitted to what the device reads with a field on it that is given along the table's axes."""
+    def problem(self, folder: Path, in_table_nT: np.ndarray, zero: str = "stated") -> LinearProblem:
+        """The base fitted to what the device reads with a field on it that is given along the table's axes.
+
+        The attitude at the platform's zero is `stated`, or unknown beside `one` zero, or another for `each` mounting.
+        """
         seen = np.einsum("nij,njk,nk->ni", self.mounts, self.to_table, self.rows["ref"])
         seen = seen + np.einsum("nij,nj->ni", self.mounts, in_table_nT)
         noise = np.random.default_rng(4).normal(0, self.making.NOISE_nT, seen.shape)
         rows, segments = dict(self.rows, dut=1.05 * seen + 800 + noise, motor_on=self.on), self.segments
-        if zeros:
+        if zero == "each":
             rows["angle"] = rows["angle"] + np.array(ZEROS)[self.number]
+        if zero != "stated":
             segments = [{k: v for k, v in s.items() if k != "body_from_cage"} for s in segments]
         channels = self.making.CHANNELS | {"motor_on": {"unit": "1", "quantity": "other", "role": "platform"}}
         return prepare(session.load_run(str(self.making.written(folder, rows, segments, channels))))[0]
 
     def cage(self, name: str) -> np.ndarray:
         """What stands in the cage or turns there, along the table's axes (n, 3)."""
-        in_cage: Any
         if name == "beside":
             in_cage = self.rows["ref"] @ ANSWER.T + REMANENT_nT
         elif name == "motor":
             poles = rotate(UP, 3 * self.rows["angle"], np.tile([90.0, -40.0, 70.0], (len(self.on), 1)))
             in_cage = poles + self.on[:, None] * (poles + [120.0, 60.0, -150.0])
         else:
-            return np.einsum("nij,nj->ni", self.to_table, self.rows["ref"]) @ ANSWER.T + REMANENT_nT
-        return np.einsum("nij,nj->ni", self.to_table, in_cage)
+            return np.asarray(np.einsum("nij,nj->ni", self.to_table, self.rows["ref"]) @ ANSWER.T + REMANENT_nT)
+        return np.asarray(np.einsum("nij,nj->ni", self.to_table, in_cage))
 
 
 @pytest.mark.parametrize(
-    ("where", "channels", "zeros"),
-    [("beside", (), False), ("beside", (), True), ("on the table", (), False),
-     ("motor", ("motor_on",), False), ("motor", ("motor_on",), True)],
+    ("where", "channels", "zero"),
+    [("beside", (), "stated"), ("beside", (), "each"), ("on the table", (), "stated"), ("on the table", (), "one"),
+     ("motor", ("motor_on",), "stated"), ("motor", ("motor_on",), "one"), ("motor", ("motor_on",), "each")],
 )  # fmt: skip
 def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
-    making: ModuleType, tmp_path: Path, where: str, channels: tuple[str, ...], zeros: bool
+    making: ModuleType, tmp_path: Path, where: str, channels: tuple[str, ...], zero: str
 ) -> None:
     table = Table(making)
-    pool = CandidateSet.of(table.problem(tmp_path, table.cage(where), zeros=zeros), 0.85)
+    pool = CandidateSet.of(table.problem(tmp_path, table.cage(where), zero), 0.85)
     assert np.sqrt(np.mean(pool.residual(()) ** 2)) > 2
     accepted, _ = stepwise_forward(pool)
     assert [c.cause for c in accepted] == [("cage-field", channels)]
@@ -92,7 +94,7 @@ def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(
     table = Table(making)
     leaning = rotation_vector(np.radians([1.1, -0.5, 0.0])) - np.eye(3)
     turned = np.einsum("nij,nj->ni", table.to_table, table.rows["ref"] @ leaning.T)
-    pool = CandidateSet.of(table.problem(tmp_path, turned, zeros=True), 0.85)
+    pool = CandidateSet.of(table.problem(tmp_path, turned, "each"), 0.85)
     chosen = next(c for c in pool.candidates if c.family.id == "axis-tilt" and len(c.term.parameters) == 2)
     iron = next(c for c in pool.candidates if c.term.parameters[-1][0] == "bz_z")
     assert pool.score(iron, pool.null_model()).evidence > 100
@@ -101,8 +103,8 @@ def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(
 
 def test_nothing_is_added_where_there_is_no_iron(making: ModuleType, tmp_path: Path) -> None:
     table = Table(making)
-    for zeros in (False, True):
-        problem = table.problem(tmp_path / str(zeros), np.zeros((len(table.on), 3)), zeros=zeros)
+    for zero in ("stated", "one", "each"):
+        problem = table.problem(tmp_path / zero, np.zeros((len(table.on), 3)), zero)
         assert stepwise_forward(CandidateSet.of(problem, 0.85))[0] == []
 
 
@@ -121,7 +123,7 @@ def test_the_tables_axes_turn_with_it(axis: np.ndarray) -> None:
 
 def test_what_iron_on_the_table_answers_has_harmonics_up_to_the_second(making: ModuleType, tmp_path: Path) -> None:
     table = Table(making)
-    problem = table.problem(tmp_path, np.zeros((len(table.on), 3)), zeros=False)
+    problem = table.problem(tmp_path, np.zeros((len(table.on), 3)))
     (term,) = (t for t in family("cage-field").candidates(problem.run) if t.parameters[0][0] == "t_u")
     here = problem.scene
     assert here.rig is not None

@@ -40,6 +40,14 @@ def test_rows_set_aside_within_ten_deviations_are_no_cause(distance: float, verd
     assert verdict_of(_evidence(100.0, distance=distance), {"outliers": 9, "saturation": 0}, 1000) == verdict
 
 
+@pytest.mark.parametrize(
+    ("after", "rows", "verdict"), [(100.0, 3, "explained"), (150.0, 3, "partly-explained"), (150.0, 2, "unexplained")]
+)
+def test_a_limit_that_readings_pile_up_at_is_named_whatever_the_rest_is(after: float, rows: int, verdict: str) -> None:
+    aside = {"outliers": 0, "saturation": rows}
+    assert verdict_of(_evidence(after), aside, 1000) == verdict
+
+
 @pytest.mark.parametrize(("outliers", "verdict"), [(49, "explained"), (51, "partly-explained")])
 def test_a_run_with_more_than_5_per_cent_outliers_is_never_explained(outliers: int, verdict: str) -> None:
     assert verdict_of(_evidence(100.0, accepted=1), {"outliers": outliers, "saturation": 0}, 1000) == verdict

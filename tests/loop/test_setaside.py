@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from labcal import session
 from labcal.loop import close_loop
 from labcal.loop.close import prepare
 from labcal.loop.data.outliers import hampel_outliers
-from labcal.loop.data.saturation import at_saturation_limit
+from labcal.loop.data.saturation import at_saturation_limit, beyond_limit
 from labcal.record import Run
 
 Rows = dict[str, np.ndarray]
@@ -29,6 +30,21 @@ def test_readings_clipped_at_the_device_s_range_lie_at_its_rail(plain: Run) -> N
     clipped = (cut != plain.reading).any(axis=1)
     assert clipped.sum() > 20
     assert np.array_equal(at_saturation_limit(replace(plain, reading=cut)), clipped)
+
+
+def test_an_end_as_far_out_as_a_limit_is_one_though_the_base_does_not_say_so() -> None:
+    read = np.zeros((12, 3))
+    read[:6] = np.arange(6.0)[:, None] * 100
+    read[6:9, 0], read[9:, 0], read[6:9, 1] = 1000.0, -1000.0, 700.0
+    stuck = np.arange(12) >= 6
+    lacking = np.zeros((12, 3))  # what an effect that the base lacks does to the residual
+    lacking[6:9, 0], lacking[9:, 0] = -80.0, -60.0  # beyond the upper end, short of the lower one
+    everything: Any = SimpleNamespace(
+        kind="vector", run=SimpleNamespace(reading=read), affine=SimpleNamespace(K=np.eye(3)), residual_nT=lacking
+    )
+    assert np.array_equal(beyond_limit(everything, stuck), stuck)
+    read[9:, 0] = -990.0
+    assert np.array_equal(np.flatnonzero(beyond_limit(everything, stuck)), [6, 7, 8])
 
 
 def test_a_coarse_reading_that_dwells_where_the_turn_comes_back_is_at_no_rail(plain: Run) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -45,17 +47,21 @@ def beyond_limit(everything: LinearProblem, stuck: Mask) -> Mask:
     """Of the rows `stuck` (n,) at an extreme of an axis those where the field, as the base carries it, goes beyond.
 
     A field that turns back there, or stands there, piles up coarse readings as well, and then they are as they should
-    be. Magnitudes do not tell what an axis would read: of these all are taken.
+    be. Where one end is a limit, one as far from zero is too, whatever a base that lacks an effect says of it.
+    Magnitudes do not tell what an axis would read: of these all are taken.
     """
     if everything.kind != "vector":
         return stuck
-    read = everything.run.reading
-    missing = -np.linalg.solve(everything.affine.K, everything.residual_nT.T).T
-    out = np.zeros_like(stuck)
-    for values, more in zip(read.T, missing.T, strict=True):
-        half_step = float(np.diff(np.unique(values)).min(initial=np.inf)) / 2
-        for extreme, outward in ((np.nanmax(values), more), (np.nanmin(values), -more)):
-            there = stuck & (values == extreme)
-            if there.any() and float(np.median(outward[there])) > half_step:
-                out |= there
-    return out
+    missing = np.asarray(-np.linalg.solve(everything.affine.K, everything.residual_nT.T).T)
+    ends = [end for axis in range(3) for end in _ends(everything.run.reading[:, axis], missing[:, axis], stuck)]
+    limits = {limit for limit, _, beyond in ends if beyond}
+    return np.asarray(np.any([there for limit, there, _ in ends if limit in limits], axis=0)) & stuck
+
+
+def _ends(values: Array, missing: Array, stuck: Mask) -> Iterator[tuple[float, Mask, bool]]:
+    """How far from zero each end of an axis is, the rows `stuck` there, and whether the field goes beyond it."""
+    half_step = float(np.diff(np.unique(values)).min(initial=np.inf)) / 2
+    for extreme, outward in ((np.nanmax(values), missing), (np.nanmin(values), -missing)):
+        there = stuck & (values == extreme)
+        if there.any():
+            yield abs(float(extreme)), there, float(np.median(outward[there])) > half_step

@@ -100,8 +100,8 @@ def _waves(most: int, before: str = "", unit: str = "nT", least: int = 1) -> Nam
 
 
 def _on_table(run: Run) -> list[Names]:
-    """Iron on the table, where mountings with one zero of the angle tell it from the device's own soft iron."""
-    return [iron.ON_TABLE] if len(mountings(run)) > 1 and _one_zero(run) else []
+    """Iron on the table, where mountings tell it from the device's own soft iron, the platform's zero being one."""
+    return [iron.ON_TABLE] if len(mountings(run)) > 1 else []
 
 
 def _one_zero(run: Run) -> bool:
@@ -117,10 +117,10 @@ def _with(channel: Channel, run: Run, rest: Names) -> list[Term]:
     """
     unit = f"nT/{channel.unit}"
     driven, forms = _of("q", unit), [_of("q", unit)]
-    if mountings(run) and _one_zero(run):
+    if mountings(run):
         on = (*driven, *_waves(HARMONICS[-1], "q", unit))
         forms += [on, (*_of("c"), *rest, *_waves(HARMONICS[-1]), *on)]
-    elif mountings(run):
+    if mountings(run) and not _one_zero(run):
         for h in HARMONICS:
             each = [(f"m{n}", f"m{n}q") for n in mountings(run)]
             turned = tuple(p for m, q in each for p in (*_waves(h, m, least=h), *_waves(h, q, unit, h)))

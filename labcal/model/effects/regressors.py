@@ -23,6 +23,7 @@ FIELD_IN_C = "now->field"  # the field along the axes of B
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
 STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
+ALIKE = 0.999  # correlation of two records of one current
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 
 
@@ -63,6 +64,17 @@ def of_the_rig(run: Run) -> list[Channel]:
     """
     rig = [c for c in run.channels if c.role in ("platform", "room") and c.quantity not in WEATHER]
     return [c for c in rig if _moves(c.values)]
+
+
+def coils(run: Run) -> list[Channel]:
+    """Currents of the cage's coils that move and are known in all rows; of one that is recorded twice the first."""
+    currents = [c for c in run.channels if c.role == "coil" and c.quantity == "current"]
+    known = [c for c in currents if bool(np.isfinite(c.values).all()) and _moves(c.values)]
+    return [c for k, c in enumerate(known) if not any(_are_alike(c, other) for other in known[:k])]
+
+
+def _are_alike(one: Channel, other: Channel) -> bool:
+    return abs(float(np.corrcoef(one.values, other.values)[0, 1])) > ALIKE
 
 
 def room_temperatures(run: Run) -> list[Channel]:
