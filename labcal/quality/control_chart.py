@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import gammaln
-from scipy.stats import chi2, f, norm
+from scipy.special import chdtr, chdtrc, fdtrc, gammaln, ndtr  # scipy.stats would load for a second
 
 from labcal.quality.western_electric import ALL, broken_rules
 
@@ -120,9 +119,9 @@ def control_chart(
 def spread_false_alarm_rate(n: int) -> float:
     """How often s of n values (n = 1: the moving range) is beyond its limits though nothing changed."""
     if n == 1:
-        return float(2 * norm.sf((D2 + 3 * D3) / np.sqrt(2)))
+        return float(2 * ndtr(-(D2 + 3 * D3) / np.sqrt(2)))
     low, high = (bound * c4(n) for bound in B3_B4(n))
-    return float(chi2.cdf((n - 1) * low**2, n - 1) + chi2.sf((n - 1) * high**2, n - 1))
+    return float(chdtr(n - 1, (n - 1) * low**2) + chdtrc(n - 1, (n - 1) * high**2))
 
 
 def _spread_within(group: Array) -> float:
@@ -158,4 +157,4 @@ def _differ(groups: Sequence[Array]) -> bool:
     within = float(sum(((group - group.mean()) ** 2).sum() for group in groups))
     among = float(((everything - everything.mean()) ** 2).sum()) - within
     dof = len(groups) - 1, len(everything) - len(groups)
-    return bool(f.sf(among / dof[0] / (within / dof[1]), *dof) < DAYS_DIFFER)
+    return bool(fdtrc(*dof, among / dof[0] / (within / dof[1])) < DAYS_DIFFER)

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.stats import norm
+from scipy.special import ndtr
 
 Array = NDArray[np.float64]
 RULES = {
@@ -59,7 +59,7 @@ def false_alarm_rate(rules: Iterable[int] = ALL) -> float:
 @cache
 def _run_length(rules: tuple[int, ...]) -> float:
     """The mean number of steps to absorption from the empty history."""
-    chance = np.diff(norm.cdf(ZONES))
+    chance = np.diff(ndtr(ZONES))
     start: tuple[float, ...] = ()
     number, todo, steps = {start: 0}, [start], list[tuple[int, int, float]]()
     while todo:

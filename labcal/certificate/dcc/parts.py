@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import chi2
+from scipy.special import gammaincinv
 
 from labcal.certificate.dcc.units import product, si_unit
 from labcal.record.administrative import Address
@@ -85,7 +85,7 @@ class Makers:
         ]
         region = si.ellipsoidalRegionMUXMLList(
             si.covarianceMatrixXMLList(*columns),
-            si.coverageFactorXMLList(written(np.sqrt(chi2.ppf(PROBABILITY, n)))),
+            si.coverageFactorXMLList(written(np.sqrt(2 * gammaincinv(n / 2, PROBABILITY)))),
             si.coverageProbabilityXMLList(str(PROBABILITY)),
         )
         return si.realListXMLList(
