@@ -58,8 +58,8 @@ class Pos1:
         self._say("mode text")
         said = self._say("about")
         if self.settings.about.upper() not in said.upper():
-            told = f"{self.name}: {abridged(said)!r} answered, not a POS-1."
-            raise InstrumentError(told, fault="another instrument")
+            message = f"{self.name}: {abridged(said)!r} answered, not a POS-1."
+            raise InstrumentError(message, fault="another instrument")
         number = re.search(r"(?:N|SN|No)\W*(\d+)", said)
         return Identity("QMLab", "POS-1", number[1] if number else "", "")
 

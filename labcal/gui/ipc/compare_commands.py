@@ -54,7 +54,7 @@ def _side(run_id: str) -> tuple[Compared, Calibration]:
     rows = thinned(len(run))
     left = np.linalg.norm(field_nT, axis=1) - run.magnitude_nT if run.reference.kind != "none" else None
     noise_nT = found.metrics.get("after", {}).get("noise_nT")
-    told = Compared(
+    compared = Compared(
         run_id=run_id,
         dut=run.dut.serial,
         calibration="" if file is None else file.name,
@@ -63,7 +63,7 @@ def _side(run_id: str) -> tuple[Compared, Calibration]:
         after=field_nT[rows],
         against=regressors(replace(run, t_s=run.t_s - run.t_s[0]), rows),
     )
-    return told, found
+    return compared, found
 
 
 def _fitted_now(run_id: str) -> Calibration:

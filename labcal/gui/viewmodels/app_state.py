@@ -299,18 +299,18 @@ class AppState(QObject):
         """What may be said of the coils now."""
         return self._now().coil_words or state.NOT_READ
 
-    def _know(self, told: state.LabState) -> None:
+    def _know(self, known: state.LabState) -> None:
         """From here on this is how the lab is."""
-        self.known, self._known_s = told, time.monotonic()
+        self.known, self._known_s = known, time.monotonic()
         self._grow_old()
 
     def _now(self) -> LabNow:
         """What may be said of the lab now. Where somebody was asked to switch the coils off, what was read is past."""
-        told = self.known
+        known = self.known
         if self._asked_off:
-            told = replace(told or state.LabState(()), coils=state.unread(), field=state.FieldReading())
+            known = replace(known or state.LabState(()), coils=state.unread(), field=state.FieldReading())
         roles = {} if self.facts is None else {name: one.role for name, one in self.facts.instruments.items()}
-        now = lab_now(told, self._known_s, roles, time.monotonic())
+        now = lab_now(known, self._known_s, roles, time.monotonic())
         return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
     def _grow_old(self) -> None:
@@ -344,14 +344,14 @@ class AppState(QObject):
 
     def _blame(self, fault: Fault) -> None:
         """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
-        told = self.known or state.LabState(state.unread())
+        known = self.known or state.LabState(state.unread())
         if self.facts is None or fault.text.startswith(state.NOT_BY_REFERENCE):
             return
-        heard = {one.name: one for one in told.instruments}
+        heard = {one.name: one for one in known.instruments}
         for name in self.facts.instruments:
             if name in fault.text:
                 heard[name] = replace(heard.get(name) or state.Heard(name), fault=self.tr("failed"))
-        self._know(replace(told, instruments=tuple(heard.values())))
+        self._know(replace(known, instruments=tuple(heard.values())))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
