@@ -37,9 +37,9 @@ def with_empirical(
     record = replace(_described(built, term), p_value=chance, domain=(seen,))
     assert record.basis is not None
     left = after.problem.residual_nT
-    looks = describe_function(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
-    record = replace(record, why=f"{record.why}. {looks.says(term.inputs)}")
-    proposal = experiment(run, record, looks)
+    described = describe_function(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
+    record = replace(record, why=f"{record.why}. {described.says(term.inputs)}")
+    proposal = experiment(run, record, described)
     if not ship:
         return replace(closed, proposed=(record,), next_experiment=proposal)
     of = "a function of " + " and ".join(record.inputs)

@@ -35,10 +35,10 @@ def step(
     expected = float(row @ Pr) + at.variance
     half = Pr / sqrt(expected)
     P = P - half[:, None] * half
-    pull = row * at.innovation
-    pull -= shared_gradient(at)
-    pull /= at.variance
-    return x + P @ pull, P, at.innovation * at.innovation / expected
+    correction = row * at.innovation
+    correction -= shared_gradient(at)
+    correction /= at.variance
+    return x + P @ correction, P, at.innovation * at.innovation / expected
 
 
 def slope(at: Terms) -> list[float]:
