@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.loop.assemble import assemble
+from labcal.loop.empirical.description import describe_function, experiment
 from labcal.loop.empirical.proof import with_smooth
 from labcal.loop.empirical.splines import table
-from labcal.loop.empirical.words import describe_function, experiment
 from labcal.loop.result import ClosedLoop
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence

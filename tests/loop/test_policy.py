@@ -72,7 +72,7 @@ KINDS = {
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
     "words for what is left, beside the verdict": (
-        "empirical.words:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
+        "empirical.description:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
         "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS EDGE LOW_BAND QUARTERS_deg LEAST_EXCESS",

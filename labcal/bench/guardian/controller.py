@@ -16,11 +16,11 @@ from labcal.bench.coils.polarity import ReversedSupply
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.driver_kit.roles import CoilSupply, Identity
 from labcal.bench.guardian.coil import GuardedCoil
+from labcal.bench.guardian.coil_limits import TogetherLimit
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
-from labcal.bench.guardian.limits import TogetherLimit
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 

@@ -12,8 +12,8 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit.filters.live import LiveFilter, fit_live
 from labcal.fit.filters.scalar_step import Terms, shared_gradient, terms
+from labcal.fit.filters.sequential import LiveFilter, fit_live
 from labcal.fit.result import Fit
 from labcal.record import Run
 

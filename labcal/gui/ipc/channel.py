@@ -13,6 +13,7 @@ from typing import TextIO
 
 from labcal.bench.coils.state import LabState
 from labcal.errors import InputError
+from labcal.gui.ipc.backlog import PastMessages
 from labcal.gui.ipc.lines import number_in, read_request, write_line
 from labcal.gui.ipc.messages import (
     Abort,
@@ -33,7 +34,6 @@ from labcal.gui.ipc.messages import (
     Stop,
     Word,
 )
-from labcal.gui.ipc.past import PastMessages
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
 from labcal.run_door import Caller, Door
