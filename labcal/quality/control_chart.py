@@ -27,11 +27,6 @@ def c4(n: int) -> float:
     return float(np.sqrt(2 / (n - 1)) * np.exp(gammaln(n / 2) - gammaln((n - 1) / 2)))
 
 
-def A3(n: int) -> float:
-    """Limits of means of n: centre ± A3 s̄."""
-    return 3 / (c4(n) * float(np.sqrt(n)))
-
-
 def B3_B4(n: int) -> tuple[float, float]:
     """Limits of standard deviations of n: B3 s̄ and B4 s̄."""
     half = 3 * float(np.sqrt(1 - c4(n) ** 2)) / c4(n)
@@ -71,12 +66,6 @@ class Chart:
         A moving range does not count: the way back from a point that was out is as long as the way there.
         """
         return bool(self.broken[-1]) or (bool(self.spread_out[-1]) and not self.single)
-
-    @property
-    def alarms(self) -> int:
-        """Points after the baseline that break a rule or have a spread beyond its limits."""
-        after = range(self.baseline, len(self.mean))
-        return sum(bool(self.broken[i]) or bool(self.spread_out[i]) for i in after)
 
 
 def control_chart(

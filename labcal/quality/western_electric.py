@@ -51,11 +51,6 @@ def average_run_length(rules: Iterable[int] = ALL) -> float:
     return _run_length(tuple(sorted(set(rules))))
 
 
-def false_alarm_rate(rules: Iterable[int] = ALL) -> float:
-    """False alarms a point: one over the average run length."""
-    return 1.0 / average_run_length(rules)
-
-
 @cache
 def _run_length(rules: tuple[int, ...]) -> float:
     """The mean number of steps to absorption from the empty history."""

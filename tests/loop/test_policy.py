@@ -67,7 +67,7 @@ KINDS = {
         "findings.residual_tests:SPIRAL",
     ),
     "run that is simulated": (
-        "design.experiments:ROWS MIN_ROWS HALF_TURN GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "
+        "design.experiments:ROWS MIN_ROWS GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "
         "ROWS_A_LEVEL ROWS_A_MODE WARM_ROW_S WARM_TURNS WEAK_FIELD",
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
