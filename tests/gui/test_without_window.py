@@ -84,7 +84,7 @@ def worker(home_of_its_own):
     for channel, window in made:
         if not window.dead:
             window.die()
-        channel._close_door()
+        channel.close_door()
         for thread in threading.enumerate():
             if thread.name == "window":
                 thread.join(PATIENCE_S)

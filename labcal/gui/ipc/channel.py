@@ -79,7 +79,7 @@ class Channel:
         while (request := self._requests.get()) is not None:
             self._working_on = request.number
             yield request
-        self._close_door()
+        self.close_door()
 
     def send(self, event: Event) -> None:
         """Send one message; it is kept for a window that comes back."""
@@ -164,7 +164,7 @@ class Channel:
         self.control.leave()
         self._requests.put(None)
         if not self._on_bench:
-            self._close_door()
+            self.close_door()
             os._exit(0)
 
     def _hear(self, window: TextIO) -> None:
@@ -215,7 +215,8 @@ class Channel:
         state = None if self._past is None else self._past.state
         return state is not None and state.at_zero(time.monotonic()) is True
 
-    def _close_door(self) -> None:
+    def close_door(self) -> None:
+        """No window comes in any more."""
         if self._door is not None:
             self._door.close()
 

@@ -27,7 +27,7 @@ METHOD = "ml"  # of a run that has no calibration yet
 
 def compare(channel: Channel, asked: CompareRuns) -> Comparison:
     """Both runs, each as its newest calibration has it, and what changed from the older to the newer."""
-    (older, before), (newer, after) = (_side(run) for run in (asked.older, asked.newer))
+    (older, before), (newer, after) = (side_of(run) for run in (asked.older, asked.newer))
     try:
         found, refused = _changes(after, before), ""
     except ValueError as error:
@@ -45,7 +45,8 @@ def newest_file(run_id: str) -> Path | None:
     return max(mine, key=lambda path: (len(path.name), path.name), default=None)
 
 
-def _side(run_id: str) -> tuple[Compared, Calibration]:
+def side_of(run_id: str) -> tuple[Compared, Calibration]:
+    """A run by its own calibration, or by one that is made of it."""
     from labcal import session
 
     run, file = loaded_run(run_id), newest_file(run_id)

@@ -184,18 +184,18 @@ class ReadoutGrid(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(GRID)
         grid.setVerticalSpacing(GRID // 2)
-        self._values = [label("–") for _ in names]
+        self.values = [label("–") for _ in names]
         for row, name in enumerate(names):
             grid.addWidget(label(translated(name), "caption"), row, 0)
-            grid.addWidget(self._values[row], row, 1)
-            self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
-            self._values[row].setFont(tabular_font())
+            grid.addWidget(self.values[row], row, 1)
+            self.values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
+            self.values[row].setFont(tabular_font())
         grid.setColumnStretch(1, 1)
 
     def show_row(self, row: int, value: str, state: str = "") -> None:
         """Write one row; "–" stands for what is not known. `state` colours it: "old" is grey."""
-        self._values[row].setText(value)
-        set_state(self._values[row], state)
+        self.values[row].setText(value)
+        set_state(self.values[row], state)
 
 
 class AutoSizeLabel(QLabel):
