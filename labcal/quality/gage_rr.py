@@ -199,11 +199,11 @@ def _result(
     sd, draws = ({g: np.sqrt(v[:, at].sum(axis=1)) for g, at in groups.items()} for v in (found, drawn))
     components = tuple(_component(g, sd[g][0], draws[g], sd["total"][0], draws["total"]) for g in groups)
     gage = next(c for c in components if c.source == "gage R&R")
-    told = [np.floor(_ratio(CATEGORIES * one[factors[0]], one["gage R&R"])) for one in (sd, draws)]
-    low, high = np.quantile(told[1], [0.025, 0.975])
+    distinct = [np.floor(_ratio(CATEGORIES * one[factors[0]], one["gage R&R"])) for one in (sd, draws)]
+    low, high = np.quantile(distinct[1], [0.025, 0.975])
     width = None if tolerance is None else 100 * 6 * gage.sd / tolerance
     between = (max(1, int(low)), max(1, int(high)))
-    return GageRR(lines, components, gage.percent, gage.percent_interval, max(1, int(told[0][0])), between, width)
+    return GageRR(lines, components, gage.percent, gage.percent_interval, max(1, int(distinct[0][0])), between, width)
 
 
 def _component(source: str, sd: float, drawn: Array, total: float, total_drawn: Array) -> Component:
