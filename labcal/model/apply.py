@@ -1,4 +1,4 @@
-"""Readings in, field out: a calibration applied row by row, with its uncertainty and what to be wary of."""
+"""Readings in, field out: a calibration applied row by row, with its uncertainty and flags."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The Western Electric rules on a control chart, and how often each cries wolf.
+"""The Western Electric rules on a control chart, and how often each gives a false alarm.
 
 Western Electric, Statistical Quality Control Handbook (1956); run lengths by the Markov chain of Champ and Woodall,
 Technometrics 29 (1987) 393. All assumes normal, independent points and limits that are known.

@@ -39,7 +39,7 @@ from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
 HEADLINE_PT = 36
-LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
+LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
 PICTURES = "*.jpg *.jpeg *.png *.webp"
