@@ -18,7 +18,7 @@ from filterpy.kalman import ExtendedKalmanFilter, MerweScaledSigmaPoints, Unscen
 
 from labcal.fit.filters.centered_sequential import CenteredSequential
 from labcal.fit.filters.ekf import EKF
-from labcal.fit.filters.live import LiveFilter
+from labcal.fit.filters.sequential import LiveFilter
 from labcal.fit.filters.ukf import UKF, AugmentedUKF
 from labcal.fit.scalar import scalar_check, twostep
 

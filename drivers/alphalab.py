@@ -9,13 +9,13 @@ import numpy as np
 
 from drivers.framing import alphalab
 from drivers.framing.mishaps import Mishaps, overloaded
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link
 from labcal.errors import InstrumentError
-from labcal.record.stream import Block, Event
+from labcal.record.stream import Block
 
 PROPERTIES, SETTINGS, READ, NEXT, END_OF_ALL = 0x01, 0x02, 0x03, 0x08, 0xFF
 MORE, LAST, NEXT_S = 0x08, 0x07, 0.05  # it needs that long between two chunks
@@ -44,7 +44,7 @@ class Settings:
             raise ValueError("rate must be above 0 and at most 10 readings a second")
 
 
-class AlphaLab:
+class AlphaLab(Polled):
     """Refuses a meter that shows differences; a reading is good only if its magnitude fits its axes."""
 
     roles = ("reference",)
@@ -83,22 +83,6 @@ class AlphaLab:
         stamps, values = np.array([g[0] for g in good]), np.array([g[1] for g in good])
         columns, raw = ("ref_x", "ref_y", "ref_z"), b"".join(g[2] for g in good)
         return [Block("reference", self.name, columns, stamps, values * self._nT, raw)]
-
-    def events(self) -> list[Event]:
-        """Readings that were no good."""
-        return self._mishaps.events()
-
-    def stop(self) -> None:
-        """Ask no more."""
-        self._polls.stop()
-
-    def make_safe(self) -> None:
-        """Ask no more."""
-        self.stop()
-
-    def close(self) -> None:
-        """Let go of the link."""
-        self._link.close()
 
     def _send(self, code: int) -> None:
         self._link.send(bytes([code, 0, 0, 0, 0, 0]))

@@ -84,16 +84,16 @@ class Parser:
 
     def feed(self, pieces: Pieces) -> list[Block]:
         """The blocks of these frames."""
-        stamps, rows, raw, told = list[float](), list[list[float]](), list[bytes](), list[Block]()
+        stamps, rows, raw, of_channels = list[float](), list[list[float]](), list[bytes](), list[Block]()
         for stamp, number, frame, data in frames(pieces):
             if (values := self._decoded(stamp, number, data)) is None:
                 continue
-            told += self._channels(stamp, number, values)
+            of_channels += self._channels(stamp, number, values)
             if number == self._reading and self._counted(stamp, values):
                 stamps.append(stamp)
                 rows.append([values[name] for name in ("t", *READING) if name in values])
                 raw.append(frame)
-        return [*self._block(stamps, rows, b"".join(raw)), *told]
+        return [*self._block(stamps, rows, b"".join(raw)), *of_channels]
 
     def _decoded(self, stamp: float, number: int, data: bytes) -> dict[str, float] | None:
         """The signals of a frame that are asked for; None for another's frame, or one that is no good."""

@@ -61,10 +61,6 @@ class DaqInputs(Fluxgate):
             raise InstrumentError(f"{self.name}: its inputs came as {quoted(reply)}.", fault="wrong reply") from error
         return [x, y, z]
 
-    def close(self) -> None:
-        """Let go of the link."""
-        self._link.close()
-
     def _ask(self, line: str) -> str:
         self._link.flush()
         reply = self._link.ask(f"{line}\n".encode(), end=b"\n", timeout_s=self.settings.timeout_s)

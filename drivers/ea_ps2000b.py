@@ -78,8 +78,8 @@ class EaPs2000B(CurrentSource):
                 f"{self.name}: {quoted(model)} answered, not a PS 2000 B.", fault="another instrument"
             )
         if (most_A := self._full("A")) < self.settings.max_current_A:
-            told = f"it delivers {most_A:g} A, and max_current_A is {self.settings.max_current_A:g}"
-            raise InstrumentError(f"{self.name}: {told}.", fault="another instrument")
+            message = f"it delivers {most_A:g} A, and max_current_A is {self.settings.max_current_A:g}"
+            raise InstrumentError(f"{self.name}: {message}.", fault="another instrument")
         return Identity(maker, model, serial, version)
 
     def query(self, text: str) -> str:

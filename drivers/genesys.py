@@ -77,7 +77,7 @@ class GenesysSupply(CurrentSource):
         self.name, self.settings, self._link = name, settings, link
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
         self._line = Conversation(name, link, clock, settings.address, settings.gap_s, settings.timeout_s)
-        self.query, self.command, self.write = self._line.ask, self._line.tell, self._line.send
+        self.query, self.command, self.write = self._line.ask, self._line.command, self._line.send
         self.refuse_earlier = self._line.refuse_earlier
 
     def identify(self) -> Identity:
@@ -92,8 +92,8 @@ class GenesysSupply(CurrentSource):
             (found[3], "A", self.settings.max_current_A),
         ):
             if float(most) < asked:
-                told = f"it delivers {most} {unit}, and {asked:g} {unit} are stated"
-                raise InstrumentError(f"{self.name}: {told}.", fault="another instrument")
+                message = f"it delivers {most} {unit}, and {asked:g} {unit} are stated"
+                raise InstrumentError(f"{self.name}: {message}.", fault="another instrument")
         return Identity("TDK-Lambda", found[1], self.query("SN?"), self.query("REV?").removeprefix("REV:"))
 
     def output(self, on: bool) -> None:

@@ -135,7 +135,7 @@ class Hmr2300:
     def _begin(self, frames: TextFrames | BinaryFrames | BinaryReplies) -> None:
         self._frames = frames
         if self.settings.mode == "continuous":
-            self._words.tell("C")
+            self._words.send("C")
 
     def _polled(self, t_s: float) -> list[tuple[float, bytes]]:
         pieces, end = [], LENGTH if self.settings.format == "binary" else b"\r"

@@ -67,7 +67,7 @@ class KoradSupply(CurrentSource):
         self.name, self.settings, self._link = name, settings, link
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
         self._line = Conversation(name, link, clock, settings.terminator, settings.gap_s, settings.timeout_s)
-        self.write, self.refuse_earlier = self._line.tell, self._line.in_step.refuse_earlier
+        self.write, self.refuse_earlier = self._line.command, self._line.in_step.refuse_earlier
 
     def identify(self) -> Identity:
         """Ask who it is."""
@@ -91,11 +91,11 @@ class KoradSupply(CurrentSource):
 
     def set_current(self, current_A: float) -> None:
         """Set the current and read the set-point back."""
-        self._tell_rest_twice(super().set_current, current_A)
+        self._rest_twice(super().set_current, current_A)
 
     def output(self, on: bool) -> None:
         """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
-        self._tell_rest_twice(super().output, on)
+        self._rest_twice(super().output, on)
 
     def trip(self) -> str:
         """It says that its output is off, and not by which of its two protections."""
@@ -105,13 +105,13 @@ class KoradSupply(CurrentSource):
         """Tell. It never says whether it heard."""
         self.write(text)
 
-    def _tell_rest_twice(self, tell: Callable[[Any], None], value: float) -> None:
+    def _rest_twice(self, command: Callable[[Any], None], value: float) -> None:
         try:
-            tell(value)
+            command(value)
         except InstrumentError as fault:
             if value or fault.fault != "read-back":
                 raise
-            tell(value)
+            command(value)
 
 
 def _decimal(reply: str, places: int) -> float:

@@ -49,7 +49,7 @@ class LabJackT7(Fluxgate):
     )
 
     def __init__(self, name: str, link: ModbusLink, clock: Clock, settings: Settings) -> None:
-        self.name, self.settings, self._link = name, settings, link
+        self.name, self.settings = name, settings
         self._registers = Registers(link, clock, settings.address, 0.0)
         self.begin(clock)
 

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.framing.mishaps import Mishaps, overloaded
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from drivers.framing.scpi import Scpi
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Count, Positive
 from labcal.bench.links import Link
-from labcal.record.stream import Block, Event
+from labcal.record.stream import Block
 
 VALUE = re.compile(r" *([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) *([A-Za-zµ]+) *")
 NT = {"T": 1e9, "mT": 1e6, "MT": 1e6, "uT": 1e3, "UT": 1e3, "µT": 1e3, "nT": 1.0, "NT": 1.0, "G": 1e5, "mG": 100.0,
@@ -45,7 +45,7 @@ class Settings:
             raise ValueError('range_T is "", "AUTO" or a number of tesla such as "0.1"')
 
 
-class Metrolab:
+class Metrolab(Polled):
     """Each reading is triggered, so that none comes twice; its unit is read from the reply, never assumed."""
 
     roles = ("reference",)
@@ -92,22 +92,10 @@ class Metrolab:
         lines = "".join(f"{reply}\n" for reply in raw).encode()
         return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), stamps, values, lines)]
 
-    def events(self) -> list[Event]:
-        """Replies that were no good."""
-        return self._mishaps.events()
-
     def stop(self) -> None:
         """Trigger no more."""
         self._polls.stop()
         self._scpi.send(":ABOR")
-
-    def make_safe(self) -> None:
-        """Trigger no more."""
-        self.stop()
-
-    def close(self) -> None:
-        """Let go of the link."""
-        self._link.close()
 
     def reading(self, stamp: float) -> tuple[list[float], str] | None:
         """x, y, z [nT] and the reply; None, noted, where it is no good."""

@@ -89,7 +89,7 @@ class CoilBoard(CurrentSource):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self._line = CoilLine(name, link, clock, settings.channel, settings.timeout_s)
-        self.query, self.write = self._line.ask, self._line.tell
+        self.query, self.write = self._line.ask, self._line.send
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
         self.watchdog_s, self.per_A = settings.watchdog_s, MICRO / (settings.full_scale_A or 1.0)
         self._watched = False
@@ -98,8 +98,8 @@ class CoilBoard(CurrentSource):
         """Ask who it is, for as long as it may take to start. Raises InstrumentError where its settings are others."""
         who = WHO.fullmatch(reply := self._who())
         if who is None:
-            told = f"{self.name}: {quoted(reply)} answered, not a board that speaks {PROTOCOL}."
-            raise InstrumentError(told, fault="another instrument")
+            message = f"{self.name}: {quoted(reply)} answered, not a board that speaks {PROTOCOL}."
+            raise InstrumentError(message, fault="another instrument")
         s, sees, watchdog_s = self.settings, who["sense"] == "1", int(who["watchdog"]) / 1000
         limit_A = int(who["limit"]) / self.per_A
         self._refuse(s.channel > int(who["channels"]), f"it has {who['channels']} channels", "channel")

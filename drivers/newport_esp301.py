@@ -50,7 +50,7 @@ class Esp301Stage:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
-        self._axis, self._homed = Axis(name, self._tell, self._ask_axis, settings.tolerance_deg), False
+        self._axis, self._homed = Axis(name, self._command, self._ask_axis, settings.tolerance_deg), False
 
     def identify(self) -> Identity:
         """Ask controller and stage who they are. Raises InstrumentError where the axis does not count degrees."""
@@ -75,9 +75,9 @@ class Esp301Stage:
             if limit_deg_per_s < math.inf:
                 for speed in HOME_SPEEDS:
                     self._axis.at_most(speed, limit_deg_per_s)
-            self._tell("MO")
+            self._command("MO")
             self._axis.target_deg = 0.0
-            self._tell(f"OR{self.settings.home_type}")
+            self._command(f"OR{self.settings.home_type}")
             self._homed = True
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
@@ -109,7 +109,7 @@ class Esp301Stage:
         """Let go of the link."""
         self._link.close()
 
-    def _tell(self, words: str) -> None:
+    def _command(self, words: str) -> None:
         self._link.send(f"{self.settings.axis}{words}\r".encode())
         self._refuse_errors(words)
 

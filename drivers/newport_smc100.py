@@ -58,7 +58,7 @@ class Smc100Stage:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
-        self._axis, self._free_s = Axis(name, self._tell, self._ask, settings.tolerance_deg), 0.0
+        self._axis, self._free_s = Axis(name, self._command, self._ask, settings.tolerance_deg), 0.0
 
     def identify(self) -> Identity:
         """Ask for the controller's version and its stage. Raises InstrumentError for another controller."""
@@ -75,7 +75,7 @@ class Smc100Stage:
             if limit_deg_per_s < math.inf:  # its speed stands in flash: asked for, never written
                 refuse_fast_homing(self.name, self._axis.number("OH?"), limit_deg_per_s)
             self._axis.target_deg = 0.0
-            self._tell("OR")
+            self._command("OR")
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
@@ -125,7 +125,7 @@ class Smc100Stage:
     def _words(self, state: int) -> str:
         return "not referenced" if state in NOT_REFERENCED else "disabled" if state in DISABLED else "not ready"
 
-    def _tell(self, words: str) -> None:
+    def _command(self, words: str) -> None:
         self._send(words)
         code = self._ask("TE")
         if code != NO_ERROR:

@@ -57,15 +57,15 @@ class PiStage:
         said = self._axis.ask("*IDN?\n")
         maker, model, serial, version = (part.strip() for part in (said + ",,,").split(",")[:4])
         if "Physik Instrumente" not in maker:
-            told = f"{self.name}: {quoted(said)} answered, no controller of PI."
-            raise InstrumentError(told, fault="another instrument")
+            message = f"{self.name}: {quoted(said)} answered, no controller of PI."
+            raise InstrumentError(message, fault="another instrument")
         self._axis.error()  # of what was said before
         if self.settings.degrees:
             unit = self._axis.value("SPA?", f" {UNIT}")
             self._axis.refuse_errors(f"SPA? {UNIT}")
             if not unit.upper().startswith("DEG"):
-                told = f"{self.name}: axis {self.settings.axis} counts in {quoted(unit)}, not in degrees."
-                raise InstrumentError(told, fault="wrong set-up", remedy="Is the rotation stage on this axis?")
+                message = f"{self.name}: axis {self.settings.axis} counts in {quoted(unit)}, not in degrees."
+                raise InstrumentError(message, fault="wrong set-up", remedy="Is the rotation stage on this axis?")
         return Identity("Physik Instrumente", model, serial, version)
 
     def home(self, limit_deg_per_s: float = math.inf) -> None:
@@ -74,15 +74,15 @@ class PiStage:
             return
         if self._axis.number("SPA?", f" {REFERENCE_VELOCITY}") > limit_deg_per_s:
             self._axis.set("SPA", limit_deg_per_s, f" {REFERENCE_VELOCITY}")
-        self._axis.tell("SVO", " 1")
+        self._axis.command("SVO", " 1")
         self._target_deg = None
-        self._axis.tell("FRF")
+        self._axis.command("FRF")
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
         self._axis.set("VEL", rate_deg_per_s)
         self._target_deg, self._moved_s = angle_deg, self._clock.now()
-        self._axis.tell("MOV", f" {angle_deg:.5f}")
+        self._axis.command("MOV", f" {angle_deg:.5f}")
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
@@ -94,8 +94,8 @@ class PiStage:
         if settling and self._clock.now() < self._moved_s + self.settings.settle_s:
             return True
         if self._target_deg is None and self._axis.value("FRF?") != "1":
-            told, remedy = f"{self.name}: it stands, and does not know where.", "Home it again."
-            raise InstrumentError(told, fault="stage fault", remedy=remedy)
+            message, remedy = f"{self.name}: it stands, and does not know where.", "Home it again."
+            raise InstrumentError(message, fault="stage fault", remedy=remedy)
         refuse_elsewhere(self.name, self.angle_deg(), self._target_deg, self.settings.tolerance_deg)
         return False
 

@@ -10,14 +10,14 @@ import numpy as np
 from pydantic import Field
 
 from drivers.framing.mishaps import Mishaps
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.framing import Lines
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link, abridged
 from labcal.errors import InstrumentError
-from labcal.record.stream import Block, Event
+from labcal.record.stream import Block
 
 END = b"\0"
 # field and its scatter in pT, a code in brackets, date, time
@@ -43,7 +43,7 @@ class Settings:
     about: str = "POS"
 
 
-class Pos1:
+class Pos1(Polled):
     """A reading whose own code tells of an error is noted and gives no value."""
 
     roles = ("reference",)
@@ -58,8 +58,8 @@ class Pos1:
         self._say("mode text")
         said = self._say("about")
         if self.settings.about.upper() not in said.upper():
-            told = f"{self.name}: {abridged(said)!r} answered, not a POS-1."
-            raise InstrumentError(told, fault="another instrument")
+            message = f"{self.name}: {abridged(said)!r} answered, not a POS-1."
+            raise InstrumentError(message, fault="another instrument")
         number = re.search(r"(?:N|SN|No)\W*(\d+)", said)
         return Identity("QMLab", "POS-1", number[1] if number else "", "")
 
@@ -82,22 +82,6 @@ class Pos1:
         stamps = np.array([stamp for stamp, _, _ in good]) - self.settings.delay_s
         values = np.array([[value] for _, _, value in good])
         return [Block("reference", self.name, ("ref_f",), stamps, values, b"\n".join(line for _, line, _ in good))]
-
-    def events(self) -> list[Event]:
-        """Readings that were no good."""
-        return self._mishaps.events()
-
-    def stop(self) -> None:
-        """Ask no more."""
-        self._polls.stop()
-
-    def make_safe(self) -> None:
-        """Ask no more."""
-        self.stop()
-
-    def close(self) -> None:
-        """Let go of the link."""
-        self._link.close()
 
     def _value(self, stamp: float, line: bytes) -> float | None:
         """The field [nT]; None, noted, where it is none. Raises InstrumentError where it cannot measure."""

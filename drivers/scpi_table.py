@@ -100,8 +100,10 @@ class TableSupply(CurrentSource):
 
     def _expect(self, question: str, pattern: str) -> None:
         if not re.fullmatch(pattern, reply := self._scpi.query(question), re.IGNORECASE):
-            told = f"{self.name}: {question} is answered {quoted(reply)}, and must be {pattern!r}."
-            raise InstrumentError(told, fault="wrong mode", remedy="Set it at its panel, then begin this step again.")
+            message = f"{self.name}: {question} is answered {quoted(reply)}, and must be {pattern!r}."
+            raise InstrumentError(
+                message, fault="wrong mode", remedy="Set it at its panel, then begin this step again."
+            )
 
     def query(self, text: str) -> str:
         """Ask; of an answer that is read by its bits, the bit."""
@@ -116,11 +118,11 @@ class TableSupply(CurrentSource):
 
     def command(self, text: str) -> None:
         """Tell, under remote control where it needs to be told. Raises InstrumentError with what the supply says."""
-        tell = self._scpi.command if self.settings.words.errors else self._scpi.send
+        command = self._scpi.command if self.settings.words.errors else self._scpi.send
         held, self._remote = self._remote, False  # a fault may mean that it was switched off and on
         if self.settings.words.remote and not held:
-            tell(self.settings.words.remote)
-        tell(text)
+            command(self.settings.words.remote)
+        command(text)
         self._remote = True
 
     def write(self, text: str) -> None:

@@ -58,8 +58,8 @@ class StandaStage:
         self._homed, self._homing, self._division = False, False, 0
         maker, _, product, major, minor, release = self._controller.ask("geti")
         if maker != b"XIMC":
-            told = f"{self.name}: {quoted(maker)} answered, no 8SMC."
-            raise InstrumentError(told, fault="another instrument")
+            message = f"{self.name}: {quoted(maker)} answered, no 8SMC."
+            raise InstrumentError(message, fault="another instrument")
         model = product.split(b"\0")[0].decode("ascii", "replace").strip()
         return Identity("Standa", model or "8SMC", str(*self._controller.ask("gser")), f"{major}.{minor}.{release}")
 
@@ -72,7 +72,7 @@ class StandaStage:
             fastest = max(self._deg(fast, fast_part), self._deg(slow, slow_part))
             refuse_fast_homing(self.name, fastest, limit_deg_per_s)
         self._target_deg, self._homing = None, True
-        self._controller.tell("home")
+        self._controller.command("home")
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
@@ -80,12 +80,12 @@ class StandaStage:
         speed = self._steps(rate_deg_per_s)
         if speed == (0, 0):
             raise LimitError(f"{self.name}: {rate_deg_per_s:g} deg/s is below its least speed; nothing was moved.")
-        self._controller.tell("smov", *speed, *others)
+        self._controller.command("smov", *speed, *others)
         if (held := self._controller.ask("gmov")[:2]) != speed:
-            told = f"{self.name}: a speed of {speed} steps and parts reads back {held}."
-            raise InstrumentError(told, fault="read-back")
+            message = f"{self.name}: a speed of {speed} steps and parts reads back {held}."
+            raise InstrumentError(message, fault="read-back")
         self._target_deg, self._homing = angle_deg, False
-        self._controller.tell("move", *self._steps(angle_deg))
+        self._controller.command("move", *self._steps(angle_deg))
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
@@ -97,7 +97,7 @@ class StandaStage:
         if self._homing:
             if command & FAILED or not flags & HOMED:
                 self._refuse("it did not find its reference")
-            self._controller.tell("zero")
+            self._controller.command("zero")
             self._homed, self._homing = True, False
             return False
         refuse_elsewhere(self.name, angle, self._target_deg, self.settings.tolerance_deg)
@@ -115,7 +115,7 @@ class StandaStage:
     def make_safe(self) -> None:
         """Stop with its brake ramp."""
         self._target_deg, self._homing = None, False
-        self._controller.tell("sstp")
+        self._controller.command("sstp")
 
     def close(self) -> None:
         """Let go of the link."""

@@ -52,17 +52,17 @@ class AptStage:
     def identify(self) -> Identity:
         """Ask the controller who it is; its model says how it counts. Raises InstrumentError for another one."""
         self._enabled = False
-        self._motor.tell(apt.STOP_UPDATES)
+        self._motor.send(apt.STOP_UPDATES)
         serial, model, _, version, *_ = self._motor.exchange(apt.REQ_INFO)
         called = model.split(b"\0")[0].decode("ascii", "replace").strip()
         counts, velocity = apt.MODELS.get(called, (-1.0, 0.0))
         if counts < 0:
-            told = f"{self.name}: {quoted(called)} answered, none of {', '.join(apt.MODELS)}."
-            raise InstrumentError(told, fault="another instrument")
+            text = f"{self.name}: {quoted(called)} answered, none of {', '.join(apt.MODELS)}."
+            raise InstrumentError(text, fault="another instrument")
         counts = self.settings.counts_per_deg or counts
         if not counts:
-            told = f"{self.name}: a {called} does not say which stage hangs on it."
-            raise InstrumentError(told, fault="wrong set-up", remedy="State counts_per_deg of the stage in bench.toml.")
+            text = f"{self.name}: a {called} does not say which stage hangs on it."
+            raise InstrumentError(text, fault="wrong set-up", remedy="State counts_per_deg of the stage in bench.toml.")
         self._scale = (counts, counts * velocity)
         return Identity("Thorlabs", called, str(serial), ".".join(map(str, version[2::-1])))
 
@@ -76,7 +76,7 @@ class AptStage:
             self._read_back(self._motor.ask(apt.REQ_HOMING)[2], int(most))
         self._enable()
         self._target_deg, self._begun_s = None, self._clock.now()
-        self._motor.tell(apt.HOME)
+        self._motor.send(apt.HOME)
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
@@ -112,7 +112,7 @@ class AptStage:
     def make_safe(self) -> None:
         """Stop with its brake ramp."""
         self._target_deg, self._begun_s = None, -math.inf
-        self._motor.tell(apt.STOP, PROFILED)
+        self._motor.send(apt.STOP, PROFILED)
 
     def close(self) -> None:
         """Let go of the link."""
@@ -128,11 +128,11 @@ class AptStage:
     def _bits(self) -> int:
         bits = self._motor.ask(apt.REQ_BITS)[0]
         if said := [words for bit, words in apt.FAULTS.items() if bits >> bit & 1]:
-            told, remedy = (
+            text, remedy = (
                 f"{self.name}: it says {' and '.join(said)}.",
                 "Look at the stage, home it and begin this step again.",
             )
-            raise InstrumentError(told, fault="stage fault", remedy=remedy)
+            raise InstrumentError(text, fault="stage fault", remedy=remedy)
         return bits
 
     def _moves(self, bits: int) -> bool:
@@ -141,10 +141,10 @@ class AptStage:
     def _enable(self) -> None:
         """Once per connection, and a second before what follows: sooner some controllers lock up."""
         if not self._enabled:
-            self._motor.tell(apt.SET_ENABLED, 1)
+            self._motor.send(apt.SET_ENABLED, 1)
             self._clock.wait_until(self._clock.now() + ENABLE_S)
             self._enabled = True
 
-    def _read_back(self, held: int, told: int) -> None:
-        if held != told:
-            raise InstrumentError(f"{self.name}: a velocity of {told} counts reads back {held}.", fault="read-back")
+    def _read_back(self, held: int, sent: int) -> None:
+        if held != sent:
+            raise InstrumentError(f"{self.name}: a velocity of {sent} counts reads back {held}.", fault="read-back")

@@ -141,5 +141,5 @@ class TmclStage:
     def _why(self) -> str:
         """What it says itself of why it stands, as far as this module can."""
         said = [(words, self._module.parameter(number)) for number, words in WHY_IT_STANDS.items()]
-        told = [text for words, held in said for bit, text in words.items() if (held or 0) >> bit & 1]
-        return f"It says: {' and '.join(told)}." if told else ""
+        flags = [text for words, held in said for bit, text in words.items() if (held or 0) >> bit & 1]
+        return f"It says: {' and '.join(flags)}." if flags else ""

@@ -63,8 +63,8 @@ class Twinleaf:
         deadline = self._clock.now() + DESCRIBED_S
         while self._description.place(self.settings.source) is None:
             if self._clock.now() > deadline:
-                told = f"{self.name}: it has no stream {self.settings.source!r} of three numbers; it speaks of "
-                raise InstrumentError(f"{told}{self._description.names()}.", fault="another instrument")
+                message = f"{self.name}: it has no stream {self.settings.source!r} of three numbers; it speaks of "
+                raise InstrumentError(f"{message}{self._description.names()}.", fault="another instrument")
             self._packets(self._link.receive(self._clock.now() + 0.02))
         self._began = True
 
@@ -132,8 +132,8 @@ class Twinleaf:
     def _nT(self, place: tio.RowLayout) -> float:
         if unit_nT := self.settings.unit_nT or UNITS_NT.get(place.unit, 0.0):
             return unit_nT
-        told = f"{self.name}: its unit is {place.unit!r}; state unit_nT in bench.toml."
-        raise InstrumentError(told, fault="wrong unit", remedy="Look at its data sheet.")
+        message = f"{self.name}: its unit is {place.unit!r}; state unit_nT in bench.toml."
+        raise InstrumentError(message, fault="wrong unit", remedy="Look at its data sheet.")
 
     def _ask(self, name: bytes) -> str:
         """The answer to a question; "" where it does not know it. Raises InstrumentError (silent)."""

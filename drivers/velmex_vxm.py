@@ -118,8 +118,8 @@ class VelmexStage:
         while reply in (b"^", b"O"):  # it has just come to rest
             reply = self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
         if reply in JOGS:
-            told = f"{self.name}: it is turned from its own panel."
-            raise InstrumentError(told, fault="touched", remedy="Let go of it, home it and begin this step again.")
+            message = f"{self.name}: it is turned from its own panel."
+            raise InstrumentError(message, fault="touched", remedy="Let go of it, home it and begin this step again.")
         if reply not in (READY, BUSY):
             raise self._wrong("its state", reply)
         return reply == BUSY or self._clock.now() < self._begun_s + START_S
@@ -135,8 +135,8 @@ class VelmexStage:
 
     def _speed(self, rate_deg_per_s: float) -> int:
         if not 1 <= (speed := int(rate_deg_per_s * self.settings.steps_per_turn / 360)) <= FASTEST:
-            told = f"{self.name}: {rate_deg_per_s:g} deg/s is {speed} steps/s, not 1 to {FASTEST}; nothing was sent."
-            raise LimitError(told)
+            message = f"{self.name}: {rate_deg_per_s:g} deg/s is {speed} steps/s, not 1 to {FASTEST}; nothing was sent."
+            raise LimitError(message)
         return speed
 
     def _steps(self, deg: float) -> int:

@@ -72,8 +72,8 @@ def blamed(who: str, doing: str) -> Iterator[None]:
         raise
     except BaseException as error:
         file, line = where(error)
-        told = f"{who} fails {doing}: {said(error)}"
-        raise InputError(told, file=file, line=line) from error
+        message = f"{who} fails {doing}: {said(error)}"
+        raise InputError(message, file=file, line=line) from error
 
 
 def said(error: BaseException) -> str:

@@ -46,8 +46,8 @@ class Door:
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._card = _card(os.getpid())
         own_folder(own_folder(home()) / FOLDER)
-        told = {"port": self._listener.getsockname()[1], "token": self._token}
-        write_bytes(self._card, json.dumps(told).encode(), FILE)
+        invitation = {"port": self._listener.getsockname()[1], "token": self._token}
+        write_bytes(self._card, json.dumps(invitation).encode(), FILE)
 
     def wait(self, seconds: float) -> Caller | None:
         """The next window that comes; None where none does, or where the run is sent to its end."""

@@ -149,7 +149,7 @@ def _set(bench: Bench, source: FieldSource, followed: Followed, wanted: WantedFi
         yield from bench.stream_until(bench.clock.now())
     latency_s = bench.clock.now() - wanted.arrived_s
     followed.latencies_s.append(latency_s)
-    source.tell(wanted, latency_s, bench.cage.matrix_nT_per_A @ bench.cage.flowing_A + bench.cage.ambient_nT)
+    source.update(wanted, latency_s, bench.cage.matrix_nT_per_A @ bench.cage.flowing_A + bench.cage.ambient_nT)
     text = f"field number {wanted.number} stands {latency_s:.3f} s after it came"
     data = {"number": wanted.number, "source_s": wanted.t_s, "arrived_s": wanted.arrived_s, "latency_s": latency_s}
     yield Event(bench.clock.now(), "field-source", text, data)

@@ -132,8 +132,8 @@ def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: flo
     angle = np.array([samples(blocks, "angle", "angle_deg").mean[0] for blocks in found])
     reference = np.array([spot.reference for spot in spots])
     attitudes = np.array([rotation(AXES[axis], -np.radians(deg)) @ at_zero for deg in angle])
-    told = reference[:, 0] if reference.shape[1] == 1 else reference
-    positions = as_positions(bench, told, attitudes, u_mounting_deg)
+    field = reference[:, 0] if reference.shape[1] == 1 else reference
+    positions = as_positions(bench, field, attitudes, u_mounting_deg)
     u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}

@@ -22,7 +22,7 @@ settings.load_profile("labcal")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The longest files of the last rooms first: of two processes none waits for one of them at the end."""
+    """The longest files of the last rooms first: of several processes none waits for one of them at the end."""
     items.sort(key=lambda item: item.path.name not in ("test_demo.py", "test_coverage.py", "test_check_standard.py"))
 
 

@@ -40,8 +40,8 @@ def rooms(row: str) -> list[str]:
 
 
 def there(room: str) -> bool:
-    place = ROOT / "labcal" / room
-    return place.exists() or place.with_name(f"{place.name}.py").exists()
+    places = (ROOT / "labcal" / room, ROOT / room)
+    return any(place.exists() or place.with_name(f"{place.name}.py").exists() for place in places)
 
 
 def pages() -> dict[str, str]:

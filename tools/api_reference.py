@@ -43,10 +43,10 @@ def chapter(name: str) -> str:
     for part in name.split("."):
         found = getattr(found, part)
     before, *sections = SECTION.split(inspect.getdoc(found) or "")
-    told = [f"## {name}", "", "```python", *called(name, inspect.signature(found)), "```", "", before.strip(), ""]
+    page = [f"## {name}", "", "```python", *called(name, inspect.signature(found)), "```", "", before.strip(), ""]
     for title, body in zip(sections[::2], sections[1::2], strict=True):
-        told += [f"**{title}**", "", *section(title, body), ""]
-    return "\n".join(told)
+        page += [f"**{title}**", "", *section(title, body), ""]
+    return "\n".join(page)
 
 
 def called(name: str, signature: inspect.Signature) -> Iterator[str]:
@@ -72,15 +72,15 @@ def section(title: str, body: str) -> list[str]:
     """Entries as a list with their words beside them; examples as they are typed."""
     if title == "Examples":
         return ["```pycon", body.strip(), "```"]
-    told: list[str] = []
+    lines: list[str] = []
     for line in body.strip().splitlines():
         if line.startswith(" "):
-            told[-1] += f" {line.strip()}"
+            lines[-1] += f" {line.strip()}"
         elif found := ENTRY.match(line):
-            told.append(f"- `{found[1]}` ({found[2]}):")
+            lines.append(f"- `{found[1]}` ({found[2]}):")
         else:
-            told.append(f"- `{line}`:")
-    return told
+            lines.append(f"- `{line}`:")
+    return lines
 
 
 if __name__ == "__main__":

@@ -53,11 +53,11 @@ class Riden:
         return [round(known.get(address + k, 0)) for k in range(count)]
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
-        told = dict(enumerate(values, address))
-        if function not in (WRITE_REGISTER, WRITE_REGISTERS) or not told.keys() <= self._held.keys():
+        written = dict(enumerate(values, address))
+        if function not in (WRITE_REGISTER, WRITE_REGISTERS) or not written.keys() <= self._held.keys():
             raise Refused(ILLEGAL_ADDRESS)
-        self._held |= told
-        if OUTPUT in told:
+        self._held |= written
+        if OUTPUT in written:
             self._protection = 0
         if self._held[OUTPUT]:
             self._protection = 1 if self._held[V] > self._held[OVP] else 2 if self._held[I] > self._held[OCP] else 0

@@ -105,11 +105,11 @@ class RigolEmulator(Answers):
 
     def _trip(self, channel: Channel, found: re.Match[str]) -> str:
         which, what, value = found[1], (found[2] or "")[:3], found[5] or ""
-        told = {"": channel.armed, "VAL": channel.trips}.get(what)
+        table = {"": channel.armed, "VAL": channel.trips}.get(what)
         if found[3]:
-            return ("YES" if which in channel.tripped else "NO") if told is None else told[which]
-        if told is not None and (value in ("ON", "OFF")) == (what == "") and value:
-            told[which] = value if what == "" else f"{float(value):.3f}"
+            return ("YES" if which in channel.tripped else "NO") if table is None else table[which]
+        if table is not None and (value in ("ON", "OFF")) == (what == "") and value:
+            table[which] = value if what == "" else f"{float(value):.3f}"
             return ""
         channel.tripped -= {which} if what == "CLE" else set()
         return "" if what == "CLE" else self._scpi.fault(NOT_ALLOWED)

@@ -49,14 +49,14 @@ class StandaEmulator(Replies):
             size = ximc.NAME + (SIZES[name] + ximc.CRC if name in SIZES else 0)
             if len(self._came) < size:
                 return
-            told, self._came = self._came[ximc.NAME : size], self._came[size:]
-            self.say(t_s + REPLY_S, self._answer(t_s, name, told))
+            came, self._came = self._came[ximc.NAME : size], self._came[size:]
+            self.say(t_s + REPLY_S, self._answer(t_s, name, came))
 
-    def _answer(self, t_s: float, name: str, told: bytes) -> bytes:
-        if ximc.packed(told[: -ximc.CRC]) != told:
+    def _answer(self, t_s: float, name: str, came: bytes) -> bytes:
+        if ximc.packed(came[: -ximc.CRC]) != came:
             self._wrong |= ERRD
             return b"errd"
-        values = struct.unpack(ximc.TELLS[name], told[: -ximc.CRC]) if told else ()
+        values = struct.unpack(ximc.TELLS[name], came[: -ximc.CRC]) if came else ()
         if name in ximc.ANSWERS:
             said = struct.pack(ximc.ANSWERS[name], *self._asked(t_s, name))
             return name.encode() + ximc.packed(said)

@@ -47,9 +47,9 @@ class AptEmulator(Replies):
             behind = length if to & apt.WITH_DATA else 0
             if len(self._came) < apt.HEAD + behind:
                 return
-            told, self._came = self._came[apt.HEAD : apt.HEAD + behind], self._came[apt.HEAD + behind :]
+            came, self._came = self._came[apt.HEAD : apt.HEAD + behind], self._came[apt.HEAD + behind :]
             if to & ~apt.WITH_DATA == apt.USB:
-                self._do(t_s, number, told, length >> 8)
+                self._do(t_s, number, came, length >> 8)
 
     def due_s(self) -> float:
         """When it says something next: an answer, or that it has come to rest."""
@@ -67,10 +67,10 @@ class AptEmulator(Replies):
     def _rests_s(self) -> float:
         return float(self._platform.pieces[-1][0]) if self._ends else math.inf
 
-    def _do(self, t_s: float, number: int, told: bytes, second: int) -> None:
-        if number in LONG and told and len(told) != struct.calcsize(LONG[number]):
+    def _do(self, t_s: float, number: int, came: bytes, second: int) -> None:
+        if number in LONG and came and len(came) != struct.calcsize(LONG[number]):
             return
-        values = struct.unpack(LONG[number], told)[1:] if told and number in LONG else ()
+        values = struct.unpack(LONG[number], came)[1:] if came and number in LONG else ()
         match number, values:
             case apt.SET_VELOCITY, (least, ramp, most):
                 self._velocity = (least, ramp, most)

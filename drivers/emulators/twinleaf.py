@@ -53,8 +53,8 @@ class TwinleafEmulator(Replies):
 
     def _answer(self, t_s: float, asked: bytes) -> None:
         number, length = asked[:2], int.from_bytes(asked[2:4], "little") & 0x7FFF
-        name, told = asked[4 : 4 + length], asked[4 + length :]
-        if name not in (*ABOUT, b"data.send_all") or told:
+        name, argument = asked[4 : 4 + length], asked[4 + length :]
+        if name not in (*ABOUT, b"data.send_all") or argument:
             self.say(t_s, tio.packet(tio.REFUSAL, number + struct.pack("<H", NO_SUCH)))
             return
         if name == b"data.send_all":

@@ -10,10 +10,10 @@ import numpy as np
 from pydantic import Field
 
 from drivers.framing.mishaps import Mishaps, overloaded
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.settings import NotNegative, Positive
-from labcal.record.stream import Block, Event
+from labcal.record.stream import Block
 
 NONE_V = -9999.0  # what an input of a T7 reads that does not exist
 Input = Annotated[int, Field(ge=0, le=255)]
@@ -46,7 +46,7 @@ class Analogue:
             raise ValueError("uT_per_V and zero_V must be finite numbers, and uT_per_V other than zero")
 
 
-class Fluxgate:
+class Fluxgate(Polled):
     """The methods of a reference on `volts`, one sample of the three inputs. The sensor says nothing of itself."""
 
     roles = ("reference",)
@@ -78,18 +78,6 @@ class Fluxgate:
         values = 1000.0 * (volts - self.settings.zero_V) * np.array(self.settings.uT_per_V)
         stamps, raw = np.array([stamp for stamp, _ in taken]) - self._delay_s, volts.astype(">f4").tobytes()
         return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), stamps, values, raw)]
-
-    def events(self) -> list[Event]:
-        """Readings that were no numbers."""
-        return self._mishaps.events()
-
-    def stop(self) -> None:
-        """Ask no more."""
-        self._polls.stop()
-
-    def make_safe(self) -> None:
-        """Ask no more."""
-        self.stop()
 
     def _numbers(self, stamp: float) -> list[float] | None:
         """One sample; None, noted, where one is no number, or no input."""

@@ -58,7 +58,7 @@ class Conversation:
     link: Link
     timeout_s: float
 
-    def tell(self, number: int, second: int = 0) -> None:
+    def send(self, number: int, second: int = 0) -> None:
         """Send a message without data; nothing answers. Those of the controller itself name no channel."""
         self.link.send(short(number, CHANNEL if number > 0xFF else 0, second))
 
@@ -77,13 +77,13 @@ class Conversation:
         """Ask, and take the data of the answer; what is told unasked is passed over, but for faults."""
         wanted = asked + 1
         self.link.flush()
-        self.tell(asked)
+        self.send(asked)
         while (got := self._message())[0] in UNASKED:
             pass
         number, data = got
         if number == RICH_RESPONSE:
-            told = data[4:].split(b"\0")[0].decode("ascii", "replace")
-            raise InstrumentError(f"{self.name}: it reports {quoted(told)}.", fault="stage fault")
+            text = data[4:].split(b"\0")[0].decode("ascii", "replace")
+            raise InstrumentError(f"{self.name}: it reports {quoted(text)}.", fault="stage fault")
         if number != wanted or len(data) != struct.calcsize(FORMS[wanted]):
             raise self._wrong(f"message {number:04X} with {len(data)} bytes is not {wanted:04X}")
         return struct.unpack(FORMS[wanted], data)

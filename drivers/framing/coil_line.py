@@ -50,7 +50,7 @@ class CoilLine:
         self._name, self._link, self._clock = name, link, clock
         self._channel, self._timeout_s, self._count = channel, timeout_s, 0
 
-    def tell(self, words: str) -> int:
+    def send(self, words: str) -> int:
         """Put it on the line and wait for nothing; what was left there is dropped. Returns its number."""
         self._count = (self._count + 1) % 32
         number = self._count << 3 | self._channel & 7
@@ -60,7 +60,7 @@ class CoilLine:
 
     def ask(self, words: str) -> str:
         """What it answers. Raises InstrumentError: silent; wrong reply; refused or tripped, in its own words."""
-        number, until_s = self.tell(words), self._clock.now() + self._timeout_s
+        number, until_s = self.send(words), self._clock.now() + self._timeout_s
         for _ in range(LATE):
             line = self._link.ask(b"", end=b"\n", timeout_s=max(until_s - self._clock.now(), 0.0))
             answer = opened(line)
@@ -68,11 +68,13 @@ class CoilLine:
                 raise InstrumentError(f"{self._name}: {quoted(line)} came to {words!r}.", fault="wrong reply")
             if answer[0] == number:
                 return answer[2] if answer[1] else self._refused(words, answer[2])
-        told = f"{self._name}: only late answers came to {words!r}."
-        raise InstrumentError(told, fault="out of step", remedy="Does another program talk on its line?")
+        message = f"{self._name}: only late answers came to {words!r}."
+        raise InstrumentError(message, fault="out of step", remedy="Does another program talk on its line?")
 
     def _refused(self, words: str, why: str) -> str:
-        told = f"{self._name}: {words!r} failed: {WHY.get(why, quoted(why))}."
+        message = f"{self._name}: {words!r} failed: {WHY.get(why, quoted(why))}."
         if why == "watchdog":
-            raise InstrumentError(told, fault="tripped", remedy="Begin this step again: its output has to go on anew.")
-        raise InstrumentError(told, fault="refused")
+            raise InstrumentError(
+                message, fault="tripped", remedy="Begin this step again: its output has to go on anew."
+            )
+        raise InstrumentError(message, fault="refused")

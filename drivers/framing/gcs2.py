@@ -26,17 +26,17 @@ class Conversation:
     axis: str
     timeout_s: float
 
-    def tell(self, words: str, value: str = "") -> None:
+    def command(self, words: str, value: str = "") -> None:
         """Tell the axis. Raises InstrumentError where it did not take it."""
         self.link.send(f"{words} {self.axis}{value}\n".encode())
         self.refuse_errors(words)
 
     def set(self, words: str, value: float, parameter: str = "") -> None:
         """Tell the axis a value, and read it back."""
-        self.tell(words, f"{parameter} {value:.5f}")
+        self.command(words, f"{parameter} {value:.5f}")
         if abs((held := self.number(f"{words}?", parameter)) - value) > 1e-3:
-            told = f"{self.name}: {words}{parameter} was set to {value:g} and reads back {held:g}."
-            raise InstrumentError(told, fault="read-back")
+            message = f"{self.name}: {words}{parameter} was set to {value:g} and reads back {held:g}."
+            raise InstrumentError(message, fault="read-back")
 
     def number(self, words: str, parameter: str = "") -> float:
         """The number that is asked for."""
@@ -57,8 +57,8 @@ class Conversation:
     def refuse_errors(self, words: str, *, forgive: int = 0) -> None:
         """Raise InstrumentError for the last error, which asking takes off; not for `forgive`."""
         if (code := self.error()) not in (0, forgive):
-            told = f"{self.name}: {words} failed: error {code}, {ERRORS.get(code, 'see its manual')}."
-            raise InstrumentError(told, fault="stage fault", remedy=REMEDY)
+            message = f"{self.name}: {words} failed: error {code}, {ERRORS.get(code, 'see its manual')}."
+            raise InstrumentError(message, fault="stage fault", remedy=REMEDY)
 
     def error(self) -> int:
         """The last error, which asking takes off."""

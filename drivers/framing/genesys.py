@@ -65,7 +65,7 @@ class Conversation:
             self.select()
         return self._in_step.heard(question, self._answer(question))
 
-    def tell(self, text: str) -> None:
+    def command(self, text: str) -> None:
         """Tell, under remote control. Raises InstrumentError with what the supply says."""
         self.select()
         self._acknowledged(REMOTE)

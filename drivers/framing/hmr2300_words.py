@@ -25,7 +25,7 @@ class Words:
     device: int
     timeout_s: float
 
-    def tell(self, words: str) -> None:
+    def send(self, words: str) -> None:
         """Say it."""
         self.link.send(self._request(words))
 

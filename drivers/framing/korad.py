@@ -31,7 +31,7 @@ class Conversation:
     def __post_init__(self) -> None:
         self.in_step = InStep(self.name, self.link, self.clock)
 
-    def tell(self, text: str) -> None:
+    def command(self, text: str) -> None:
         """Tell, once it is ready to hear; what was left on the line is dropped."""
         self.clock.wait_until(self._free_s)
         self.link.flush()
@@ -68,7 +68,7 @@ class Conversation:
     def _asked(self, question: str) -> bytes:
         self._drop_owed()
         self.in_step.settle()
-        self.tell(question)
+        self.command(question)
         self._owed_until_s = self.clock.now() + OWED_S
         return self.link.ask(b"", end=1, timeout_s=self.timeout_s)
 

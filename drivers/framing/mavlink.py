@@ -55,25 +55,25 @@ def telemetry(message: Any) -> dict[str, float]:
     """What a message says of currents, voltages, temperatures and motors; what it calls unknown is left out."""
     kind = message.get_type()
     if kind == "SYS_STATUS":
-        told = {"i_battery": (message.current_battery, -1, 100), "v_battery": (message.voltage_battery, 0xFFFF, 1000)}
+        fields = {"i_battery": (message.current_battery, -1, 100), "v_battery": (message.voltage_battery, 0xFFFF, 1000)}
     elif kind == "BATTERY_STATUS" and message.id == 0:
-        told = {"temp_battery": (message.temperature, 0x7FFF, 100)}
+        fields = {"temp_battery": (message.temperature, 0x7FFF, 100)}
     elif kind == "BATTERY_STATUS":
-        told = {f"i_battery_{message.id + 1}": (message.current_battery, -1, 100)}
+        fields = {f"i_battery_{message.id + 1}": (message.current_battery, -1, 100)}
     elif kind == "SERVO_OUTPUT_RAW" and message.port == 0:
-        told = {f"pwm_{n}": (getattr(message, f"servo{n}_raw"), 0, 1) for n in range(1, 9)}
+        fields = {f"pwm_{n}": (getattr(message, f"servo{n}_raw"), 0, 1) for n in range(1, 9)}
     elif kind in ("ESC_TELEMETRY_1_TO_4", "ESC_TELEMETRY_5_TO_8"):
-        told = _motors(1 if "1_TO" in kind else 5, message.current, message.rpm)
+        fields = _motors(1 if "1_TO" in kind else 5, message.current, message.rpm)
     elif kind == "HIGHRES_IMU":
-        told = {"temp_dut": (message.temperature, 0, 1)}
+        fields = {"temp_dut": (message.temperature, 0, 1)}
     else:
-        told = {"temp_dut": (message.temperature, 0, 100)} if hasattr(message, "xmag") else {}
-    return {name: value / scale for name, (value, unknown, scale) in told.items() if value != unknown}
+        fields = {"temp_dut": (message.temperature, 0, 100)} if hasattr(message, "xmag") else {}
+    return {name: value / scale for name, (value, unknown, scale) in fields.items() if value != unknown}
 
 
 def _motors(first: int, current: Any, rpm: Any) -> dict[str, tuple[float, Any, int]]:
-    told: dict[str, tuple[float, Any, int]] = {f"i_motor_{first + k}": (i, None, 100) for k, i in enumerate(current)}
-    return told | {f"rpm_{first + k}": (turns, None, 1) for k, turns in enumerate(rpm)}
+    fields: dict[str, tuple[float, Any, int]] = {f"i_motor_{first + k}": (i, None, 100) for k, i in enumerate(current)}
+    return fields | {f"rpm_{first + k}": (turns, None, 1) for k, turns in enumerate(rpm)}
 
 
 def calibration_names(vehicle: Vehicle, sensor: int) -> tuple[str, ...]:

@@ -61,16 +61,16 @@ class Parser:
 
     def feed(self, pieces: Pieces) -> list[Block]:
         """The blocks of the frames that these pieces complete [nT; RAW_IMU as it is sent]."""
-        readings, raw, told = list[tuple[float, ...]](), list[bytes](), list[Block]()
+        readings, raw, channels = list[tuple[float, ...]](), list[bytes](), list[Block]()
         for stamp, message in self._messages(pieces):
             if not self._ours(message):
                 continue
             self._note(message, stamp)
-            told += self._channels(message, stamp)
+            channels += self._channels(message, stamp)
             if (row := self._reading(message, stamp)) is not None:
                 readings.append((stamp, *row))
                 raw.append(bytes(message.get_msgbuf()))
-        return [*self._block(readings, b"".join(raw)), *told]
+        return [*self._block(readings, b"".join(raw)), *channels]
 
     def _messages(self, pieces: Pieces) -> list[tuple[float, Any]]:
         """Whole frames, each stamped by the piece in which it begins."""
@@ -120,8 +120,8 @@ class Parser:
         return row
 
     def _channels(self, message: Any, stamp: float) -> list[Block]:
-        told = mavlink.telemetry(message) if self._is_telemetry(message) else {}
-        known = {name: v for name, v in told.items() if name in self._settings.channels and math.isfinite(v)}
+        fields = mavlink.telemetry(message) if self._is_telemetry(message) else {}
+        known = {name: v for name, v in fields.items() if name in self._settings.channels and math.isfinite(v)}
         if not known:
             return []
         t, values = np.array([stamp - self._settings.delay_s]), np.array([list(known.values())])

@@ -13,22 +13,22 @@ from labcal.errors import InstrumentError
 
 @dataclass
 class Axis:
-    """`tell` and `ask` are how its controller is spoken to; `tell` raises where it did not take the words."""
+    """`command` and `ask` are how its controller is spoken to; `command` raises where it did not take the words."""
 
     name: str
-    tell: Callable[[str], None]
+    command: Callable[[str], None]
     ask: Callable[[str], str]
     tolerance_deg: float
     target_deg: float | None = field(default=None, init=False)  # None where it is nowhere to arrive at
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
-        self.tell(f"VA{rate_deg_per_s:.4f}")
+        self.command(f"VA{rate_deg_per_s:.4f}")
         held = self.number("VA?")
         if abs(held - rate_deg_per_s) > 1e-3:
             raise InstrumentError(f"{self.name}: its velocity reads back {held:g} deg/s.", fault="read-back")
         self.target_deg = angle_deg
-        self.tell(f"PA{angle_deg:.4f}")
+        self.command(f"PA{angle_deg:.4f}")
 
     def angle_deg(self) -> float:
         """The position [deg] in the stage's own sense."""
@@ -41,13 +41,13 @@ class Axis:
     def stop(self) -> None:
         """Stop with its brake ramp."""
         self.target_deg = None
-        self.tell("ST")
+        self.command("ST")
 
     def at_most(self, speed: str, limit_deg_per_s: float) -> None:
         """See that the speed that these letters set is no faster, and lower it where it is; confirmed."""
         if self.number(f"{speed}?") <= limit_deg_per_s:
             return
-        self.tell(f"{speed}{limit_deg_per_s:.4f}")
+        self.command(f"{speed}{limit_deg_per_s:.4f}")
         if (held := self.number(f"{speed}?")) > limit_deg_per_s + 1e-3:
             raise InstrumentError(f"{self.name}: {speed} reads back {held:g} deg/s.", fault="read-back")
 

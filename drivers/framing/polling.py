@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.record.stream import Event
 
 
 class Polls:
@@ -31,3 +34,27 @@ class Polls:
             missed = math.floor((now - self._next_s) / self._period_s)
             self._next_s += self._period_s * (1 + max(missed, 0))
         self._clock.wait_until(t_s)
+
+
+class Polled:
+    """What sensors that are asked on a beat have in common."""
+
+    _polls: Polls
+    _mishaps: Mishaps
+    _link: Link
+
+    def events(self) -> list[Event]:
+        """Readings that were no good."""
+        return self._mishaps.events()
+
+    def stop(self) -> None:
+        """Ask no more."""
+        self._polls.stop()
+
+    def make_safe(self) -> None:
+        """Ask no more."""
+        self.stop()
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()

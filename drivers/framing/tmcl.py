@@ -34,8 +34,8 @@ def summed(first: int, second: int, third: int, fourth: int, value: int) -> byte
 class Refused(InstrumentError):
     """The module answered, and did not do it; `status` is its own word for why."""
 
-    def __init__(self, told: str, status: int) -> None:
-        super().__init__(told, fault="refused")
+    def __init__(self, message: str, status: int) -> None:
+        super().__init__(message, fault="refused")
         self.status = status
 
 
@@ -60,8 +60,8 @@ class Conversation:
             self.link.flush()
             raise InstrumentError(f"{self.name}: {reply.hex(' ')} is no reply to {said.hex(' ')}.", fault="wrong reply")
         if status not in (FINE, LOADED):
-            told = f"{self.name}: command {command}, type {kind}: {WHY.get(status, f'status {status}')}."
-            raise Refused(told, status)
+            message = f"{self.name}: command {command}, type {kind}: {WHY.get(status, f'status {status}')}."
+            raise Refused(message, status)
         return int(held)
 
     def parameter(self, number: int) -> int | None:

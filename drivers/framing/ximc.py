@@ -42,7 +42,7 @@ class Conversation:
             raise InstrumentError(f"{self.name}: {command}: an answer with a wrong checksum.", fault="wrong reply")
         return struct.unpack(form, came[:-CRC])
 
-    def tell(self, command: str, *values: int) -> None:
+    def command(self, command: str, *values: int) -> None:
         """Tell, and see that it is acknowledged. Raises InstrumentError (refused) with its own word for it."""
         self._exchange(command.encode() + packed(struct.pack(TELLS[command], *values) if values else b""))
 
@@ -50,9 +50,9 @@ class Conversation:
         self.link.flush()
         named = self.link.ask(said, end=NAME, timeout_s=self.timeout_s)
         if named in REFUSALS:
-            told = f"{self.name}: {said[:NAME].decode()}: {REFUSALS[named]}."
-            raise InstrumentError(told, fault="refused")
+            message = f"{self.name}: {said[:NAME].decode()}: {REFUSALS[named]}."
+            raise InstrumentError(message, fault="refused")
         if named != said[:NAME]:
             self.link.flush()
-            told = f"{self.name}: {said[:NAME].decode()} was answered {quoted(named)}."
-            raise InstrumentError(told, fault="wrong reply")
+            message = f"{self.name}: {said[:NAME].decode()} was answered {quoted(named)}."
+            raise InstrumentError(message, fault="wrong reply")

@@ -39,8 +39,8 @@ def get(place: str, digest: str) -> bytes:
     try:
         content = _get_elsewhere(place, digest) if "://" in place else _from_folder(place, digest)
     except FileNotFoundError:
-        told = "is not there; `?bundles=PLACE` at the end of the archive's URL says where bundles lie"
-        raise InputError(told, file=where) from None
+        message = "is not there; `?bundles=PLACE` at the end of the archive's URL says where bundles lie"
+        raise InputError(message, file=where) from None
     if sha256(content).hexdigest() != digest:
         raise InputError("is damaged: its content is not the one that it is called by", file=where)
     return content
@@ -84,13 +84,13 @@ def _elsewhere(place: str) -> tuple[Any, str]:
         files, root = url_to_fs(place)
     except ImportError as missing:
         name = (missing.name or "fsspec").partition(".")[0]
-        told = f"bundles at {place.partition(':')[0]}:// need {name}: pip install fsspec and what it asks for (s3fs)"
-        raise InputError(told) from None
+        message = f"bundles at {place.partition(':')[0]}:// need {name}: pip install fsspec and what it asks for (s3fs)"
+        raise InputError(message) from None
     except ValueError as error:
         raise _not_reached(place, error) from None
     return files, str(root).rstrip("/")
 
 
 def _not_reached(place: str, error: Exception) -> InputError:
-    told = without_passwords(" ".join(str(error).split()))
-    return InputError(f"{without_passwords(place)}: bundles cannot be kept or read there: {told}")
+    message = without_passwords(" ".join(str(error).split()))
+    return InputError(f"{without_passwords(place)}: bundles cannot be kept or read there: {message}")

@@ -30,8 +30,8 @@ def grant(archive: Archive, role: str, lab: str, duty: Duty) -> None:
             text("SELECT quote_ident(rolname) FROM pg_roles WHERE rolname = :role"), {"role": role}
         )
         if quoted is None:
-            told = f"the server has no role {role!r}: its administrator makes one (CREATE ROLE … LOGIN)"
-            raise InputError(f"{archive.address.shown}: {told}")
+            message = f"the server has no role {role!r}: its administrator makes one (CREATE ROLE … LOGIN)"
+            raise InputError(f"{archive.address.shown}: {message}")
         connection.execute(MEMBER.delete().where(MEMBER.c.role == role, MEMBER.c.lab == lab))
         if duty != "nothing":
             connection.execute(insert(MEMBER).values(role=role, lab=lab, duty=duty))

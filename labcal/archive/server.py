@@ -58,17 +58,17 @@ def _named_faults(address: Address) -> Iterator[None]:
     except DBAPIError as error:
         raise _fault(error, address) from None
     except SQLAlchemyError as error:
-        told = address.without_secrets(str(error).splitlines()[0])
-        raise InputError(f"{address.shown}: {told}") from None
+        message = address.without_secrets(str(error).splitlines()[0])
+        raise InputError(f"{address.shown}: {message}") from None
 
 
 def _fault(error: DBAPIError, address: Address) -> InputError:
     state = getattr(error.orig, "sqlstate", None)
-    told = " ".join(address.without_secrets(str(error.orig)).split())
+    message = " ".join(address.without_secrets(str(error.orig)).split())
     if state in NO_RIGHT:
-        return InputError(f"{address.shown}: {told}; {RIGHTS}")
+        return InputError(f"{address.shown}: {message}; {RIGHTS}")
     if state in UNKNOWN:
         return InputError(f"{address.shown}: {NOT_SET_UP}")
     if isinstance(error, OperationalError) or error.connection_invalidated:
-        return AwayError(f"{address.shown}: the archive cannot be reached: {told}; {LATER}")
-    return InputError(f"{address.shown}: the archive refused it: {told}")
+        return AwayError(f"{address.shown}: the archive cannot be reached: {message}; {LATER}")
+    return InputError(f"{address.shown}: the archive refused it: {message}")

@@ -62,8 +62,8 @@ def _upgrade(connection: Connection) -> None:
 
 def _refuse_newer(found: str | None, archive: Archive) -> None:
     if found is not None and found > VERSION:
-        told = f"a newer labcal made its catalogue (version {found}, this one knows {VERSION}): update labcal here"
-        raise InputError(f"{archive.address.shown}: {told}")
+        message = f"a newer labcal made its catalogue (version {found}, this one knows {VERSION}): update labcal here"
+        raise InputError(f"{archive.address.shown}: {message}")
 
 
 def setting(archive: Archive, name: str) -> str | None:

@@ -203,14 +203,14 @@ class Bench:
 
     def events(self) -> list[Event]:
         """What the streams lost since this was asked last: gaps, wrong checksums, broken frames."""
-        told = [event for stream in self._streams for event in stream.events()]
-        return sorted(told, key=lambda event: event.t_s)
+        news = [event for stream in self._streams for event in stream.events()]
+        return sorted(news, key=lambda event: event.t_s)
 
     def news(self) -> list[Event]:
         """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
-        told = [event for stream in self._streams for event in stream.news()]
-        told += [event for watch in self._watches for event in watch.news()] + self._look.news()
-        return sorted(told, key=lambda event: event.t_s)
+        news = [event for stream in self._streams for event in stream.news()]
+        news += [event for watch in self._watches for event in watch.news()] + self._look.news()
+        return sorted(news, key=lambda event: event.t_s)
 
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""

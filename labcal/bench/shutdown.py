@@ -64,7 +64,7 @@ def _unbroken() -> Iterator[None]:
 
 
 def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
-    deadline, told, asked = time.monotonic() + FREE_S, dict[str, AtZero](), list[object]()
+    deadline, reported, asked = time.monotonic() + FREE_S, dict[str, AtZero](), list[object]()
     while True:
         late = time.monotonic() > deadline
         with suppress(OSError):
@@ -74,18 +74,18 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
         with suppress(InputError):  # the group's folder is not there: it goes on without
             ports.meet(config.safety.group, config.safety.runtime)
         with suppress(OSError):
-            told |= _told_by_guardians(config, asked, meanwhile)
-            if len(told) == len(AXES):
-                return [told[axis] for axis in AXES]
+            reported |= _reported_by_guardians(config, asked, meanwhile)
+            if len(reported) == len(AXES):
+                return [reported[axis] for axis in AXES]
             free = _free(config.guarded_links, asked, late=late)
             if free is not None and ports.hold(free):
-                return _the_rest(path, config, told, meanwhile)
+                return _the_rest(path, config, reported, meanwhile)
         if late:
             raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
         time.sleep(0.02)  # a guardian that comes or goes
 
 
-def _told_by_guardians(config: BenchConfig, asked: list[object], meanwhile: Meanwhile) -> dict[str, AtZero]:
+def _reported_by_guardians(config: BenchConfig, asked: list[object], meanwhile: Meanwhile) -> dict[str, AtZero]:
     """How those coils ended that living guardians hold; whom this asks it adds to `asked`.
 
     The guardian of another bench file may hold only some of these supplies, and know them as other axes. One that does
@@ -93,7 +93,7 @@ def _told_by_guardians(config: BenchConfig, asked: list[object], meanwhile: Mean
     """
     from labcal.bench.guardian.supplies import supplies_of
 
-    told = dict[str, AtZero]()
+    reported = dict[str, AtZero]()
     for guardian in connections(config.guarded_links, asked):
         asked.append(guardian.card["address"])
         theirs = dict(guardian.card.get("supplies") or {})
@@ -101,8 +101,8 @@ def _told_by_guardians(config: BenchConfig, asked: list[object], meanwhile: Mean
             ended = {str(theirs.get(end.axis)): end for end in _asked(guardian, meanwhile)}
         except InstrumentError as fault:
             ended = {str(supply): AtZero(axis, None, False, fault) for axis, supply in theirs.items()}
-        told |= {axis: replace(ended[one], axis=axis) for axis, one in supplies_of(config).items() if one in ended}
-    return told
+        reported |= {axis: replace(ended[one], axis=axis) for axis, one in supplies_of(config).items() if one in ended}
+    return reported
 
 
 def _free(urls: Sequence[str], asked: Sequence[object], *, late: bool) -> list[str] | None:
@@ -112,13 +112,13 @@ def _free(urls: Sequence[str], asked: Sequence[object], *, late: bool) -> list[s
     return [url for url, card in cards.items() if card is None] if late or all(known) else None
 
 
-def _the_rest(path: Path, config: BenchConfig, told: Mapping[str, AtZero], meanwhile: Meanwhile) -> list[AtZero]:
+def _the_rest(path: Path, config: BenchConfig, reported: Mapping[str, AtZero], meanwhile: Meanwhile) -> list[AtZero]:
     """Bring down with own hands what no guardian has told of; the ports that could be had are held meanwhile."""
     ports.announce({"pid": os.getpid()})
     try:
-        ended = outlived(partial(_with_own_hands, path, config, told.keys()))
+        ended = outlived(partial(_with_own_hands, path, config, reported.keys()))
         with meanwhile(FROM_HERE):
-            return sorted([*told.values(), *ended()], key=lambda end: end.axis)
+            return sorted([*reported.values(), *ended()], key=lambda end: end.axis)
     finally:
         ports.let_go()
 

@@ -59,8 +59,8 @@ def refuse_overdue(bench: Bench) -> None:
     if certificate is None or certificate.due is None or date.fromisoformat(certificate.due) >= today:
         return
     number = f" {certificate.number}" if certificate.number else ""
-    told = f"the reference is overdue: its calibration{number} was due {certificate.due}, and today is {today}"
-    raise InputError(f"{told}. No procedure begins on this bench: calibrate it, then state its new certificate")
+    message = f"the reference is overdue: its calibration{number} was due {certificate.due}, and today is {today}"
+    raise InputError(f"{message}. No procedure begins on this bench: calibrate it, then state its new certificate")
 
 
 def as_positions(

@@ -16,7 +16,7 @@ from typer.core import TyperGroup
 from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.files.home import SECRETS
-from labcal.files.memory import kept_private
+from labcal.files.private_memory import kept_private
 from labcal.files.text_safety import without_passwords
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
@@ -109,8 +109,8 @@ def _report_of(error: Exception) -> str:
     try:
         own_folder(report.parent)
         given = re.sub(r"(--webhook[= ])\S+", r"\1***", " ".join(sys.argv[1:]))
-        told = f"labcal {given}\n\n{''.join(format_exception(error))}"
-        write_bytes(report, without_passwords(replace_unseen(told)).encode(), FILE)
+        text = f"labcal {given}\n\n{''.join(format_exception(error))}"
+        write_bytes(report, without_passwords(replace_unseen(text)).encode(), FILE)
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"
@@ -118,10 +118,10 @@ def _report_of(error: Exception) -> str:
 
 def _say_usage(error: typer.BadParameter) -> int:
     """A wrong word on the command line in one sentence; a group without a command shows its help."""
-    told = error.format_message().strip().removesuffix(".").replace("Value error, ", "")
-    if not told:  # the help stands there already
+    message = error.format_message().strip().removesuffix(".").replace("Value error, ", "")
+    if not message:  # the help stands there already
         return WRONG_INPUT
-    return _say(f"{told}; see `{error.ctx.command_path if error.ctx else 'labcal'} --help`", WRONG_INPUT)
+    return _say(f"{message}; see `{error.ctx.command_path if error.ctx else 'labcal'} --help`", WRONG_INPUT)
 
 
 def _say(sentence: str, code: int) -> int:

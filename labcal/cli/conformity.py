@@ -43,9 +43,9 @@ def conformity(
     claim("conformity", json_path(json_file), inputs=read, force=force)  # before the work, not after it
     found = judged(calibration, specification, run)
     if json_file is not None:
-        told = {"specification": [asdict(line) for line in found.lines], "left_open": list(found.left_open)}
-        told |= {"offsets": found.k_means} if found.k_means else {}
-        write_json(told, json_file, "conformity", inputs=read, force=force)
+        content = {"specification": [asdict(line) for line in found.lines], "left_open": list(found.left_open)}
+        content |= {"offsets": found.k_means} if found.k_means else {}
+        write_json(content, json_file, "conformity", inputs=read, force=force)
     if json_file != "-":
         show_conformity(found)
         if specification is not None:

@@ -95,8 +95,8 @@ def _list() -> None:
     table = Table("procedure", "does", "--set", box=None)
     found_ones, broken = catalogue()
     for name, found in found_ones.items():
-        told = "\n".join(f"{spec.name}: {spec.expected}" for spec in found.parameters)
-        table.add_row(name, found.title, told)
+        settings = "\n".join(f"{spec.name}: {spec.expected}" for spec in found.parameters)
+        table.add_row(name, found.title, settings)
     console().print(table)
     for error in broken.values():
         say(f"labcal: {error}", err=True)

@@ -35,17 +35,6 @@ class CageFit:
         """The field (n, 3) [nT, C] that currents (n, 3) make."""
         return np.asarray(np.asarray(currents_A) @ self.matrix_nT_per_A.T + self.offset_nT)
 
-    def u_field_nT(self, currents_A: ArrayLike) -> Array:
-        """Standard uncertainty (n, 3) of `field_nT`."""
-        currents = np.asarray(currents_A, dtype=float)
-        A = np.column_stack([currents, np.ones(len(currents))])
-        per_axis = [np.einsum("ni,ij,nj->n", A, self._of_axis(axis), A) for axis in range(3)]
-        return np.asarray(np.sqrt(np.column_stack(per_axis)))
-
-    def _of_axis(self, axis: int) -> Array:
-        places = [3 * axis, 3 * axis + 1, 3 * axis + 2, 9 + axis]
-        return np.asarray(self.covariance[np.ix_(places, places)])
-
 
 def fit_cage(currents_A: ArrayLike, fields_nT: ArrayLike, coil: ArrayLike, t_s: ArrayLike) -> CageFit:
     """Least squares of fields (n, 3) [nT, C] on the current of the one coil `coil` (n,) that was stepped at `t_s` (n,).

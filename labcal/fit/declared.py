@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from labcal.geometry import skew, unit
 from labcal.model import AffineMap
 from labcal.record import Run
-from labcal.uncertainty import Contribution, conditions, covariance_of, declared_errors
+from labcal.uncertainty import Contribution, conditions, declared_errors
 
 Array = NDArray[np.float64]
 SYMMETRIC = np.zeros((12, 9))  # K row by row, then k, from the six elements of a symmetric K, then k
@@ -17,18 +17,13 @@ for _column, (_a, _b) in enumerate(((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 
 SYMMETRIC[9:, 6:] = np.eye(3)
 
 
-def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) -> Array:
-    """`covariance` (12, 12) and the declared uncertainties that the residuals do not show (contract: u_axis_*, u_…).
+def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
+    """What each error that `run` declares does to K and k (12,), one source each (contract: u_axis_*, u_…).
 
     A common turn by w changes K by [w]× K and k by [w]× k, a scale of the reference both in proportion, its zero k
     alone. Where the frame is not known a turn says nothing, and magnitudes move the map by least squares. What is not
     declared is not covered. (Where vectors are fitted, `labcal.fit.vector.declared` asks the fit itself.)
     """
-    return np.asarray(covariance + covariance_of(contributions(run, affine, frame_known=frame_known), 12))
-
-
-def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
-    """What each error that `run` declares does to K and k (12,), one source each."""
     return _of_vectors(run, affine) if frame_known else _of_magnitudes(run, affine)
 
 

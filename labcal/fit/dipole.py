@@ -96,7 +96,7 @@ def newey_west(scores: Array, lags: int) -> Array:
     """Covariance (k, k) of the sum of correlated rows (n, k): Σ_l w_l Σ_t (s_t s_{t−l}ᵀ + its transpose), Bartlett's w.
 
     Newey and West, Econometrica 55 (1987), eq. 5; in no direction less than of independent rows, which short stretches
-    with a trend taken off would feign.
+    with a trend taken off would pretend.
     """
     alone, together = scores.T @ scores, np.zeros((scores.shape[1],) * 2)
     for lag in range(1, min(lags, len(scores) - 1) + 1):

@@ -42,7 +42,7 @@ def draft_calibration(
     """
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
-    own, rail = _metrics(run, found), saturation_limits(run.reading, run.dut.unit)
+    own, saturated = _metrics(run, found), saturation_limits(run.reading, run.dut.unit)
     made = Calibration(
         run_id=run.run_id,
         simulated=run.simulated,
@@ -54,7 +54,11 @@ def draft_calibration(
         span_s=(float(run.t_s[0]), float(run.t_s[-1])),
         run_sha256=run_sha256,
         effects=tuple(_where_seen(run, e) for e in found.effects if e.belongs_to == "sensor"),
-        findings=(*(e for e in found.effects if e.belongs_to != "sensor"), *findings, *([rail] if rail else [])),
+        findings=(
+            *(e for e in found.effects if e.belongs_to != "sensor"),
+            *findings,
+            *([saturated] if saturated else []),
+        ),
         metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
         cage_sha256=cage_sha256,

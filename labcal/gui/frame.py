@@ -102,28 +102,28 @@ class SidePanel(Surface):
         self.unit.clicked.connect(self._next_unit)
         head, words = QHBoxLayout(), QVBoxLayout()
         words.setSpacing(0)
-        self._field_old = label("", "caption")
-        for caption in (label(self.tr("FIELD"), "caption"), self._field_old):
+        self.field_age = label("", "caption")
+        for caption in (label(self.tr("FIELD"), "caption"), self.field_age):
             words.addWidget(caption)
         head.addLayout(words, 1)
         head.addWidget(self.unit)
         self._column.addLayout(head)
-        self._field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
-        self._column.addWidget(self._field)
+        self.field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
+        self._column.addWidget(self.field)
         self._column.addSpacing(GRID)
         coils_head = QHBoxLayout()
-        self._coils_old = label("", "caption")
+        self.coils_age = label("", "caption")
         coils_head.addWidget(label(self.tr("COILS   A"), "caption"))
-        coils_head.addWidget(self._coils_old)
+        coils_head.addWidget(self.coils_age)
         coils_head.addStretch()
         self._column.addLayout(coils_head)
-        self._coils = ReadoutGrid(("x", "y", "z"))
-        self._column.addWidget(self._coils)
-        self._zero = label("", wrap=True)
-        self._column.addWidget(self._zero)
+        self.coils = ReadoutGrid(("x", "y", "z"))
+        self._column.addWidget(self.coils)
+        self.zero_words = label("", wrap=True)
+        self._column.addWidget(self.zero_words)
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
-        self._rows: list[QLabel] = []
+        self.instrument_rows: list[QLabel] = []
 
     def _instruments(self) -> QScrollArea:
         """Who answers. In a low window these roll, so that what is said of the coils above is always whole."""
@@ -136,11 +136,11 @@ class SidePanel(Surface):
         area.viewport().setAutoFillBackground(False)
         self._lights = QVBoxLayout()
         self._lights.setSpacing(GRID // 2)
-        self._legend = label("", "caption", wrap=True)
+        self.legend = label("", "caption", wrap=True)
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(self._lights)
-        column.addWidget(self._legend)
+        column.addWidget(self.legend)
         column.addStretch()
         area.setWidget(holder)
         holder.setAutoFillBackground(False)
@@ -155,12 +155,12 @@ class SidePanel(Surface):
         self._show_field(state)
         now = state.now
         old = "" if now.coil_old_s is None else "old"
-        self._coils_old.setText(age_words(now.coil_old_s))
+        self.coils_age.setText(age_words(now.coil_old_s))
         for row, axis in enumerate(now.coil_A):
-            self._coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
+            self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
         shape, mark = mark_of(now.coil_words)
-        self._zero.setText(f"{shape} {in_words(now.coil_words)}".strip())
-        set_state(self._zero, mark)
+        self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
+        set_state(self.zero_words, mark)
         self._show_lights(state)
 
     def _show_field(self, state: LabState) -> None:
@@ -169,29 +169,29 @@ class SidePanel(Surface):
 
         now = state.now
         set_old, old = ("" if one is None else "old" for one in (now.coil_old_s, now.field_old_s))
-        self._field_old.setText(age_words(now.field_old_s))
-        self._field.show_row(0, size(now.field_set_nT), state=set_old)
-        self._field.show_row(1, size(now.field_measured_nT), state=old)
+        self.field_age.setText(age_words(now.field_old_s))
+        self.field.show_row(0, size(now.field_set_nT), state=set_old)
+        self.field.show_row(1, size(now.field_measured_nT), state=old)
         u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
-        self._field.show_row(2, u, state=old)
+        self.field.show_row(2, u, state=old)
         for row, axis in enumerate(now.field_measured_nT or (None,) * 3):
-            self._field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit), state=old)
+            self.field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit), state=old)
 
     def _show_lights(self, state: LabState) -> None:
-        while len(self._rows) < len(state.now.lights):
-            self._rows.append(label("", wrap=True))
-            self._lights.addWidget(self._rows[-1])
+        while len(self.instrument_rows) < len(state.now.lights):
+            self.instrument_rows.append(label("", wrap=True))
+            self._lights.addWidget(self.instrument_rows[-1])
         wordless = {light for _, light, words in state.now.lights if not words}
         legend = "   ".join(
             f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
         )
-        self._legend.setText(legend if state.bench else self.tr("No bench is open."))
-        for row, (name, light, words) in zip(self._rows, state.now.lights, strict=False):
+        self.legend.setText(legend if state.bench else self.tr("No bench is open."))
+        for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
             row.setText(f"{shape} {name}  {words}".strip())
             set_state(row, colour)
             row.show()
-        for row in self._rows[len(state.now.lights) :]:
+        for row in self.instrument_rows[len(state.now.lights) :]:
             row.hide()
 
 
@@ -224,7 +224,7 @@ class Frame(QMainWindow):
         self.next = button("", self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"), primary=True)
         self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
-        self._sidebar_buttons, self._scale = QButtonGroup(self), 1.0
+        self.sidebar_buttons, self._scale = QButtonGroup(self), 1.0
         self.says_off = True  # when it closes; else its worker finds the line closed, and takes the coils to zero
         self._names = tuple(pages)
         middle = QHBoxLayout()
@@ -269,7 +269,7 @@ class Frame(QMainWindow):
                 entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
                 words = self.tr("the page {0}").format(translated(name))
                 described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
-            self._sidebar_buttons.addButton(entry, index)
+            self.sidebar_buttons.addButton(entry, index)
             entry.setAccessibleName(translated(name))
             column.addWidget(entry)
             self.stack.addWidget(page)
@@ -291,7 +291,7 @@ class Frame(QMainWindow):
         switches = (self.lock_switch, self.language_switch, self.theme_switch, self.size_switch, self.sound_switch)
         for widget in (*switches, self.help):
             column.addWidget(widget)
-        self._sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
+        self.sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
         return sidebar
 
     def _status_line(self) -> QWidget:
@@ -309,14 +309,14 @@ class Frame(QMainWindow):
         """A mark before the name of each page that is a step of the path, and what is next in words."""
         for index, name in enumerate(self._names):
             mark = marks.get(name, "")
-            self._sidebar_buttons.button(index).setText(f"{mark} {translated(name)}".strip())
+            self.sidebar_buttons.button(index).setText(f"{mark} {translated(name)}".strip())
         self.next.setText(self.tr("Next: {0}").format(following))
         self.next.show()
 
     def open_page(self, name: str) -> None:
         """Show the page called `name`."""
         index = self._names.index(name)
-        self._sidebar_buttons.button(index).setChecked(True)
+        self.sidebar_buttons.button(index).setChecked(True)
         self.stack.setCurrentIndex(index)
 
     def page_shown(self) -> str:

@@ -29,7 +29,7 @@ class Standing(QObject):
     def write(self) -> None:
         """Write what is new, whole or not at all; a full disk is no fault of the window's."""
         run, app_state = self._window.app_state.run, self._window.app_state
-        told = {
+        standing = {
             "page": list(self._window.lazy_pages)[self._window.stack.currentIndex()],
             "bench": app_state.bench,
             "simulated": None if app_state.facts is None else app_state.facts.simulated,
@@ -40,7 +40,7 @@ class Standing(QObject):
                 "worker": app_state.bench_worker.pid if run.alive else 0,
             },
         }
-        if self._file is None or (text := json.dumps(told)) == self._written:
+        if self._file is None or (text := json.dumps(standing)) == self._written:
             return
         self._written, part = text, self._file.with_suffix(".part")
         with suppress(OSError):

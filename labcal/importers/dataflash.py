@@ -98,5 +98,5 @@ class _Kept:
             streams[name] = Stream(name, self._path, columns)
         if not streams:
             raise InputError("the log holds none of the messages asked for", file=self._path)
-        told = ", ".join(f"{name} {value:.6g}" for name, value in sorted(self._parameters.items()))
-        return ForeignRecording(self._path, streams, notes=(f"on board: {told}",) if told else ())
+        parameters = ", ".join(f"{name} {value:.6g}" for name, value in sorted(self._parameters.items()))
+        return ForeignRecording(self._path, streams, notes=(f"on board: {parameters}",) if parameters else ())

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers import looks
-from labcal.importers.looks import Resemblance
+from labcal.importers import resemblance
 from labcal.importers.mapping import FORMAT
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import ForeignRecording, ReadRequest, Stream
+from labcal.importers.resemblance import Resemblance
 from labcal.store.limits import listed
 
 LOOKED_AT = 20_000  # rows of each stream
@@ -33,7 +33,7 @@ CALLED_DUT = re.compile(r"dut|test|raw", re.IGNORECASE)
 class _Sensor:
     stream: Stream
     clock: Resemblance
-    looks: Resemblance
+    match: Resemblance
 
 
 def guess(path: Path, format_: str) -> str:
@@ -61,9 +61,9 @@ def _once(recording: ForeignRecording) -> list[Stream]:
 
 def _sensors(streams: Sequence[Stream], own_unit: str | None) -> Iterator[_Sensor]:
     for stream in streams:
-        clock = looks.clock(stream)
+        clock = resemblance.clock(stream)
         if clock is not None and _one_length(stream, clock):
-            yield from (_Sensor(stream, clock, found) for found in looks.magnetometers(stream, own_unit))
+            yield from (_Sensor(stream, clock, found) for found in resemblance.magnetometers(stream, own_unit))
 
 
 def _one_length(stream: Stream, clock: Resemblance) -> bool:
@@ -72,21 +72,21 @@ def _one_length(stream: Stream, clock: Resemblance) -> bool:
 
 def _preference(sensor: _Sensor) -> tuple[int, int, int]:
     place = [number for number, name in enumerate(PREFERRED) if sensor.stream.name.startswith(name)]
-    is_called = bool(CALLED_DUT.search(sensor.looks.columns[0]))
-    return (place[0] if place else len(PREFERRED), -sensor.looks.sure, -is_called)
+    is_called = bool(CALLED_DUT.search(sensor.match.columns[0]))
+    return (place[0] if place else len(PREFERRED), -sensor.match.sure, -is_called)
 
 
 def _chosen(sensors: Sequence[_Sensor]) -> tuple[_Sensor, _Sensor | None]:
     """The reading and, where there is one, the reference: called so, or beside the reading in the same table."""
-    called = [s for s in sensors if looks.REFERENCE.search(f"{s.stream.name}/{s.looks.columns[0]}")]
+    called = [s for s in sensors if resemblance.REFERENCE.search(f"{s.stream.name}/{s.match.columns[0]}")]
     others = [s for s in sensors if s not in called] or list(sensors)
     reading = others[0]
     if called and called[0] is not reading:
         return reading, called[0]
-    values = reading.stream.together(reading.looks.columns)
+    values = reading.stream.together(reading.match.columns)
     for other in others[1:]:
-        same_table = other.stream is reading.stream and other.looks.columns[0].isdigit()
-        if same_table and looks.together(values, other.stream.together(other.looks.columns)):
+        same_table = other.stream is reading.stream and other.match.columns[0].isdigit()
+        if same_table and resemblance.together(values, other.stream.together(other.match.columns)):
             return other, reading  # who merges two tables puts the reference first as often as not: to be checked
     return reading, None
 
@@ -100,8 +100,8 @@ def _lines(
     yield from ("", "[dut]", 'serial = "unknown"  # CHECK')
     yield from ("", "[time]", f"column = {_quoted(reading.clock.columns[0])}  # {reading.clock.why}")
     yield f'unit = "{reading.clock.unit}"  # CHECK'
-    yield from ("", "[reading]", *_stream(reading), f"columns = {_list(reading.looks.columns)}  # {reading.looks.why}")
-    yield f'unit = "{reading.looks.unit}"'
+    yield from ("", "[reading]", *_stream(reading), f"columns = {_list(reading.match.columns)}  # {reading.match.why}")
+    yield f'unit = "{reading.match.unit}"'
     yield 'axes = ["x", "y", "z"]  # CHECK: where the body\'s x, y and z come from; ["y", "x", "-z"] turns them'
     yield from ("", "[reference]", *_reference(reading, reference, streams))
     yield from _attitude(streams)
@@ -111,7 +111,7 @@ def _lines(
 
 def _is_date(sensor: _Sensor) -> bool:
     first = float(sensor.stream.number(sensor.clock.columns[0])[0])
-    return any(least <= first < 4 * least for least, _ in looks.DATES)
+    return any(least <= first < 4 * least for least, _ in resemblance.DATES)
 
 
 def _stream(sensor: _Sensor) -> Iterator[str]:
@@ -124,9 +124,9 @@ def _reference(reading: _Sensor, reference: _Sensor | None, streams: Sequence[St
         yield from (
             'kind = "vector"',
             *_stream(reference),
-            f"columns = {_list(reference.looks.columns)}  # {reference.looks.why}",
+            f"columns = {_list(reference.match.columns)}  # {reference.match.why}",
         )
-        yield f'unit = "{reference.looks.unit}"'
+        yield f'unit = "{reference.match.unit}"'
         yield 'frame = "body"  # CHECK: "body" where it turns with the device, "cage" where it stands'
         if reference.clock.columns != reading.clock.columns:
             yield f"time = {_quoted(reference.clock.columns[0])}"
@@ -138,7 +138,7 @@ def _reference(reading: _Sensor, reference: _Sensor | None, streams: Sequence[St
             'kind = "scalar"',
             *_stream(reading),
             f"column = {_quoted(f)}",
-            f'unit = "{reading.looks.unit}"  # CHECK',
+            f'unit = "{reading.match.unit}"  # CHECK',
         )
     elif place is not None:
         yield from ('kind = "igrf"  # the Earth\'s field at the place where the recording was made', *place)
@@ -163,7 +163,7 @@ def _attitude(streams: Sequence[Stream]) -> Iterator[str]:
     """As a comment: what a quaternion means is nowhere in the file, and an autopilot's rests on its magnetometer."""
     named = sorted(streams, key=lambda s: (not s.name.startswith("vehicle_attitude"), "attitude" not in s.name))
     for stream in named:
-        found = looks.quaternion(stream)
+        found = resemblance.quaternion(stream)
         if found is not None:
             yield from ("", "# [attitude]  # an autopilot's rests on the magnetometer itself: no reference for it")
             yield from (f"# {line}" for line in ([f"stream = {_quoted(stream.name)}"] if stream.name else []))
@@ -174,7 +174,7 @@ def _attitude(streams: Sequence[Stream]) -> Iterator[str]:
 
 def _gravity(streams: Sequence[Stream]) -> Iterator[str]:
     for stream in streams:
-        found = looks.gravity(stream)
+        found = resemblance.gravity(stream)
         if found is not None:
             where = f"{stream.name} " if stream.name else ""
             yield from (
@@ -185,11 +185,11 @@ def _gravity(streams: Sequence[Stream]) -> Iterator[str]:
 
 
 def _channels(streams: Sequence[Stream], reading: _Sensor, reference: _Sensor | None) -> Iterator[str]:
-    taken = {c for s in (reading, reference) if s is not None for c in (*s.looks.columns, *s.clock.columns)}
+    taken = {c for s in (reading, reference) if s is not None for c in (*s.match.columns, *s.clock.columns)}
     names: set[str] = set()
     for stream in sorted(streams, key=lambda s: s is not reading.stream):
-        clock = looks.clock(stream)
-        for found in looks.channels(stream, taken) if clock is not None else ():
+        clock = resemblance.clock(stream)
+        for found in resemblance.channels(stream, taken) if clock is not None else ():
             name = _channel_name(stream, found, names)
             if name in names or len(names) == MOST_CHANNELS:
                 continue

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.importers import attitude
-from labcal.importers.clock import Stamps, clock_of, is_date, stamps_of, utc
 from labcal.importers.doubts import ImportFinding, StampStatistics, doubts, findings
 from labcal.importers.mapping import ColumnSource, Mapping, SegmentPart
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, WantedColumns
 from labcal.importers.run_of import FileRows, run_of
+from labcal.importers.stamps import Stamps, clock_of, is_date, stamps_of, utc
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
 from labcal.record.assemble import interpolated

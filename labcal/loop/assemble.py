@@ -41,6 +41,9 @@ from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 from labcal.uncertainty import Sources
 
+ROUNDS_EXHAUSTED = (
+    "The selection ended without a set of effects that held-out data support whole; what its last round left stands."
+)
 Array = NDArray[np.float64]
 
 
@@ -94,6 +97,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         remarks=(
             tests_text(tests["after"], more_than_noise=left is not None),
             *(finding.says for finding in noticed),
+            *([ROUNDS_EXHAUSTED] if found.ending == "rounds exhausted" else []),
             *_meaning(shipping),
         ),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.loop.assemble import assemble
+from labcal.loop.empirical.description import describe_function, experiment
 from labcal.loop.empirical.proof import with_smooth
 from labcal.loop.empirical.splines import table
-from labcal.loop.empirical.words import describe_function, experiment
 from labcal.loop.result import ClosedLoop
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
@@ -37,9 +37,9 @@ def with_empirical(
     record = replace(_described(built, term), p_value=chance, domain=(seen,))
     assert record.basis is not None
     left = after.problem.residual_nT
-    looks = describe_function(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
-    record = replace(record, why=f"{record.why}. {looks.says(term.inputs)}")
-    proposal = experiment(run, record, looks)
+    described = describe_function(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
+    record = replace(record, why=f"{record.why}. {described.says(term.inputs)}")
+    proposal = experiment(run, record, described)
     if not ship:
         return replace(closed, proposed=(record,), next_experiment=proposal)
     of = "a function of " + " and ".join(record.inputs)

@@ -112,9 +112,9 @@ def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
 
     What declared errors D left in the residual is no noise.
     """
-    moved = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
-    spectra = weighted_spectra(moved, cosine_transform(found.problem.y[found.used]))
-    grams = inverse @ grams_of_bands(moved[:, :, : len(inverse)], spectra.bands) @ inverse
+    transformed = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
+    spectra = weighted_spectra(transformed, cosine_transform(found.problem.y[found.used]))
+    grams = inverse @ grams_of_bands(transformed[:, :, : len(inverse)], spectra.bands) @ inverse
     before = inverse @ precision(found.terms, found.problem.T.shape[2], len(inverse)) @ inverse
     return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1) + before, spectra.dof)
 

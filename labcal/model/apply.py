@@ -1,4 +1,4 @@
-"""Readings in, field out: a calibration applied row by row, with its uncertainty and what to be wary of."""
+"""Readings in, field out: a calibration applied row by row, with its uncertainty and flags."""
 
 from __future__ import annotations
 
@@ -255,9 +255,9 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
         missing = ~np.isfinite(values)
         filled[name] = missing & False
         if missing.any() and (~missing).sum() >= FEW:
-            told, sure = bridged(t, values)
+            values_bridged, sure = bridged(t, values)
             filled[name] = missing & sure
-            channels[name] = np.where(filled[name], told, values)
+            channels[name] = np.where(filled[name], values_bridged, values)
     return replace(readings, channels=channels), filled
 
 

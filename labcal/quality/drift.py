@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
-from scipy.stats import norm, t
+from scipy.special import ndtri, stdtrit
 
 Array = NDArray[np.float64]
 FEWEST = 3
@@ -58,7 +58,7 @@ def drift(times: ArrayLike, values: ArrayLike, u: ArrayLike) -> Drift:
     weight = 1 / np.maximum(s**2 + scatter**2, 1e-300)
     covariance = np.linalg.inv(X.T @ (weight[:, None] * X))
     last, rate = covariance @ (X.T @ (weight * y))
-    quantile = float(t.ppf(0.975, len(y) - 2)) if scatter > 0 else float(norm.ppf(0.975))
+    quantile = float(stdtrit(len(y) - 2, 0.975)) if scatter > 0 else float(ndtri(0.975))
     u_rate = float(np.sqrt(covariance[1, 1]))
     interval = float(rate - quantile * u_rate), float(rate + quantile * u_rate)
     return Drift(float(last), float(rate), u_rate, interval, covariance, scatter, quantile, float(when.max()), len(y))

@@ -12,7 +12,7 @@ from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import f
+from scipy.special import fdtrc
 
 Array = NDArray[np.float64]
 Term = tuple[int, ...]  # the factors of a term, by their place
@@ -140,7 +140,7 @@ def _pool(squares: Mapping[Term, tuple[float, int]]) -> dict[Term, tuple[float, 
 
 
 def _p(ms: float, dof: int, by: float, by_dof: int) -> float:
-    return float(f.sf(ms / by, dof, by_dof)) if by > 0 else 0.0
+    return float(fdtrc(dof, by_dof, ms / by)) if by > 0 else 0.0
 
 
 def _expected(terms: Sequence[Term], shape: Sequence[int]) -> Array:
@@ -158,7 +158,7 @@ def _lines(
     for term, (ss, dof) in squares.items():
         by = _denominator(term, squares if term not in kept else kept)
         F = None if by is None or not by[0] > 0 else ss / dof / by[0]
-        p = None if F is None or by is None else float(f.sf(F, dof, by[1]))
+        p = None if F is None or by is None else float(fdtrc(dof, by[1], F))
         lines.append(Line(name(term, factors), dof, ss, ss / dof, F, p, term not in kept))
     if len(kept) < len(squares):
         ss, dof = kept[()]
@@ -199,11 +199,11 @@ def _result(
     sd, draws = ({g: np.sqrt(v[:, at].sum(axis=1)) for g, at in groups.items()} for v in (found, drawn))
     components = tuple(_component(g, sd[g][0], draws[g], sd["total"][0], draws["total"]) for g in groups)
     gage = next(c for c in components if c.source == "gage R&R")
-    told = [np.floor(_ratio(CATEGORIES * one[factors[0]], one["gage R&R"])) for one in (sd, draws)]
-    low, high = np.quantile(told[1], [0.025, 0.975])
+    distinct = [np.floor(_ratio(CATEGORIES * one[factors[0]], one["gage R&R"])) for one in (sd, draws)]
+    low, high = np.quantile(distinct[1], [0.025, 0.975])
     width = None if tolerance is None else 100 * 6 * gage.sd / tolerance
     between = (max(1, int(low)), max(1, int(high)))
-    return GageRR(lines, components, gage.percent, gage.percent_interval, max(1, int(told[0][0])), between, width)
+    return GageRR(lines, components, gage.percent, gage.percent_interval, max(1, int(distinct[0][0])), between, width)
 
 
 def _component(source: str, sd: float, drawn: Array, total: float, total_drawn: Array) -> Component:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import chi2
+from scipy.special import chdtrc
 
 from labcal.quality.drift import FEWEST, drift
 
@@ -68,7 +68,7 @@ def _by_mean(benches: Sequence[str], values: Array, u: Array) -> Intercomparison
         mean, variance = float(weight @ values / weight.sum()), 1 / float(weight.sum())
         off = (values - mean) ** 2 * weight
         dof = int(counted.sum()) - 1
-        p = float(chi2.sf(off.sum(), dof)) if dof else 1.0
+        p = float(chdtrc(dof, off.sum())) if dof else 1.0
         if p >= CONSISTENT or dof < 2:
             break
         counted[int(np.argmax(off))] = False
@@ -94,7 +94,7 @@ def _by_pilot(benches: Sequence[str], values: Array, u: Array, times: Array | No
         moved = float(np.ptp(values[own]) / np.sqrt(12))  # the standard may have moved as far as the pilot saw it move
         spread = np.full(len(values), np.hypot(1 / np.sqrt(weight.sum()), moved))
     degrees = _degrees(benches, values, reference, np.where(own, u, np.hypot(u, spread)), own)
-    return Intercomparison(degrees, squares, dof, float(chi2.sf(squares, dof)) if dof else 1.0, by)
+    return Intercomparison(degrees, squares, dof, float(chdtrc(dof, squares)) if dof else 1.0, by)
 
 
 def _degrees(

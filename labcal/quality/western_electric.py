@@ -1,4 +1,4 @@
-"""The Western Electric rules on a control chart, and how often each cries wolf.
+"""The Western Electric rules on a control chart, and how often each gives a false alarm.
 
 Western Electric, Statistical Quality Control Handbook (1956); run lengths by the Markov chain of Champ and Woodall,
 Technometrics 29 (1987) 393. All assumes normal, independent points and limits that are known.
@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.stats import norm
+from scipy.special import ndtr
 
 Array = NDArray[np.float64]
 RULES = {
@@ -51,15 +51,10 @@ def average_run_length(rules: Iterable[int] = ALL) -> float:
     return _run_length(tuple(sorted(set(rules))))
 
 
-def false_alarm_rate(rules: Iterable[int] = ALL) -> float:
-    """False alarms a point: one over the average run length."""
-    return 1.0 / average_run_length(rules)
-
-
 @cache
 def _run_length(rules: tuple[int, ...]) -> float:
     """The mean number of steps to absorption from the empty history."""
-    chance = np.diff(norm.cdf(ZONES))
+    chance = np.diff(ndtr(ZONES))
     start: tuple[float, ...] = ()
     number, todo, steps = {start: 0}, [start], list[tuple[int, int, float]]()
     while todo:

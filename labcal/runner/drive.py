@@ -306,8 +306,8 @@ class Drive:
         zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three
         self._at_zero = zero and self.state.reference.verdict != "disagrees"
         self._said = NOT_CONFIRMED if None in currents else self.state.sentence(now)
-        told = [_sentence(fault) for fault in faults + lost]
-        return read_back(self.bench, "read-back", current_A=currents, faults=told)
+        sentences = [_sentence(fault) for fault in faults + lost]
+        return read_back(self.bench, "read-back", current_A=currents, faults=sentences)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)

@@ -11,9 +11,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from labcal.self_test.installed import check_files, check_versions
-from labcal.self_test.line import check_line
 from labcal.self_test.page import place_for, qualification_page, write_page
 from labcal.self_test.result import Check, Qualification, guarded
+from labcal.self_test.simulated_line import check_line
 from labcal.self_test.surroundings import check_folder, check_ports, check_window, computer
 
 __all__ = ["Check", "Qualification", "place_for", "qualification_page", "qualify", "write_page"]

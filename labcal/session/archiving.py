@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any, Literal, NoReturn
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import ARCHIVE, home
-from labcal.files.memory import kept_private
 from labcal.files.outputs import claim
+from labcal.files.private_memory import kept_private
 
 if TYPE_CHECKING:
     from labcal.archive.address import Address

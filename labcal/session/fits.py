@@ -9,7 +9,7 @@ from labcal.record import Run
 from labcal.session.sources import load_run
 
 if TYPE_CHECKING:
-    from labcal.fit.filters.history import History
+    from labcal.fit.filters.convergence import History
 
 
 def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
@@ -20,6 +20,6 @@ def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = Non
 
 def filter_history(run: str, method: str) -> History:
     """How the estimate of a live filter grew with the readings of `run`."""
-    from labcal.fit.filters import history
+    from labcal.fit.filters import convergence
 
-    return history.filter_history(load_run(run), method)
+    return convergence.filter_history(load_run(run), method)

@@ -16,7 +16,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
 from labcal.files.plain_file import read_limited
-from labcal.loop.empirical.words import PHYSICS, shape_of
+from labcal.loop.empirical.description import PHYSICS, shape_of
 from labcal.model.effects import find
 from labcal.model.effects.inputs import CHANNEL
 from labcal.model.smooth import Basis, Domain

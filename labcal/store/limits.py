@@ -1,4 +1,4 @@
-"""How large what comes from outside may be: generous for an honest recording, small for a memory."""
+"""How large what comes from outside may be: large enough for any recording, small beside a memory."""
 
 from __future__ import annotations
 

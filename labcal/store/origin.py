@@ -42,8 +42,8 @@ def chain_jsonl(connection: sqlite3.Connection, run: int) -> bytes:
     lines = []
     for table, row, made in parts(connection, run):
         values = values_of(connection, run, table, row) or ()
-        told = {name: _text(value) for name, value in zip(COLUMNS[table], values, strict=False) if value is not None}
-        lines.append(json.dumps({"of": table, **told, "sha256": made}, ensure_ascii=False, separators=(",", ":")))
+        record = {name: _text(value) for name, value in zip(COLUMNS[table], values, strict=False) if value is not None}
+        lines.append(json.dumps({"of": table, **record, "sha256": made}, ensure_ascii=False, separators=(",", ":")))
     return "".join(f"{line}\n" for line in lines).encode()
 
 
@@ -86,16 +86,16 @@ def last_link(content: bytes) -> Chain:
 
 def _row(line: bytes) -> tuple[str, tuple[Any, ...], str]:
     """Table, values in the order of COLUMNS, and link of a line. Raises ValueError."""
-    told = json.loads(line)
-    if not isinstance(told, dict) or (table := told.get("of")) not in RECORDED:
+    record = json.loads(line)
+    if not isinstance(record, dict) or (table := record.get("of")) not in RECORDED:
         raise ValueError("is no row of a record")
-    if unknown := told.keys() - {"of", "sha256", *COLUMNS[table]}:
+    if unknown := record.keys() - {"of", "sha256", *COLUMNS[table]}:
         raise ValueError(f"states {sorted(unknown)[0]!r}, which no row of a record has")
     values = tuple(
-        b64decode(told[name], validate=True) if name in BINARY and name in told else told.get(name)
+        b64decode(record[name], validate=True) if name in BINARY and name in record else record.get(name)
         for name in COLUMNS[table]
     )
-    return table, values, str(told.get("sha256"))
+    return table, values, str(record.get("sha256"))
 
 
 def _header(values: tuple[Any, ...]) -> RunHeader:
@@ -115,8 +115,8 @@ def _require_made_of(made: Run, run_json: bytes, samples_csv: bytes, file: objec
     if not _same(json.loads(write_run_json(made)), json.loads(run_json.decode("utf-8-sig"))):
         raise InputError("run.json is not what its rows make", file=file)
     header = read_run_json(run_json, file="run.json")
-    told, stated = (read_samples(rows, header, file="samples.csv") for rows in (write_samples(made), samples_csv))
-    if (different := _first_different(told, stated)) is not None:
+    measured, stated = (read_samples(rows, header, file="samples.csv") for rows in (write_samples(made), samples_csv))
+    if (different := _first_different(measured, stated)) is not None:
         raise InputError(f"samples.csv is not what its rows make: {different} differs", file=file)
 
 

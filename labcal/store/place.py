@@ -21,10 +21,10 @@ def files_at(path: Path) -> Files:
     found = dict[str, tuple[int, int]]()
     for end in BESIDE:
         try:
-            told = os.stat(f"{path}{end}")
+            status = os.stat(f"{path}{end}")
         except OSError:
             continue
-        found[end] = told.st_dev, told.st_ino
+        found[end] = status.st_dev, status.st_ino
     return found
 
 
@@ -44,8 +44,8 @@ def open_here(which: Which) -> Iterator[Path]:
     with suppress(OSError):
         for handle in OPEN_FILES.iterdir():
             with suppress(OSError):
-                told = handle.stat()
-                if (told.st_dev, told.st_ino) == which:
+                status = handle.stat()
+                if (status.st_dev, status.st_ino) == which:
                     yield handle
 
 

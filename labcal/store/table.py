@@ -31,7 +31,6 @@ Array = NDArray[np.float64]
 Rows = list[list[str]]
 
 NUMBER_TEXT = b"0123456789+-.eE"
-BOM = b"\xef\xbb\xbf"
 AT_ONCE = 4 * MiB  # bytes
 
 

@@ -1,4 +1,4 @@
-"""An estimator held to its contract: pure, equivariant, right without noise, refusing, with an honest covariance."""
+"""An estimator held to its contract: pure, equivariant, right without noise, refusing, of the covariance it states."""
 
 from __future__ import annotations
 

@@ -28,8 +28,8 @@ def refused(kind: type[Exception], sentence: str, *, words: str = "", fault: str
         yield
     except kind as error:
         require(re.search(words, str(error)), f"{sentence} It was refused with {str(error)!r}, which lacks {words!r}.")
-        told = getattr(error, "fault", "")
-        require(not fault or told == fault, f"{sentence} Its error says fault={told!r}, not {fault!r}.")
+        found = getattr(error, "fault", "")
+        require(not fault or found == fault, f"{sentence} Its error says fault={found!r}, not {fault!r}.")
         return
     raise AssertionError(sentence)
 

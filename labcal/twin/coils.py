@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.geometry import rotation_vector
-from labcal.twin.history import Relaxing, Steps
+from labcal.twin.step_functions import Relaxing, Steps
 
 Array = NDArray[np.float64]
 HELMHOLTZ = 0.5445  # distance of square coils over their side, for the most uniform field

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.twin.history import Steps
+from labcal.twin.step_functions import Steps
 
 Array = NDArray[np.float64]
 HOURS = 12

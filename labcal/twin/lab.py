@@ -13,12 +13,12 @@ from labcal.twin.ambient import ambient
 from labcal.twin.coils import AXES, Coil, square_coils
 from labcal.twin.config import SensorTruth, TwinTruth
 from labcal.twin.effects import DATA, REFERENCE, RIG, SENSOR, switched_on
-from labcal.twin.history import Steps
 from labcal.twin.housekeeping import Housekeeping
 from labcal.twin.moment import Moment
 from labcal.twin.pick import pick_effect
 from labcal.twin.platform import Turntable
 from labcal.twin.sensor import Sensor, response
+from labcal.twin.step_functions import Steps
 
 Array = NDArray[np.float64]
 

@@ -60,14 +60,14 @@ def _chart(name: str, unit: str, chart: Chart | str) -> dict[str, Any]:
 
 def study_document(study: Study) -> dict[str, Any]:
     """`labcal-gage/1`."""
-    told = asdict(study.found)
+    figures = asdict(study.found)
     head = {"format": "labcal-gage/1", "quantity": study.quantity, "unit": study.unit}
     return {
         **head,
         "levels": dict(study.levels),
         "repeats": study.repeats,
         "simulated": study.simulated,
-        **told,
+        **figures,
         "remarks": list(study.remarks),
     }
 
@@ -80,7 +80,7 @@ def trend_document(serial: str, found: Sequence[Trend]) -> dict[str, Any]:
 
 def _trend(trend: Trend) -> dict[str, Any]:
     line = trend.drift
-    told = (
+    drifts = (
         {"why_not": line}
         if isinstance(line, str)
         else {"per_year": line.rate, "u": line.u_rate, "interval": list(line.interval), "scatter": line.scatter}
@@ -91,7 +91,7 @@ def _trend(trend: Trend) -> dict[str, Any]:
         "days": trend.days.tolist(),
         "values": trend.values.tolist(),
         "u": [finite(one) for one in trend.u],
-        "drift": told,
+        "drift": drifts,
         "proposals": [asdict(one) for one in trend.proposals],
     }
 

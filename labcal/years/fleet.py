@@ -94,8 +94,8 @@ def _refuse_undated(found: Sequence[Calibrated]) -> None:
     count = Counter((one.model, one.serial) for one in found)
     for one in found:
         if one.utc == UNDATED and count[one.model, one.serial] > 1:
-            told = f"nothing tells when it was measured, and there are several of {one.serial}: which is last?"
-            raise InputError(f"{told} Its run is not in this store, and it has no date of issue", file=one.where)
+            message = f"nothing tells when it was measured, and there are several of {one.serial}: which is last?"
+            raise InputError(f"{message} Its run is not in this store, and it has no date of issue", file=one.where)
 
 
 def _pattern(text: str) -> re.Pattern[str]:

@@ -57,8 +57,8 @@ def studied(
     if (many := prod(map(len, levels))) > len(cells):
         empty = next(cell for cell in product(*levels) if cell not in cells)
         said = "; ".join(f"{n} {v}" for n, v in zip(names, empty, strict=True))
-        told = f"nothing is there of {said} ({many - len(cells)} of {many} are missing)"
-        raise InputError(f"every DUT is measured by every operator in every mounting: {told}")
+        message = f"nothing is there of {said} ({many - len(cells)} of {many} are missing)"
+        raise InputError(f"every DUT is measured by every operator in every mounting: {message}")
     repeats = min(len(values) for values in cells.values())
     if extra := sum(len(values) - repeats for values in cells.values()):
         remarks.append(f"{extra} later repeats are left out: each cell has {repeats}")

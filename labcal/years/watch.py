@@ -194,5 +194,5 @@ def _read(path: Path) -> dict[str, WatchedRun]:
 
 
 def _write(path: Path, kept: dict[str, WatchedRun]) -> None:
-    told = {"format": FORMAT, "runs": [asdict(one) for one in kept.values()]}
-    write_text(path, json.dumps(told, indent=1, ensure_ascii=False) + "\n")
+    state = {"format": FORMAT, "runs": [asdict(one) for one in kept.values()]}
+    write_text(path, json.dumps(state, indent=1, ensure_ascii=False) + "\n")

@@ -101,8 +101,9 @@ def test_a_stop_is_no_error_and_another_error_with_it_is() -> None:
         motor.make_safe()
 
 
-def test_a_reference_that_somebody_stopped_is_none() -> None:
-    rig: DriverRig = installed("pi-gcs2", forbidden=[]).rig()
+@pytest.mark.parametrize("driver", ["pi-gcs2", "thorlabs-apt"])
+def test_homing_that_somebody_stopped_is_none(driver: str) -> None:
+    rig: DriverRig = installed(driver, forbidden=[]).rig()
     rig.driver.identify()
     rig.lab.platform.move(rig.clock.now(), 40.0, 40.0)
     rig.wait(10.0)

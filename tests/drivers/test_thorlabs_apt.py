@@ -123,19 +123,6 @@ def test_a_stop_brakes() -> None:
         motor.make_safe()
 
 
-def test_homing_that_somebody_stopped_is_no_home() -> None:
-    rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()
-    rig.driver.identify()
-    rig.lab.platform.move(rig.clock.now(), 40.0, 40.0)
-    rig.wait(10.0)
-    rig.driver.home()
-    rig.wait(1.0)
-    rig.driver.make_safe()
-    rig.wait(3.0)
-    with pytest.raises(InstrumentError, match="does not know where"):
-        rig.driver.moving()
-
-
 def test_a_foreign_library_reads_what_the_emulator_says_and_it_hears_what_that_says() -> None:
     foreign = pytest.importorskip("thorlabs_apt_protocol", reason="needs thorlabs-apt-protocol, which is not installed")
     rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()

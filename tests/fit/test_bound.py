@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from cramer_rao import cramer_rao
 
-from labcal.fit.vector.cramer_rao import cramer_rao
 from labcal.fit.vector.ml import ml
 from labcal.fit.vector.system import Noise
 

@@ -43,14 +43,6 @@ def test_the_stated_covariance_is_the_scatter_over_five_hundred_seeds() -> None:
     assert np.abs(z.mean(axis=0)).max() < 4 / np.sqrt(500)
 
 
-def test_the_uncertainty_of_a_field_is_the_scatter_of_its_prediction() -> None:
-    currents = np.array([[0.3, -0.7, 0.9]])
-    fits = [found(seed) for seed in range(500)]
-    scatter = np.std([f.field_nT(currents)[0] for f in fits], axis=0, ddof=1)
-    stated = np.sqrt(np.mean([f.u_field_nT(currents)[0] ** 2 for f in fits], axis=0))
-    assert scatter / stated == pytest.approx(np.ones(3), abs=0.15)
-
-
 @pytest.mark.parametrize("rows", [COIL < 2, np.arange(36) < 28])
 def test_a_coil_that_was_not_stepped_enough_is_refused(rows: np.ndarray) -> None:
     with pytest.raises(ValueError, match="do not span all three coils"):

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from labcal.fit.vector.identify import field_covariance, identify
+from labcal.fit.vector.identifiability import field_covariance, identify
 from labcal.fit.vector.ml import estimate, ml
 from labcal.fit.vector.observations import observe
 from labcal.fit.vector.solve import LEAST_SQUARES, parameterise, solve

@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from labcal.fit.declared import widen
+from labcal.fit.declared import contributions
 from labcal.fit.vector.ml import estimate, ml
 from labcal.fit.vector.observations import observe
 from labcal.fit.vector.solve import LEAST_SQUARES, ROBUST, Loss, parameterise, solve
 from labcal.fit.vector.system import Noise, evaluate, normal
 from labcal.model import AffineMap
+from labcal.uncertainty import covariance_of
 
 
 def half_cost(seen, noise, y: np.ndarray) -> float:
@@ -106,18 +107,18 @@ def test_declared_mounting_widens_by_a_common_turn(bench) -> None:
     run, true, _ = bench(rows=20)
     u_deg = 0.2
     segments = tuple(replace(s, u_axis_body_deg=u_deg) for s in run.segments)
-    wide = widen(replace(run, segments=segments), true, np.zeros((12, 12)), frame_known=True)
+    wide = covariance_of(contributions(replace(run, segments=segments), true, frame_known=True), 12)
     rng = np.random.default_rng(0)
     turns = Rotation.from_rotvec(np.radians(u_deg) * rng.normal(size=(20_000, 3))).as_matrix()
     drawn = np.concatenate([(turns @ true.K).reshape(-1, 9), turns @ true.k_nT], axis=1)
     size = np.sqrt(np.diag(wide))
     assert np.allclose(np.cov(drawn.T) / np.outer(size, size), wide / np.outer(size, size), atol=0.05)
-    assert not widen(replace(run, segments=segments), true, np.zeros((12, 12)), frame_known=False).any()
+    assert not covariance_of(contributions(replace(run, segments=segments), true, frame_known=False), 12).any()
 
 
 def test_a_declared_scale_of_the_reference_is_in_proportion(bench) -> None:
     true = AffineMap(np.diag([1.0, 2.0, 3.0]), np.array([10.0, 20.0, 30.0]))
     run, _, _ = bench(rows=20)
     run = replace(run, reference=replace(run.reference, u_scale_ppm=1000.0))
-    wide = widen(run, true, np.zeros((12, 12)), frame_known=True)
+    wide = covariance_of(contributions(run, true, frame_known=True), 12)
     assert np.allclose(np.sqrt(np.diag(wide)), 1e-3 * true.parameters)

@@ -33,7 +33,7 @@ def page(still):
 
 def answer(page):
     """As the worker would."""
-    worker = page._app_state.quick_worker
+    worker = page.window().app_state.quick_worker
     asked = next(one for one in worker.asked if isinstance(one.command, EditBench))
     worker.asked.remove(asked)
     try:
@@ -45,7 +45,7 @@ def answer(page):
 
 
 def opened(page, qtbot, file):
-    page._app_state.bench = str(file)
+    page.window().app_state.bench = str(file)
     qtbot.mouseClick(page.edit, Qt.MouseButton.LeftButton)
     answer(page)
     return page.editor

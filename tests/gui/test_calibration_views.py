@@ -66,7 +66,7 @@ def test_each_result_has_its_word_shape_and_colour(views):
     assert rows[2][7] == "–"
     colours = [views.table.item(row, 5).foreground().color().name() for row in range(4)]
     assert colours == [LIGHT.good, LIGHT.warning, LIGHT.warning, LIGHT.bad]
-    assert RULE in views.told.text()
+    assert RULE in views.remark.text()
     views.set_theme(DARK)
     assert views.table.item(3, 5).foreground().color().name() == DARK.bad
 
@@ -96,8 +96,8 @@ def test_what_changed_comes_later_and_belongs_to_the_calibration_that_is_shown(v
     assert rows[0] == ["offset x", "+100", "+160", "20", "nT", "+3.00", "▲ changed"]
     assert rows[1][5:] == ["−0.11", ""]
     assert rows[2][3:] == ["–", "ppm", "–", ""]
-    assert "1 of 2 figures changed" in views.told.text()
-    assert "not of the same state" in views.told.text()
+    assert "1 of 2 figures changed" in views.remark.text()
+    assert "not of the same state" in views.remark.text()
     assert views.table.item(1, 5).foreground() != views.table.item(0, 6).foreground()
     views.show_calibration(calibration(path="b"))
     assert not views.tabs.isTabEnabled(CHANGED)
@@ -111,7 +111,7 @@ def test_without_lines_there_is_nothing_to_open_but_what_was_left_open(views):
     views.show_calibration(calibration((), ("Of the specification: noise, which this run does not determine.",)))
     assert views.tabs.isTabEnabled(SPECIFIED)
     views.tabs.setCurrentIndex(SPECIFIED)
-    assert (views.table.rowCount(), "does not determine" in views.told.text()) == (0, True)
+    assert (views.table.rowCount(), "does not determine" in views.remark.text()) == (0, True)
 
 
 def test_rows_are_as_wide_as_their_headings():
@@ -137,4 +137,4 @@ def test_below_the_parameters_stands_what_makes_most_of_each_uncertainty_and_all
     assert views.table.item(12, 0).toolTip().split("\n") == [
         "|b| 50 µT along x", "k = 2.00", "reference: zero 84.0 %", "noise 16.0 %"
     ]  # fmt: skip
-    assert not views.told.isVisibleTo(views)
+    assert not views.remark.isVisibleTo(views)

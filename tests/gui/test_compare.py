@@ -149,7 +149,7 @@ def test_each_run_by_its_own_calibration_and_a_run_beside_itself_has_not_changed
     mine = session.load_calibration(newest_file(run))
     another = replace(mine, dut=replace(mine.dut, serial="EM-08"))
     sides = iter(((found.older, another), (found.newer, mine)))
-    monkeypatch.setattr(compare_commands, "_side", lambda run: next(sides))
+    monkeypatch.setattr(compare_commands, "side_of", lambda run: next(sides))
     refused = compare(None, CompareRuns("r0", run)).refused
     assert refused.startswith(f"The calibration of r0 is of EM-08, not of {mine.dut.serial}")
 
@@ -162,11 +162,11 @@ def test_the_trend_draws_the_limits_of_the_specification(qtbot):
     trend = Trend(LIGHT)
     qtbot.addWidget(trend)
     trend.show_files("S1", files, [0.0, 86_400.0 * 9])
-    trend._idle_queue.finish()
+    trend.idle_queue.finish()
     lines = sorted(item.value() for item in trend.plot.getPlotItem().items if hasattr(item, "value"))
     assert lines == [-500.0, 500.0]
     assert trend.plot.getPlotItem().viewRange()[1][1] > 500.0
     trend.parameter.setCurrentIndex(1)
     trend.draw()
-    trend._idle_queue.finish()
+    trend.idle_queue.finish()
     assert [item for item in trend.plot.getPlotItem().items if hasattr(item, "value")] == []

@@ -65,5 +65,5 @@ def test_a_click_on_a_heading_sorts_and_a_second_one_turns_round_and_the_choice_
     click(0)
     click(0)
     assert ids() == ["r0", "r1"]
-    page._sort(0)
+    page.sort_by(0)
     page.search.clear()

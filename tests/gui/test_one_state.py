@@ -94,7 +94,7 @@ def brought(window, which):
     state = told(list(app_state.facts.instruments), COILS[coils], INSTRUMENTS[instruments], GUARDIANS[guardian], now)
     if items is None:
         if state is not None:
-            app_state._know(state)
+            app_state.take_lab(state)
         return
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     app_state.bench_worker.items.emit(items)
@@ -122,10 +122,10 @@ class Seen:
         self.live.draw()
         self.bench = window.page("Bench")
         self.bench.show_readings()
-        self.zero = self.side._zero.text()
-        self.currents = [cell.text() for cell in self.side._coils._values]
-        self.fields = [cell.text() for cell in self.side._field._values]
-        self.lights = [row.text() for row in self.side._rows if not row.isHidden()]
+        self.zero = self.side.zero_words.text()
+        self.currents = [cell.text() for cell in self.side.coils.values]
+        self.fields = [cell.text() for cell in self.side.field.values]
+        self.lights = [row.text() for row in self.side.instrument_rows if not row.isHidden()]
         self.rows = [[self.bench.table.text(r, c) for c in range(6)] for r in range(self.bench.table.rowCount())]
         self.message = window.message.text()
         shown = [self.live, self.window.fault]
@@ -144,7 +144,7 @@ def contradictions(window):
     yield from of_ages(seen, window.app_state)
     yield from of_the_run(seen, run)
     yield from of_the_instruments(seen)
-    if any("no bench is open" in text.lower() for text in [*seen.texts, seen.side._legend.text()]):
+    if any("no bench is open" in text.lower() for text in [*seen.texts, seen.side.legend.text()]):
         yield "no bench is open, with a bench open"
     if not window.top.simulated.isVisible():
         yield "the emulated bench is not said to be simulated"
@@ -180,8 +180,8 @@ def of_ages(seen, app_state):
     coils_s = min((c.read_s for c in known.coils if c.read_s), default=None) if known else None
     asked_off = set(seen.currents) == {"–"}
     for cells, age, read_s in (
-        (side._coils._values, side._coils_old, None if asked_off else coils_s),
-        (side._field._values[1:], side._field_old, known.field.read_s if known and not asked_off else None),
+        (side.coils.values, side.coils_age, None if asked_off else coils_s),
+        (side.field.values[1:], side.field_age, known.field.read_s if known and not asked_off else None),
     ):
         old = read_s is not None and module.time.monotonic() - read_s > 2.0
         for cell in cells:
@@ -262,7 +262,7 @@ def none_disagrees(drawn, states, monkeypatch):
         app_state.run.forget()
         app_state.off_worker.asked.clear()
         app_state.lab.update(message="", waiting="")
-        app_state._grow_old()
+        app_state.grow_old()
         drawn.fault.show_fault(None)
         brought(drawn, which)
         found += [f"{', '.join(which)}: {what}" for what in contradictions(drawn)]

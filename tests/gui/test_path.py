@@ -63,7 +63,7 @@ def path(still):
 
 
 def marks(window):
-    texts = [one.text() for one in window._sidebar_buttons.buttons()]
+    texts = [one.text() for one in window.sidebar_buttons.buttons()]
     return "".join(text[0] for text in texts[2:6])
 
 

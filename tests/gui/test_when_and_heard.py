@@ -48,31 +48,32 @@ def test_a_preflight_asks_where_its_plan_says(tmp_path, monkeypatch):
 
 
 def running(deaf, **order):
-    run = RunViewModel(deaf())
+    worker = deaf()
+    run = RunViewModel(worker)
     run.start(RunProcedure("preflight", "bench.toml", **order))
-    run._worker.items.emit((PLAN.begin(BENCH, "x"),))
-    return run
+    worker.items.emit((PLAN.begin(BENCH, "x"),))
+    return run, worker
 
 
 def test_the_time_that_a_person_takes_is_in_no_plan(deaf):
-    run = running(deaf)
+    run, worker = running(deaf)
     assert (run.left_s(), run.needed_s()) == (610.0, 300.0)
-    run._worker.items.emit((Event(130.0, "note", "half a minute later"),))
+    worker.items.emit((Event(130.0, "note", "half a minute later"),))
     assert (run.left_s(), run.needed_s()) == (580.0, 270.0)
-    run._worker.items.emit((Prompt(130.0, "m", "Mount it."), Event(900.0, "note", "still thinking")))
+    worker.items.emit((Prompt(130.0, "m", "Mount it."), Event(900.0, "note", "still thinking")))
     assert run.left_s() == 580.0
     assert run.wall_s(run.left_s()) is None  # nobody knows how long
-    run._worker.items.emit((Event(1000.0, "answer", "done"), Event(1010.0, "note", "goes on")))
+    worker.items.emit((Event(1000.0, "answer", "done"), Event(1010.0, "note", "goes on")))
     run.state = "running"
     assert (run.left_s(), run.wall_s(run.left_s())) == (570.0, 570.0)
-    run._worker.items.emit((Event(1010.0, "pause", "paused, coils at zero"), Event(1200.0, "note", "tea")))
-    run._worker.items.emit((Event(1300.0, "pause", "goes on"),))
+    worker.items.emit((Event(1010.0, "pause", "paused, coils at zero"), Event(1200.0, "note", "tea")))
+    worker.items.emit((Event(1300.0, "pause", "goes on"),))
     assert run.left_s() == 570.0
 
 
 @pytest.mark.parametrize(("pace", "wall_s"), [("true", 610.0), ("20 times", 30.5), ("at once", None)])
 def test_on_a_simulated_bench_time_passes_at_its_pace(deaf, pace, wall_s):
-    run = running(deaf, pace=pace)
+    run, _ = running(deaf, pace=pace)
     run.virtual_time = True
     assert run.wall_s(run.left_s()) == wall_s
 
@@ -108,7 +109,7 @@ def heard(monkeypatch):
 
 def test_done_is_heard_otherwise_than_needed_and_a_click_turns_both_off(still, heard, qtbot):
     worker = still.app_state.bench_worker
-    still.page("Run").live.sounds._effects = None
+    still.page("Run").live.sounds.effects = None
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     worker.items.emit((PLAN.begin(BENCH, "x"), Prompt(101.0, "m", "Mount it.", ("done",))))
     assert heard == ["beep"]

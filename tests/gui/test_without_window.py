@@ -14,6 +14,7 @@ from labcal import run_door, session
 from labcal.bench.coils.state import CoilReading, LabState
 from labcal.errors import Stopped
 from labcal.gui.ipc import channel as channel_module
+from labcal.gui.ipc.backlog import PastMessages
 from labcal.gui.ipc.bench_commands import run
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.lines import read_event, write_line
@@ -29,7 +30,6 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
     StateRead,
 )
-from labcal.gui.ipc.past import PastMessages
 from labcal.gui.ipc.worker import carried_out
 from labcal.record.stream import Event, Prompt, Step
 
@@ -84,7 +84,7 @@ def worker(home_of_its_own):
     for channel, window in made:
         if not window.dead:
             window.die()
-        channel._close_door()
+        channel.close_door()
         for thread in threading.enumerate():
             if thread.name == "window":
                 thread.join(PATIENCE_S)

@@ -12,7 +12,7 @@ import pytest
 
 from labcal import session
 from labcal.loop import close_loop
-from labcal.loop.assemble import as_shipped
+from labcal.loop.assemble import ROUNDS_EXHAUSTED, as_shipped
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.changepoints import changepoints
 from labcal.loop.candidates.library import Candidate
@@ -178,6 +178,22 @@ def test_causes_that_push_each_other_out_come_to_an_end(started: Started, monkey
     monkeypatch.setattr(stepwise, "backward_check", lambda pool, accepted: accepted[-1:])
     monkeypatch.setattr(stepwise, "best_admissible", lambda pool, accepted, ranking: ranking[0] if ranking else None)
     assert len(stepwise_forward(every.restricted_to(few))[0]) <= 1
+
+
+def test_rounds_of_selection_that_are_exhausted_are_an_outcome_and_said(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a load and a step no round finds what held-out data support, for nothing is called supported."""
+    rows, segments = making.recorded()
+    rows["dut"] = rows["dut"] + np.outer(rows["i_load"] + (rows["t_s"] > 200), [150.0, -100.0, 80.0])
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    assert ROUNDS_EXHAUSTED not in close_loop(run).remarks
+    monkeypatch.setattr(
+        "labcal.loop.selection.select.first_unsupported", lambda pool, accepted, *_: 0 if accepted else None
+    )
+    monkeypatch.setattr("labcal.loop.selection.select.MAX_ROUNDS", 2)
+    assert select(_search(prepare(run)[0]), LEVEL).ending == "rounds exhausted"
+    assert ROUNDS_EXHAUSTED in close_loop(run).remarks
 
 
 def test_a_random_walk_is_given_no_name(started: Started) -> None:

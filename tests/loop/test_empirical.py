@@ -15,7 +15,7 @@ from labcal.certificate import calibration_bytes, parse_calibration
 from labcal.errors import InputError
 from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop
-from labcal.loop.empirical.words import POINTS, of_one
+from labcal.loop.empirical.description import POINTS, of_one
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.noise.marginal import RATIOS, NullEliminated

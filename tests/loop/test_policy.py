@@ -67,12 +67,12 @@ KINDS = {
         "findings.residual_tests:SPIRAL",
     ),
     "run that is simulated": (
-        "design.experiments:ROWS MIN_ROWS HALF_TURN GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "
+        "design.experiments:ROWS MIN_ROWS GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "
         "ROWS_A_LEVEL ROWS_A_MODE WARM_ROW_S WARM_TURNS WEAK_FIELD",
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
     "words for what is left, beside the verdict": (
-        "empirical.words:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
+        "empirical.description:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
         "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS EDGE LOW_BAND QUARTERS_deg LEAST_EXCESS",

@@ -18,7 +18,7 @@ from orbit import circular, field
 
 from labcal.fit import fit
 from labcal.fit.filters.ekf import EKF
-from labcal.fit.filters.live import LiveFilter
+from labcal.fit.filters.sequential import LiveFilter
 from labcal.fit.filters.ukf import UKF, AugmentedUKF
 from labcal.fit.scalar import centered, scalar_check, twostep
 from labcal.fit.scalar.scalar_check import Estimate

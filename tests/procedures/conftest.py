@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from bench_files import bench_files_in
 
 from labcal import session
 from labcal.record.stream import Event, Item, Measurement
@@ -14,23 +15,11 @@ from labcal.store import Store
 from labcal.twin.config import TwinTruth
 from labcal.twin.sensor import response
 
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "simulated.toml"
-
 
 @pytest.fixture
 def bench_file(tmp_path: Path) -> Callable[..., Path]:
-    """Write a bench file like the example, with `twin` as its table [twin] and `replacements` of its text."""
-
-    def write(twin: str = "", *replacements: tuple[str, str]) -> Path:
-        text = EXAMPLE.read_text(encoding="utf-8").replace("surprise = true", twin)
-        for old, new in replacements:
-            assert old in text, old
-            text = text.replace(old, new)
-        path = tmp_path / "bench.toml"
-        path.write_text(text, encoding="utf-8")
-        return path
-
-    return write
+    """Write a bench file like the example: `bench_files`."""
+    return bench_files_in(tmp_path)
 
 
 class Ran:

@@ -15,7 +15,7 @@ from labcal import self_test
 from labcal.certificate.report.html import html
 from labcal.cli import execute as labcal
 from labcal.errors import InstrumentError
-from labcal.self_test import installed, line, page, surroundings
+from labcal.self_test import installed, page, simulated_line, surroundings
 from labcal.self_test.result import Check, Computer, Qualification, guarded
 
 COMPUTER = Computer("0.1.0", Path("labcal"), "3.11.7", "Linux", "bench-pc", "jane", datetime(2026, 3, 2, 8, tzinfo=UTC))
@@ -103,11 +103,11 @@ def demo_that(tmp_path, verdict="explained", cause=("offset-current", "i_eps"), 
     ],
 )
 def test_the_loop_passes_where_it_names_what_is_there_and_comes_down_to_the_noise(tmp_path, how, result):
-    assert line.check_loop(demo_that(tmp_path, **how)).result == result
+    assert simulated_line.check_loop(demo_that(tmp_path, **how)).result == result
 
 
 def test_a_limit_that_the_simulated_lab_misses_is_named(tmp_path):
-    found = line.check_preflight(demo_that(tmp_path, missed=(SimpleNamespace(name="squareness"),)), 9.0)
+    found = simulated_line.check_preflight(demo_that(tmp_path, missed=(SimpleNamespace(name="squareness"),)), 9.0)
     assert (found.result, "squareness" in found.said) == ("FAIL", True)
 
 
@@ -119,8 +119,8 @@ def test_a_signature_that_holds_of_a_changed_file_is_none(tmp_path, monkeypatch,
     def verify(path, trust):
         return SimpleNamespace(valid=blind or path.read_bytes() == whole)
 
-    monkeypatch.setattr(line.session, "verify", verify)
-    assert line.check_signature(demo_that(tmp_path)).result == result
+    monkeypatch.setattr(simulated_line.session, "verify", verify)
+    assert simulated_line.check_signature(demo_that(tmp_path)).result == result
     assert (tmp_path / "calibration.json").read_bytes() == whole
 
 
@@ -235,7 +235,7 @@ def test_the_page_is_a_pdf(tmp_path):
 
 @pytest.mark.slow
 def test_the_simulated_line_of_a_whole_installation_passes(tmp_path):
-    made = list(line.check_line(tmp_path / "demo"))
+    made = list(simulated_line.check_line(tmp_path / "demo"))
     assert [(check.name, check.result) for check in made] == [
         ("simulated preflight", "pass"), ("closed loop", "pass"), ("signature", "pass"),
     ]  # fmt: skip

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from wrong_lab import Declared
 
-from labcal.fit.declared import widen
+from labcal.fit.declared import contributions
 from labcal.fit.vector.declared import declared_contributions
 from labcal.fit.vector.ml import estimate, ml
 from labcal.loop.close import prepare
@@ -19,7 +19,7 @@ from labcal.model import AffineMap
 from labcal.model.effects import family
 from labcal.record import Run
 from labcal.testing.made_up_runs import made_up_run
-from labcal.uncertainty import declared_errors
+from labcal.uncertainty import covariance_of, declared_errors
 
 DECLARED = Declared(scale_ppm=400.0, zero_nT=30.0, align_deg=0.2, body_deg=0.25)
 
@@ -68,7 +68,7 @@ def test_a_turn_in_the_body_and_a_scale_are_what_they_are_in_closed_form(recorde
     found = estimate(run, robust=False)
     parts = found.observations, found.noise, found.parameterisation, found.solution
     new = sum(np.outer(c.shift, c.shift) for c in declared_contributions(run, *parts))
-    old = widen(run, found.affine, np.zeros((12, 12)), frame_known=True)
+    old = covariance_of(contributions(run, found.affine, frame_known=True), 12)
     size = np.sqrt(np.diag(old))
     assert np.allclose(new / np.outer(size, size), old / np.outer(size, size), atol=0.05)
 
@@ -79,7 +79,7 @@ def test_a_magnitude_s_zero_is_a_larger_field(recorded) -> None:
     (contribution,) = declared_contributions(
         run, found.observations, found.noise, found.parameterisation, found.solution
     )
-    by_scalars = widen(run, found.affine, np.zeros((12, 12)), frame_known=False)
+    by_scalars = covariance_of(contributions(run, found.affine, frame_known=False), 12)
     assert np.allclose(by_scalars, np.outer(contribution.shift, contribution.shift), atol=0.1 * by_scalars.max())
     F, b = run.magnitude_nT, found.affine.apply(run.reading)
     more = AffineMap.from_parameters(found.affine.parameters + contribution.shift).apply(run.reading)

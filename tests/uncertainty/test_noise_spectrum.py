@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.noise.bounded import bounded_spectrum
+from labcal.loop.noise.bands import Bands, cosine_transform
+from labcal.loop.noise.bounded import weighted_spectra
 from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
 
 ROWS, DRAWS = 400, 60
@@ -56,13 +56,19 @@ def _flicker(draw: Draw) -> np.ndarray:
 NOISE = {"white": _white, "autoregressive": _autoregressive, "random walk": _random_walk, "flicker": _flicker}
 
 
+def bounded_noise(transformed: np.ndarray, y: np.ndarray) -> tuple[Bands, np.ndarray]:
+    """The bands, and the noise's variance in each over all spectra that were tried."""
+    weighted = weighted_spectra(transformed, y)
+    return weighted.bands, weighted.mean
+
+
 def _over_u(make: object, seed: int) -> tuple[np.ndarray, np.ndarray]:
     """Errors over their stated u, and u over that of white least squares."""
     A, y = _columns(), make(np.random.default_rng(seed))
     flat = A.reshape(-1, A.shape[2])
     inverse = np.linalg.inv(flat.T @ flat)
     moved = cosine_transform(A)
-    bands, spectrum = bounded_spectrum(moved, cosine_transform(y))
+    bands, spectrum = bounded_noise(moved, cosine_transform(y))
     u = np.sqrt(np.diag(inverse @ weighted_gram(moved, bands, spectrum) @ inverse))
     return inverse @ (flat.T @ y.ravel()) / u, u / np.sqrt(np.diag(inverse))
 
@@ -96,7 +102,7 @@ def test_a_short_correlation_is_not_carried_to_zero_frequency() -> None:
     true = np.sqrt((1 + 0.9) / (1 - 0.9))  # the root of the spectrum at zero over that of white noise
     carried, bounded = (
         np.sqrt((inverse @ weighted_gram(moved, *of) @ inverse)[0, 0] / inverse[0, 0])
-        for of in (noise_spectrum(moved.copy(), y), bounded_spectrum(moved, cosine_transform(y)))
+        for of in (noise_spectrum(moved.copy(), y), bounded_noise(moved, cosine_transform(y)))
     )
     assert carried > 1.8 * true
     assert 0.8 * true < bounded < 1.25 * true

@@ -77,7 +77,7 @@ class quantity:
 
     def __set__(self, device: Any, value: float) -> None:
         self._refuse_beyond_limits(device, value)
-        self._tell(device, value)
+        self._command(device, value)
         held = self._ask(device)
         if not self._agrees(device, value, held):
             raise InstrumentError(
@@ -104,7 +104,7 @@ class quantity:
                 f"{device.name}: {self.label} came back as {quoted(reply)}.", fault="wrong reply"
             ) from error
 
-    def _tell(self, device: Speaks, value: float) -> None:
+    def _command(self, device: Speaks, value: float) -> None:
         device.command(self._message(device, value))
 
     def _send(self, device: Speaks, value: float) -> None:

@@ -78,7 +78,7 @@ class register(quantity):
     def _ask(self, device: Any) -> float:
         return float(device.registers.read(self.address, 1)[0] / self.counts(device))
 
-    def _tell(self, device: Any, value: float) -> None:
+    def _command(self, device: Any, value: float) -> None:
         device.registers.write(self.address, self._count(device, value))
 
     def _send(self, device: Any, value: float) -> None:

@@ -129,8 +129,8 @@ def take_over(url: str, how: str) -> None:
 
 def briefed(path: Path, line: str) -> Briefing:
     """What whoever started this process has read of the bench; else what its file says now. Raises InputError."""
-    if (told := briefing_of(line)) is not None:
-        return told
+    if (found := briefing_of(line)) is not None:
+        return found
     config, fingerprint = read_config(path), wire.fingerprint(path)
     with suppress(InputError, OSError):  # without its matrix zero is brought all the same, and nothing else
         config, _ = calibrated(config, path)

@@ -105,23 +105,23 @@ class GuardianClient:
 
         Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it is gone.
         """
-        told_of_it = what.get("axis") in self._untold
+        reported = what.get("axis") in self._untold
         self._untold.discard(what.get("axis", ""))
-        if self._lost or told_of_it:
+        if self._lost or reported:
             self._lost = False
             raise self._read.gone()
         if self._connection is None:
             self._meet()
         try:
-            told = self._replied(self._open(), order, what)
+            answer = self._replied(self._open(), order, what)
         except OSError as error:
             self._lose()
             self._lost = False
             self._untold.discard(what.get("axis", ""))
             raise self._read.gone() from error
         if order == "measure_current":
-            self._read.keep(what["axis"], told)
-        return told
+            self._read.keep(what["axis"], answer)
+        return answer
 
     @property
     def alive(self) -> bool:

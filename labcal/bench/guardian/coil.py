@@ -13,9 +13,9 @@ from typing import cast
 from labcal.bench.coils.polarity import ReversedSupply
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.driver_kit.roles import CoilSupply
+from labcal.bench.guardian.coil_limits import CoilLimit
 from labcal.bench.guardian.handover import Held
 from labcal.bench.guardian.latch import Latch, LatchedSupply
-from labcal.bench.guardian.limits import CoilLimit
 from labcal.bench.guardian.owned_lines import LockedRelay, OwnedLine
 from labcal.errors import InstrumentError, LimitError
 

@@ -16,11 +16,11 @@ from labcal.bench.coils.polarity import ReversedSupply
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.driver_kit.roles import CoilSupply, Identity
 from labcal.bench.guardian.coil import GuardedCoil
+from labcal.bench.guardian.coil_limits import TogetherLimit
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
-from labcal.bench.guardian.limits import TogetherLimit
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 
@@ -48,7 +48,7 @@ class Guardian:
         self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
         self.changed = Event()  # what is handed over to a successor
-        self.tell: Callable[[], None] = self.changed.set  # it, before anything else is done
+        self.notify: Callable[[], None] = self.changed.set  # it, before anything else is done
         self._inherit(handed or Handover())
 
     def facts(self) -> dict[str, dict[str, float | bool | str]]:
@@ -264,7 +264,7 @@ class Guardian:
 
     def _line_down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:
         others = [coil.name for coil in self.coils.values() if coil not in coils]
-        return line_down(coils, others, self.tell)
+        return line_down(coils, others, self.notify)
 
 
 def _ready_threads(number: int) -> ThreadPoolExecutor:

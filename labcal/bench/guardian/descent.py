@@ -17,17 +17,17 @@ ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what
 SHORT_S = 0.125  # where somebody else on its line was silent: three silent ones take no longer than there is
 
 
-def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callable[[], None]) -> list[AtZero]:
+def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], notify: Callable[[], None]) -> list[AtZero]:
     """All coils of one line to zero; what is asked there meanwhile is given up. Never raises InstrumentError.
 
-    `others`: supplies on other lines, which may answer here where cables were swapped. `tell`: a successor must know.
+    `others`: supplies on other lines, which may answer here where cables were swapped. `notify`: a successor must know.
     """
     line = coils[0].line
     line.gate.close()
     with line.lock, line.gate.passing():
         for coil in coils:
             coil.latch.engage(coil.held_A if coil.energised else None)
-        tell()
+        notify()
         for coil in coils:
             if coil.doubt is None:
                 _greet(coil, ANSWER_S if all(other.doubt is None for other in coils) else SHORT_S)

@@ -26,13 +26,13 @@ class Standbys:
         self._processes: list[subprocess.Popen[bytes]] = []
         self._started, self._next_s, self._dismissed = 0, 0.0, threading.Event()
         self._hand, self._pipes = threading.Lock(), threading.Lock()
-        guardian.tell = self.tell
+        guardian.notify = self.notify
 
     def start(self) -> None:
         """Keep them from now on, by a thread of its own."""
         threading.Thread(target=self._keep, daemon=True).start()
 
-    def tell(self) -> None:
+    def notify(self) -> None:
         """Have them know what holds now, before anything else is done."""
         self._say(self._guardian.handover().line())
 
@@ -50,7 +50,7 @@ class Standbys:
             with self._hand:
                 if not self._dismissed.is_set():
                     self._fill_up()
-            self.tell()
+            self.notify()
             changed.wait(PULSE_S)
 
     def _fill_up(self) -> None:

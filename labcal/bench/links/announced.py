@@ -102,6 +102,6 @@ class _Listener:
 def in_words(info: Any, name: str) -> str:
     """What a service tells of its instrument, as *IDN? has it, or its own name; nothing in it that is not seen."""
     facts = {key.lower(): value or "" for key, value in info.decoded_properties.items()}
-    told = [facts.get(key.lower(), "") for key in FACTS]
-    words = ",".join(told) if told[1] else name.split("._")[0]
+    values = [facts.get(key.lower(), "") for key in FACTS]
+    words = ",".join(values) if values[1] else name.split("._")[0]
     return "".join(letter if letter.isprintable() else " " for letter in words[:LONGEST])

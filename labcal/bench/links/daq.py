@@ -75,8 +75,8 @@ class DaqPort:
                     return ",".join(self._box.who())
                 case ["ain", inputs, ("single" | "differential") as wiring, range_V, count]:
                     numbers = [int(one) for one in inputs.split(",")]
-                    told = self._box.volts(numbers, wiring == "differential", float(range_V), int(count))
-                    return ",".join(f"{volts:.7f}" for volts in told)
+                    read = self._box.volts(numbers, wiring == "differential", float(range_V), int(count))
+                    return ",".join(f"{volts:.7f}" for volts in read)
         except ValueError as why:
             return f"? {why}"
         return "? not known"
@@ -103,8 +103,8 @@ class U6:
         """One input after the other, `count` times."""
         if range_V not in GAINS:
             raise ValueError(f"a U6 has the ranges {', '.join(f'{one:g}' for one in GAINS)} V")
-        told = {"gainIndex": GAINS[range_V], "differential": differential}
-        rows = [[self._device.getAIN(one, **told) for one in inputs] for _ in range(count)]
+        options = {"gainIndex": GAINS[range_V], "differential": differential}
+        rows = [[self._device.getAIN(one, **options) for one in inputs] for _ in range(count)]
         return [sum(column) / count for column in zip(*rows, strict=True)]
 
     def close(self) -> None:

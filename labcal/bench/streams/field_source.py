@@ -99,7 +99,7 @@ class FieldSource:
         taken, self._taken = self._taken, []
         return taken
 
-    def tell(self, wanted: WantedField, latency_s: float, b_nT: Array) -> None:
+    def update(self, wanted: WantedField, latency_s: float, b_nT: Array) -> None:
         """Tell the source that a field stands."""
         self._link.send(answer(wanted.number, latency_s, b_nT))
 

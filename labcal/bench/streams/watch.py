@@ -73,15 +73,17 @@ class StreamWatch:
         pause_s = now_s - max(self._last_s, self._excused_s)
         if self._longest_s is not None and not self._quiet and pause_s > max(NOTICED_S, SILENCES * self._longest_s):
             self._quiet = True
-            self._tell(now_s, "silent", f"no sample for {pause_s:.1f} s")
+            self._report(now_s, "silent", f"no sample for {pause_s:.1f} s")
 
-    def _tell(self, t_s: float, fault: str, text: str) -> None:
+    def _report(self, t_s: float, fault: str, text: str) -> None:
         self._pending.append(Event(t_s, "stream", f"{self.name}: {text}", {"fault": fault}))
 
     def _note(self, block: Block) -> None:
         if self._quiet:
             self._quiet = False
-            self._tell(float(block.t_s[0]), "heard again", f"it sends again, after {block.t_s[0] - self._last_s:.1f} s")
+            self._report(
+                float(block.t_s[0]), "heard again", f"it sends again, after {block.t_s[0] - self._last_s:.1f} s"
+            )
         else:
             before = block.t_s[:0] if self._value is None else np.array([self._last_s])
             pauses = np.diff(np.concatenate([before, block.t_s])).tolist()

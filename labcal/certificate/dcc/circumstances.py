@@ -66,8 +66,8 @@ def _equipment(
     given = [m.identification(issuer, value, said) for issuer, value, said in known if value]
     identifications = [d.identifications(*given)] if given else []
     traceable = "traceable to the SI through its certificate" if stated.traceable else "traceability not shown"
-    told = "SIMULATED: nothing is traceable" if simulated else traceable
-    description = m.text("description", f"{told}. {stated.in_words() or 'No certificate is stated'}.")
+    text = "SIMULATED: nothing is traceable" if simulated else traceable
+    description = m.text("description", f"{text}. {stated.in_words() or 'No certificate is stated'}.")
     made = [d.manufacturer(m.text("name", maker))] if maker else []
     of_model = [d.model(one_line(model))] if model else []
     return d.measuringEquipment(m.text("name", name), description, *made, *of_model, *identifications)
@@ -94,11 +94,11 @@ def _of_the_room(channel: Any) -> bool:
 
 def _measured(m: Makers, name: str, quantity: str, unit: str, values: Any) -> Any:
     seen = values[np.isfinite(values)]
-    told = f"mean along the run of {name}, which went from {seen.min():.6g} to {seen.max():.6g} {unit}"
+    text = f"mean along the run of {name}, which went from {seen.min():.6g} to {seen.max():.6g} {unit}"
     said = MEASURED[quantity]
-    return _condition(m, said, told, m.quantity(float(seen.mean()), unit), KINDS.get(said, ""))
+    return _condition(m, said, text, m.quantity(float(seen.mean()), unit), KINDS.get(said, ""))
 
 
-def _condition(m: Makers, name: str, told: str, quantity: Any, ref_type: str) -> Any:
+def _condition(m: Makers, name: str, text: str, quantity: Any, ref_type: str) -> Any:
     of_type = {"refType": ref_type} if ref_type else {}
-    return m.d.influenceCondition(m.text("name", name), m.text("description", told), m.d.data(quantity), **of_type)
+    return m.d.influenceCondition(m.text("name", name), m.text("description", text), m.d.data(quantity), **of_type)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import chi2
+from scipy.special import gammaincinv
 
 from labcal.certificate.dcc.units import product, si_unit
 from labcal.record.administrative import Address
@@ -56,15 +56,19 @@ class Makers:
     def expanded(self, U: float, k: float = COVERAGE) -> Any:
         """The expanded uncertainty of one number."""
         si = self.si
-        told = (si.valueExpandedMU(written(U)), si.coverageFactor(written(k)), si.coverageProbability(str(PROBABILITY)))
-        return si.measurementUncertaintyUnivariate(si.expandedMU(*told))
+        uncertainty = (
+            si.valueExpandedMU(written(U)),
+            si.coverageFactor(written(k)),
+            si.coverageProbability(str(PROBABILITY)),
+        )
+        return si.measurementUncertaintyUnivariate(si.expandedMU(*uncertainty))
 
     def real_list(self, values: ArrayLike, unit: str, U: ArrayLike | None = None, k: float = COVERAGE) -> Any:
         """Numbers of one unit, and their expanded uncertainties, k times the standard ones, where all are known."""
         si, given = self.si, [self.si.valueXMLList(listed(values)), self.si.unitXMLList(si_unit(unit))]
         if U is not None and np.isfinite(U).all():
-            told = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(f"{k:g}"))
-            expanded = si.expandedMUXMLList(*told, si.coverageProbabilityXMLList(str(PROBABILITY)))
+            uncertainty = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(f"{k:g}"))
+            expanded = si.expandedMUXMLList(*uncertainty, si.coverageProbabilityXMLList(str(PROBABILITY)))
             given.append(si.measurementUncertaintyUnivariateXMLList(expanded))
         return si.realListXMLList(*given)
 
@@ -85,7 +89,7 @@ class Makers:
         ]
         region = si.ellipsoidalRegionMUXMLList(
             si.covarianceMatrixXMLList(*columns),
-            si.coverageFactorXMLList(written(np.sqrt(chi2.ppf(PROBABILITY, n)))),
+            si.coverageFactorXMLList(written(np.sqrt(2 * gammaincinv(n / 2, PROBABILITY)))),
             si.coverageProbabilityXMLList(str(PROBABILITY)),
         )
         return si.realListXMLList(
@@ -95,9 +99,9 @@ class Makers:
             si.measurementUncertaintyMultivariateXMLList(region),
         )
 
-    def result(self, name: str, told: str, *data: Any, ref_type: str = "") -> Any:
+    def result(self, name: str, description: str, *data: Any, ref_type: str = "") -> Any:
         """A dcc:result of quantities or lists."""
-        said = [self.text("description", told)] if told else []
+        said = [self.text("description", description)] if description else []
         return self.d.result(self.text("name", name), *said, self.d.data(*data), **_ref_type(ref_type))
 
 

@@ -37,7 +37,7 @@ enum {
 @MODES@
 };
 
-/* What is to be wary of, bit by bit. */
+/* Flags of a corrected reading, bit by bit. */
 enum {
     LABCAL_FIELD_RANGE = 1,       /* |b| is outside what the run covered */
     LABCAL_TEMPERATURE_RANGE = 2, /* so is the temperature */

@@ -97,9 +97,9 @@ def _place(stated: Administrative) -> str:
 
 def _method(c: Calibration, said: Circumstances) -> str:
     by = c.made_by or {}
-    told = [f"procedure {said.procedure}" if said.procedure else "", f"estimated by {by['method']}" if by else ""]
-    told += [f"procedure's source SHA-256 {said.procedure_sha256[:16]}…" if said.procedure_sha256 else ""]
-    how = "; ".join(filter(None, (*told, c.software)))
+    steps = [f"procedure {said.procedure}" if said.procedure else "", f"estimated by {by['method']}" if by else ""]
+    steps += [f"procedure's source SHA-256 {said.procedure_sha256[:16]}…" if said.procedure_sha256 else ""]
+    how = "; ".join(filter(None, (*steps, c.software)))
     return f"the laboratory's own: {how}; uncertainty by JCGM 100:2008 (GUM)"
 
 

@@ -59,7 +59,7 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("Tests of what is left", [_tests(result)]),
             section("Tried and not accepted", [_rejected(result.rejected), _not_tried(result)]),
             section("Remarks", [Prose(result.remarks)] if result.remarks else []),
-            section("What this run alone can never tell apart", _twins(result)),
+            section("What this run alone can never tell apart", _confounded(result)),
             section("What is not covered", [Prose((*not_covered(run), *_left_open(result)))]),
         ),
         footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes. "
@@ -125,7 +125,7 @@ def _verdict_of(test: ResidualTest) -> str:
     return "passes" if test.passes else f"fails: {100 * test.share:.0f} % of the square"
 
 
-def _twins(result: ClosedLoop) -> list[Block]:
+def _confounded(result: ClosedLoop) -> list[Block]:
     rows = tuple((pair.one, pair.other, pair.separated_by) for pair in result.twins)
     return [Table(("This", "and this", "are separated by"), rows)] if rows else []
 

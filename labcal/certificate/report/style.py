@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-TEXT, MUTED, LINE, ACCENT = "#1c2126", "#57606a", "#d5d9dd", "#0072b2"
+TEXT, MUTED, LINE = "#1c2126", "#57606a", "#d5d9dd"
 GOOD, WARNING, BAD = "#00694b", "#8a5a00", "#b23a00"
 AXES = ("#d55e00", "#009e73", "#0072b2")  # x, y, z: vermilion, green, blue
 INKS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#57606a", "#000000")

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit.filters.live import Start
 from labcal.fit.filters.scalar_step import terms
+from labcal.fit.filters.sequential import Start
 from labcal.fit.result import Fit
 from labcal.fit.scalar import centered, scalar_check
 from labcal.fit.scalar.moments import Moments, moments, noise_information

@@ -12,8 +12,8 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit.filters.live import LiveFilter, fit_live
 from labcal.fit.filters.scalar_step import Terms, shared_gradient, terms
+from labcal.fit.filters.sequential import LiveFilter, fit_live
 from labcal.fit.result import Fit
 from labcal.record import Run
 
@@ -35,10 +35,10 @@ def step(
     expected = float(row @ Pr) + at.variance
     half = Pr / sqrt(expected)
     P = P - half[:, None] * half
-    pull = row * at.innovation
-    pull -= shared_gradient(at)
-    pull /= at.variance
-    return x + P @ pull, P, at.innovation * at.innovation / expected
+    correction = row * at.innovation
+    correction -= shared_gradient(at)
+    correction /= at.variance
+    return x + P @ correction, P, at.innovation * at.innovation / expected
 
 
 def slope(at: Terms) -> list[float]:

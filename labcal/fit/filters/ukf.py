@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dpotrf
 
-from labcal.fit.filters.live import LiveFilter, fit_live
 from labcal.fit.filters.scalar_step import Terms, shared_gradient, terms
+from labcal.fit.filters.sequential import LiveFilter, fit_live
 from labcal.fit.result import Fit
 from labcal.fit.scalar.scalar_check import PLACE
 from labcal.record import Run

@@ -43,12 +43,12 @@ class Sums(NamedTuple):
     """Sums over the readings, weighted by 1/σ².
 
     `products` (10, 10) are those of the rows (L, 1) among themselves, `noise` (10, 10) what the readings' noise adds to
-    them, and `pull` (10,) those of the rows with −|H|² − μ, which v would be if (c, I + E) were zero.
+    them, and `cross_products` (10,) those of the rows with −|H|² − μ, which v would be if (c, I + E) were zero.
     """
 
     products: Array
     noise: Array
-    pull: Array
+    cross_products: Array
 
 
 class Moments(NamedTuple):

@@ -212,8 +212,8 @@ def descend(rows: ScaledRows, q: Array, *, unbiased: bool) -> tuple[Array, Array
         information, gradient = weighted @ slope, -weighted @ v
         share = np.zeros_like(information)
         if unbiased:
-            pull = 2 * field @ K @ rows.noise / variance[:, None]  # Cov(B̃, v) / σ²
-            gradient += np.einsum("anp,na->p", by_reading, pull, optimize=True)
+            covariance = 2 * field @ K @ rows.noise / variance[:, None]  # Cov(B̃, v) / σ²
+            gradient += np.einsum("anp,na->p", by_reading, covariance, optimize=True)
             noisy = np.tensordot(rows.noise, by_reading, 1) / variance[:, None]
             share = np.sum(noisy.transpose(0, 2, 1) @ by_reading, axis=0)
         back = np.linalg.inv(information - share + damping * np.diag(np.diag(information)))

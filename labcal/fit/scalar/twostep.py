@@ -86,9 +86,9 @@ def rough(rows: Array, covariance: Array, noise: Array, bias: Array) -> tuple[Ar
     alike = weighted(rows[3:], rows, noise.trace(), covariance)
     signal, along = alike.products - alike.noise, slopes(start(alike, bias))
     for _ in range(STEPS):
-        c_M, *_ = step(signal, alike.pull, along)
+        c_M, *_ = step(signal, alike.cross_products, along)
         expected, along = along[9].dot(c_M), slopes(c_M)
-        if abs(along[9].dot(c_M) - expected) * signal[9, 9] < -NEAR * alike.pull[9]:
+        if abs(along[9].dot(c_M) - expected) * signal[9, 9] < -NEAR * alike.cross_products[9]:
             return c_M, along
     raise ArithmeticError(UNSETTLED)
 
@@ -100,7 +100,7 @@ def start(found: Sums, bias: Array) -> Array:
     """
     ridge, perfect = RIDGE * found.noise, PERFECT.copy()
     perfect[:3] = bias
-    *_, free, singular = dgesv(found.products + ridge, found.pull + ridge[:, :9].dot(perfect))
+    *_, free, singular = dgesv(found.products + ridge, found.cross_products + ridge[:, :9].dot(perfect))
     if singular:
         raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")
     return np.asarray(free[:9])
@@ -111,11 +111,11 @@ def descend(found: Sums, along: Array, share: Array) -> tuple[Array, Array]:
 
     Raises ArithmeticError where the iteration does not settle.
     """
-    signal, pull = found.products - share, found.pull
+    signal, cross_products = found.products - share, found.cross_products
     for _ in range(STEPS):
-        c_M, curvature, solve = step(signal, pull, along)
+        c_M, curvature, solve = step(signal, cross_products, along)
         along = slopes(c_M)
-        gradient = along.T.dot(pull - signal.dot(along.dot(c_M)))
+        gradient = along.T.dot(cross_products - signal.dot(along.dot(c_M)))
         last = solve(gradient)
         size = abs(gradient.dot(last))
         if size < SETTLED**2 or size < ROUNDING**2 * c_M.dot(curvature).dot(c_M):
@@ -130,10 +130,10 @@ def slopes(c_M: Array) -> Array:
     return out
 
 
-def step(signal: Array, pull: Array, along: Array) -> tuple[Array, Array, Callable[[Array], Array]]:
+def step(signal: Array, cross_products: Array, along: Array) -> tuple[Array, Array, Callable[[Array], Array]]:
     """(c, M) (9,) after a step with the `along` (10, 9) of `slopes`, the curvature (9, 9) and what solves it again."""
     curvature = along.T.dot(signal).dot(along)
-    factors, pivots, c_M, singular = dgesv(curvature, along.T.dot(pull))
+    factors, pivots, c_M, singular = dgesv(curvature, along.T.dot(cross_products))
     if singular:
         raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")
     return c_M, curvature, lambda right: dgetrs(factors, pivots, right)[0]

@@ -80,9 +80,9 @@ def minimise(
     own, own_value = position.copy(), np.nan_to_num(objective(position), nan=np.inf)
     leader = int(np.argmin(own_value))
     for w, c1, c2 in coefficients(settings):
-        pull = rng.random((2, *shape))
+        draws = rng.random((2, *shape))
         velocity *= w
-        velocity += c1 * pull[0] * (own - position) + c2 * pull[1] * (own[leader] - position)  # (3a)
+        velocity += c1 * draws[0] * (own - position) + c2 * draws[1] * (own[leader] - position)  # (3a)
         np.minimum(np.maximum(velocity, -fastest, out=velocity), fastest, out=velocity)  # Algorithm 1
         position += velocity  # (3b)
         value = objective(position)

@@ -162,8 +162,8 @@ def _evaluate(loci: Loci, full: Array, unknown: Array, sigma: float) -> _Rows:
     off_axis = field - h[:, None] * axis
     rho = np.maximum(np.linalg.norm(off_axis, axis=1), 1e-9)
     across = off_axis / rho[:, None]
-    pull = _resultant(rho * radius / max(sigma, 1e-9) ** 2, circle=loci.locus >= 0)
-    misfit = (h - height)[:, None] * axis + (rho - radius * pull)[:, None] * across
+    resultant = _resultant(rho * radius / max(sigma, 1e-9) ** 2, circle=loci.locus >= 0)
+    misfit = (h - height)[:, None] * axis + (rho - radius * resultant)[:, None] * across
     tilt = height / np.maximum(radius, 1e-9)
     of_height = tilt[:, None] * across - axis
     slope = np.concatenate([jacobian(loci.reading), of_height[:, :, None] * unknown[:, None, :]], axis=2)

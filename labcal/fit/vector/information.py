@@ -1,9 +1,9 @@
 """What each segment of a run adds to a fit of the whole: with it the covariance of a fit to any part is a sum away.
 
-At the solution of the whole run, of the parameters x (map, then phases): N = Σ N_s, the part of it that noise feigns
+At the solution of the whole run, of the parameters x (map, then phases): N = Σ N_s, the part of it that noise induces
 F = Σ F_s, and, for each declared error i of one standard deviation, dg_i = Σ dg_is. With the phases eliminated and
 S = N − F a fit to part of the segments has the covariance f S⁻¹ N S⁻¹ + Σ_i (N⁻¹ dg_i)(N⁻¹ dg_i)ᵀ, as that of the whole
-has in `labcal.fit.vector.identify` and `declared`; f is how far the whole run's residuals widened it.
+has in `labcal.fit.vector.identifiability` and `declared`; f is how far the whole run's residuals widened it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.result import Fit
-from labcal.fit.vector.identify import SIGNAL_OVER_NOISE, noise_induced_information
+from labcal.fit.vector.identifiability import SIGNAL_OVER_NOISE, noise_induced_information
 from labcal.fit.vector.ml import estimate, ml
 from labcal.fit.vector.observations import Observations
 from labcal.fit.vector.planes import observe_like

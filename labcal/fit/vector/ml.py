@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from labcal.fit.autocorrelation import variance_inflation
 from labcal.fit.result import Fit
 from labcal.fit.vector.declared import declared_contributions, residual_beside_declared
-from labcal.fit.vector.identify import Identifiability, identify
+from labcal.fit.vector.identifiability import Identifiability, identify
+from labcal.fit.vector.initial_values import starts
 from labcal.fit.vector.observations import SCALAR, Observations, observe
 from labcal.fit.vector.planes import in_planes, observe_planes
 from labcal.fit.vector.solve import (
@@ -24,7 +25,6 @@ from labcal.fit.vector.solve import (
     parameterise,
     solve,
 )
-from labcal.fit.vector.start import starts
 from labcal.fit.vector.system import Noise, WhiteIn, map_of
 from labcal.model import AffineMap
 from labcal.record import Run

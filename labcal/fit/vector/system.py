@@ -1,9 +1,9 @@
 """The base model's residuals as one weighted system, whatever a row offers.
 
 Row i gives the residual r = b − p of rank 3 (vector), 2 (known axis, no angle) or 1 (magnitude). All three are carried
-by an information matrix G (3, 3) of that rank and the pull h = G r (3,), so that any column d(residual)/d(parameter)
-= E (n, 3) adds Σ EᵀGE to the normal matrix and Σ Eᵀh to the gradient: the map's own columns, the unknown phases and
-heights, and effects.
+by an information matrix G (3, 3) of that rank and the weighted residual h = G r (3,), so that any column
+d(residual)/d(parameter) = E (n, 3) adds Σ EᵀGE to the normal matrix and Σ Eᵀh to the gradient: the map's own columns,
+the unknown phases and heights, and effects.
 
 The readings carry noise of covariance Σ, so the map's columns stand at the estimated true reading m̂ = m − Σ Kᵀ h: with
 them the normal equations are the gradient of Σ rᵀ C⁻¹ r with C = K Σ Kᵀ + Σ_ref + … (Deming's weights). That is the
@@ -60,7 +60,7 @@ class Evaluated:
     prediction: Array  # (n, 3) p [nT, B]; only its direction is free where the row is no vector
     residual: Array  # (n, 3) b − p [nT], zero in the directions that the row does not see
     information: Array  # (n, 3, 3) G [1/nT²]
-    pull: Array  # (n, 3) h = G r [1/nT]
+    weighted_residual: Array  # (n, 3) h = G r [1/nT]
     cost: Array  # (n,) rᵀ G r
     columns: Array  # (n, 4) x = (m̂ / scale, −1): d b_a / d(K_a · scale, k_a)
     tangent: Array  # (n, 3) d residual / d unknown: axis × p [nT/rad] of a phase, zero where none is unknown
@@ -96,18 +96,18 @@ def evaluate(
     if seen.loci:
         on = (seen.kind == AXIS) & (seen.group >= 0)
         tangent[on] = _height_slopes(seen, on, field[on], height[on])
-    pull = np.einsum("nab,nb->na", G, residual)
-    cost = np.sum(pull * residual, axis=1)
+    weighted_residual = np.einsum("nab,nb->na", G, residual)
+    cost = np.sum(weighted_residual * residual, axis=1)
     columns = np.full((len(seen), 4), -1.0)
-    columns[:, :3] = seen.reading - pull @ K @ spread
+    columns[:, :3] = seen.reading - weighted_residual @ K @ spread
     tangent[seen.group < 0] = 0.0
-    return Evaluated(field, prediction, residual, G, pull, cost, columns, tangent)
+    return Evaluated(field, prediction, residual, G, weighted_residual, cost, columns, tangent)
 
 
 def normal(seen: Observations, at: Evaluated, weight: Array) -> tuple[Array, Array]:
     """Normal matrix (12 + unknowns)² and gradient (12 + unknowns,) of ½ Σ w rᵀ C⁻¹ r, in nT and rad."""
     groups, n = seen.unknowns, len(seen)
-    G, h = weight[:, None, None] * at.information, weight[:, None] * at.pull
+    G, h = weight[:, None, None] * at.information, weight[:, None] * at.weighted_residual
     x = at.columns
     xx = (x[:, :, None] * x[:, None, :]).reshape(n, 16)
     maps = (G.reshape(n, 9).T @ xx).reshape(3, 3, 4, 4).transpose(0, 2, 1, 3).reshape(12, 12)

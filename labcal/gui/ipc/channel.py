@@ -13,6 +13,7 @@ from typing import TextIO
 
 from labcal.bench.coils.state import LabState
 from labcal.errors import InputError
+from labcal.gui.ipc.backlog import PastMessages
 from labcal.gui.ipc.lines import number_in, read_request, write_line
 from labcal.gui.ipc.messages import (
     Abort,
@@ -33,7 +34,6 @@ from labcal.gui.ipc.messages import (
     Stop,
     Word,
 )
-from labcal.gui.ipc.past import PastMessages
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
 from labcal.run_door import Caller, Door
@@ -79,7 +79,7 @@ class Channel:
         while (request := self._requests.get()) is not None:
             self._working_on = request.number
             yield request
-        self._close_door()
+        self.close_door()
 
     def send(self, event: Event) -> None:
         """Send one message; it is kept for a window that comes back."""
@@ -164,7 +164,7 @@ class Channel:
         self.control.leave()
         self._requests.put(None)
         if not self._on_bench:
-            self._close_door()
+            self.close_door()
             os._exit(0)
 
     def _hear(self, window: TextIO) -> None:
@@ -215,7 +215,8 @@ class Channel:
         state = None if self._past is None else self._past.state
         return state is not None and state.at_zero(time.monotonic()) is True
 
-    def _close_door(self) -> None:
+    def close_door(self) -> None:
+        """No window comes in any more."""
         if self._door is not None:
             self._door.close()
 

@@ -27,7 +27,7 @@ METHOD = "ml"  # of a run that has no calibration yet
 
 def compare(channel: Channel, asked: CompareRuns) -> Comparison:
     """Both runs, each as its newest calibration has it, and what changed from the older to the newer."""
-    (older, before), (newer, after) = (_side(run) for run in (asked.older, asked.newer))
+    (older, before), (newer, after) = (side_of(run) for run in (asked.older, asked.newer))
     try:
         found, refused = _changes(after, before), ""
     except ValueError as error:
@@ -45,7 +45,8 @@ def newest_file(run_id: str) -> Path | None:
     return max(mine, key=lambda path: (len(path.name), path.name), default=None)
 
 
-def _side(run_id: str) -> tuple[Compared, Calibration]:
+def side_of(run_id: str) -> tuple[Compared, Calibration]:
+    """A run by its own calibration, or by one that is made of it."""
     from labcal import session
 
     run, file = loaded_run(run_id), newest_file(run_id)
@@ -54,7 +55,7 @@ def _side(run_id: str) -> tuple[Compared, Calibration]:
     rows = thinned(len(run))
     left = np.linalg.norm(field_nT, axis=1) - run.magnitude_nT if run.reference.kind != "none" else None
     noise_nT = found.metrics.get("after", {}).get("noise_nT")
-    told = Compared(
+    compared = Compared(
         run_id=run_id,
         dut=run.dut.serial,
         calibration="" if file is None else file.name,
@@ -63,7 +64,7 @@ def _side(run_id: str) -> tuple[Compared, Calibration]:
         after=field_nT[rows],
         against=regressors(replace(run, t_s=run.t_s - run.t_s[0]), rows),
     )
-    return told, found
+    return compared, found
 
 
 def _fitted_now(run_id: str) -> Calibration:

@@ -189,10 +189,10 @@ class BenchPage(QWidget):
     def _greeted(self, said: Identified) -> None:
         self._app_state.take_greetings(said)
         if said.doubt is not None:
-            self._tell_doubt(said.doubt)
+            self._show_doubt(said.doubt)
         self._checked()
 
-    def _tell_doubt(self, doubt: Doubt) -> None:
+    def _show_doubt(self, doubt: Doubt) -> None:
         """A zero that the reference did not see was measured again."""
         if doubt.lifted:
             return self._app_state.lab.update(message=doubt.words)

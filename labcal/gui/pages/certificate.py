@@ -118,7 +118,7 @@ class CertificatePage(QWidget):
         card.body.addWidget(self.standing)
         card.body.addWidget(self.views)
         card.body.addWidget(self.table, 1)
-        card.body.addWidget(self.views.told)
+        card.body.addWidget(self.views.remark)
         self.next = label("", "", wrap=True)
         card.body.addWidget(self.next)
         card.body.addLayout(self._approve_row())

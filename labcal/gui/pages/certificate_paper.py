@@ -85,14 +85,14 @@ class Paper(QWidget):
             self.printer.print_file(out, words)
             return self.said.text()
 
-        self._tell(command, sent)
+        self._send(command, sent)
 
     def _label(self) -> None:
         if (one := self._chosen()) is not None:
             start = str(Path.home() / f"{Path(one.path).stem}-label.pdf")
             out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the label"), start, LABELS)
             if out:
-                self._tell(WriteLabel(one.path, out), self._written)
+                self._send(WriteLabel(one.path, out), self._written)
 
     def _written(self, out: str) -> str:
         """Say where something was written; what people read is opened."""
@@ -110,7 +110,7 @@ class Paper(QWidget):
 
     def write_report(self, source: str, out: str) -> None:
         """Write the report of a calibration to `out`; what people read is opened."""
-        self._tell(WriteReport(source, out), self._written)
+        self._send(WriteReport(source, out), self._written)
         self.said.setText(self.tr("Writing the report …"))
 
     def _hand_out(self) -> None:
@@ -126,7 +126,7 @@ class Paper(QWidget):
                 self.folder.show_folder(folder)
                 return words
 
-            self._tell(HandOut(one.path, folder), said)
+            self._send(HandOut(one.path, folder), said)
 
     def _apply(self) -> None:
         source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
@@ -139,9 +139,9 @@ class Paper(QWidget):
     def apply_to(self, source: str, out: str) -> None:
         """Correct the readings in `source` by the chosen calibration."""
         if (one := self._chosen()) is not None:
-            self._tell(ApplyCalibration(one.path, source, out, one.dut.serial), str)
+            self._send(ApplyCalibration(one.path, source, out, one.dut.serial), str)
 
-    def _tell(self, command: Command[R], words: Callable[[R], str]) -> None:
+    def _send(self, command: Command[R], words: Callable[[R], str]) -> None:
         """Ask the quick worker, and say what came of it beside the buttons."""
 
         def failed(fault: Fault) -> None:

@@ -137,7 +137,7 @@ class HistoryPage(QWidget):
         header.setSectionsClickable(True)
         header.setSortIndicatorShown(True)
         header.setSortIndicator(0, Qt.SortOrder.DescendingOrder)
-        header.sectionClicked.connect(self._sort)
+        header.sectionClicked.connect(self.sort_by)
         header.setToolTip(self.tr("Click to sort by this column, again to turn the order round"))
         self.table.doubleClicked.connect(self._open)
         self.empty = label(
@@ -196,7 +196,7 @@ class HistoryPage(QWidget):
                 if one.run_id in ids:
                     model.select(self.table.model().index(ids.index(one.run_id), 0), how)
 
-    def _sort(self, column: int) -> None:
+    def sort_by(self, column: int) -> None:
         """By this column; a second click turns the order round."""
         at, falling = self._order
         self._order = column, (not falling if at == column else column == 0)

@@ -28,7 +28,7 @@ class Place(QWidget):
     """As large as what can be seen, and no smaller than the page in it can be.
 
     Put into the area itself, a page with wrapped texts would get the height that it would like to have, and would
-    scroll where it needs less. One that only tells (`tells_only`) gets that height: nothing in it can give way.
+    scroll where it needs less. One that only shows (`shows_only`) gets that height: nothing in it can give way.
     """
 
     def __init__(self) -> None:
@@ -39,7 +39,7 @@ class Place(QWidget):
         """Put the page here."""
         self._page = page
         policy = self.sizePolicy()
-        policy.setHeightForWidth(getattr(page, "tells_only", False))
+        policy.setHeightForWidth(getattr(page, "shows_only", False))
         self.setSizePolicy(policy)
         page.setParent(self)
         page.resize(self.size())

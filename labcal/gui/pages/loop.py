@@ -75,7 +75,7 @@ class LoopPage(QWidget):
         column.addWidget(self.story, 1)
         self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
-        self._study.progressed.connect(self._tell)
+        self._study.progressed.connect(self._show_progress)
         self._show()
 
     def _head(self) -> QHBoxLayout:
@@ -213,7 +213,7 @@ class LoopPage(QWidget):
         if study.run and self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
-        self._tell()
+        self._show_progress()
         self.cancel.setVisible(study.busy)
         self.work.show_work(study.busy)
         self.close_loop.setVisible(not study.busy)
@@ -242,7 +242,7 @@ class LoopPage(QWidget):
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
         self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
 
-    def _tell(self) -> None:
+    def _show_progress(self) -> None:
         """How far the work is."""
         study = self._study
         words = self.tr("tracing … {0}").format(study.message) if "loop" in study.waiting else ""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.pages.run_choose import Choose
 from labcal.gui.pages.run_live import Live
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import FaceStack
 from labcal.gui.widgets.plots import Loci, Traces
 
 
@@ -20,7 +21,7 @@ class RunPage(QWidget):
         super().__init__()
         self._app_state = app_state
         self.choose = Choose(app_state)
-        self.faces = QStackedWidget()
+        self.faces = FaceStack()
         self.faces.addWidget(self.choose)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QProgressBar,
     QSplitter,
-    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -29,7 +28,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, clock_time, format_duration, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
-from labcal.gui.widgets.common import AutoSizeLabel, Card, button, deferred_layout, label, set_primary
+from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
@@ -39,7 +38,7 @@ from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
 HEADLINE_PT = 36
-LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
+LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
 PICTURES = "*.jpg *.jpeg *.png *.webp"
@@ -143,7 +142,7 @@ class Live(QWidget):
         self._app_state.bench_changed.connect(self._take_camera)
         self._take_camera()
         self.fault.report_requested.connect(self._app_state.report_requested)
-        self.middle = QStackedWidget()
+        self.middle = FaceStack()
         self._picture = self._live_card()
         self.verdict = VerdictCard(self._theme)
         self.verdict.details_wanted.connect(self._show_details)

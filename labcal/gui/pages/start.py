@@ -27,7 +27,7 @@ CAGE_DAYS = 30  # a cage calibration older than this is checked again
 class StartPage(QWidget):
     """Answers "may I begin?" before it is asked."""
 
-    tells_only = True
+    shows_only = True
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()

@@ -84,7 +84,7 @@ class AppState(QObject):
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self._age_timer = QTimer(self, interval=AGES_MS)
-        self._age_timer.timeout.connect(self._grow_old)
+        self._age_timer.timeout.connect(self.grow_old)
         self._age_timer.start()
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._off_by_force)
@@ -117,7 +117,7 @@ class AppState(QObject):
         serial = self.lab.state.dut_serial or facts.dut.serial
         refused = self.serial_objection(serial)
         self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial, dut_objection=refused)
-        self._grow_old()
+        self.grow_old()
         self.bench_changed.emit()
 
     def come_back(self, worker: int) -> None:
@@ -145,7 +145,7 @@ class AppState(QObject):
             for one in said.greetings
         )
         before = self.known or state.LabState(state.unread())
-        self._know(replace(before, instruments=heard, guardian=None))
+        self.take_lab(replace(before, instruments=heard, guardian=None))
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -272,7 +272,7 @@ class AppState(QObject):
     def _switch_off(self) -> None:
         self._asked_off = True
         self.lab.update(message=self.tr("Coils off: reading them back …"))
-        self._grow_old()
+        self.grow_old()
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
     def _off_known(self, said: SwitchedOff) -> None:
@@ -281,7 +281,7 @@ class AppState(QObject):
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
         before = self.known or state.LabState(())
         self._asked_off = False
-        self._know(replace(before, coils=tuple(map(_coil, said.coils)), reference=witness, guardian=None))
+        self.take_lab(replace(before, coils=tuple(map(_coil, said.coils)), reference=witness, guardian=None))
         if said.doubt or not all(axis.ok for axis in said.coils):
             self._off_failed(Fault("instrument", words))
 
@@ -299,21 +299,21 @@ class AppState(QObject):
         """What may be said of the coils now."""
         return self._now().coil_words or state.NOT_READ
 
-    def _know(self, told: state.LabState) -> None:
+    def take_lab(self, known: state.LabState) -> None:
         """From here on this is how the lab is."""
-        self.known, self._known_s = told, time.monotonic()
-        self._grow_old()
+        self.known, self._known_s = known, time.monotonic()
+        self.grow_old()
 
     def _now(self) -> LabNow:
         """What may be said of the lab now. Where somebody was asked to switch the coils off, what was read is past."""
-        told = self.known
+        known = self.known
         if self._asked_off:
-            told = replace(told or state.LabState(()), coils=state.unread(), field=state.FieldReading())
+            known = replace(known or state.LabState(()), coils=state.unread(), field=state.FieldReading())
         roles = {} if self.facts is None else {name: one.role for name, one in self.facts.instruments.items()}
-        now = lab_now(told, self._known_s, roles, time.monotonic())
+        now = lab_now(known, self._known_s, roles, time.monotonic())
         return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
-    def _grow_old(self) -> None:
+    def grow_old(self) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self._now()
         self.lab.update(now=now, field_U_nT=self._U(now.field_measured_nT))
@@ -328,7 +328,7 @@ class AppState(QObject):
             return
         if run.lab is not None and run.lab is not self._taken:
             self._taken, self._asked_off = run.lab, False
-            self._know(run.lab)
+            self.take_lab(run.lab)
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused")}
         if run.segment is not None:
             waits["running"] = self.tr("hands off, measuring")
@@ -344,14 +344,14 @@ class AppState(QObject):
 
     def _blame(self, fault: Fault) -> None:
         """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
-        told = self.known or state.LabState(state.unread())
+        known = self.known or state.LabState(state.unread())
         if self.facts is None or fault.text.startswith(state.NOT_BY_REFERENCE):
             return
-        heard = {one.name: one for one in told.instruments}
+        heard = {one.name: one for one in known.instruments}
         for name in self.facts.instruments:
             if name in fault.text:
                 heard[name] = replace(heard.get(name) or state.Heard(name), fault=self.tr("failed"))
-        self._know(replace(told, instruments=tuple(heard.values())))
+        self.take_lab(replace(known, instruments=tuple(heard.values())))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""

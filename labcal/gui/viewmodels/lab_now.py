@@ -53,22 +53,22 @@ class LabNow:
 NOT_TOLD = LabNow()
 
 
-def lab_now(told: state.LabState | None, told_s: float, roles: Mapping[str, str], now_s: float) -> LabNow:
-    """The state `told` at `told_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in."""
-    if told is None:
+def lab_now(lab: state.LabState | None, received_s: float, roles: Mapping[str, str], now_s: float) -> LabNow:
+    """The state `lab` at `received_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in."""
+    if lab is None:
         return LabNow(lights=tuple((name, "absent", "") for name in roles))
-    known = any(coil.current_A is not None for coil in told.coils)
-    at_zero = all(coil.zero for coil in told.coils)
+    known = any(coil.current_A is not None for coil in lab.coils)
+    at_zero = all(coil.zero for coil in lab.coils)
     return LabNow(
-        coil_A=tuple(coil.current_A for coil in told.coils),
-        coil_old_s=_old_s(now_s - told.age_s(now_s), now_s) if known else None,
-        coil_words=told.sentence(now_s),
-        coils_at_zero=told.at_zero(now_s),
-        field_set_nT=told.field.set_nT if known and not at_zero else None,
-        field_measured_nT=told.field.seen_nT,
-        field_old_s=_old_s(told.field.read_s, now_s),
-        lights=_lights(told, told_s, roles, now_s),
-        heard_old_s=tuple((one.name, _old_s(one.heard_s, now_s)) for one in told.instruments),
+        coil_A=tuple(coil.current_A for coil in lab.coils),
+        coil_old_s=_old_s(now_s - lab.age_s(now_s), now_s) if known else None,
+        coil_words=lab.sentence(now_s),
+        coils_at_zero=lab.at_zero(now_s),
+        field_set_nT=lab.field.set_nT if known and not at_zero else None,
+        field_measured_nT=lab.field.seen_nT,
+        field_old_s=_old_s(lab.field.read_s, now_s),
+        lights=_lights(lab, received_s, roles, now_s),
+        heard_old_s=tuple((one.name, _old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
 
 
@@ -96,12 +96,12 @@ def _old_s(read_s: float | None, now_s: float) -> int | None:
     return int(now_s - read_s) if old and read_s is not None else None
 
 
-def _lights(told: state.LabState, told_s: float, roles: Mapping[str, str], now_s: float) -> Lights:
-    heard = {one.name: one for one in told.instruments}
-    coils_s = min((c.read_s for c in told.coils if c.read_s is not None), default=None)
+def _lights(lab: state.LabState, received_s: float, roles: Mapping[str, str], now_s: float) -> Lights:
+    heard = {one.name: one for one in lab.instruments}
+    coils_s = min((c.read_s for c in lab.coils if c.read_s is not None), default=None)
     lights = [_light(name, role, heard.get(name), coils_s, now_s) for name, role in roles.items()]
-    if told.guardian is not None:
-        one = state.Heard(GUARDIAN, told_s, "" if told.guardian else translated("lost"))
+    if lab.guardian is not None:
+        one = state.Heard(GUARDIAN, received_s, "" if lab.guardian else translated("lost"))
         lights.append(_light(GUARDIAN, "", one, None, now_s))
     return tuple(lights)
 

@@ -103,8 +103,8 @@ class PathViewModel(QObject):
         if marks["Loop"] == "open":
             return Next("Loop", self.tr("Trace the residual"), last.run_id)
         if marks["Loop"] == "doubt" and marks["Certificate"] == "open":  # the loop says what to do before signing
-            told = self._study.run == last.run_id and self._study.loop is not None
-            return Next("Loop", self.tr("See what is not known"), "" if told else last.run_id)
+            shown = self._study.run == last.run_id and self._study.loop is not None
+            return Next("Loop", self.tr("See what is not known"), "" if shown else last.run_id)
         return Next("Certificate", self.tr("Hand it out") if marks["Certificate"] == "done" else self.tr("Sign"))
 
     def _of_the_run(self, last: RunLine | None) -> Mark:

@@ -100,10 +100,10 @@ class StudyViewModel(QObject):
         self._ask("all rows", JoinRuns(self.run, run_id), partial(self._together, f"{procedure} ({run_id})"))
 
     def _together(self, words: str, run: str) -> None:
-        told = [*self.measured, words]
+        measured = [*self.measured, words]
         self.added.emit()
         self.open(run)
-        self.measured = told
+        self.measured = measured
         self.close_loop()
 
     def look_at(self, effect: str, channels: tuple[str, ...]) -> None:

@@ -26,7 +26,7 @@ SPECIFIED, CHANGED = 1, 2  # tabs beside the parameters
 class CalibrationViews(QWidget):
     """Tabs above `table`; the second tab's name says what the lines come to.
 
-    `told`, to be put below the table, says by which rule was decided, or what changed most.
+    `remark`, to be put below the table, says by which rule was decided, or what changed most.
     """
 
     def __init__(self, table: Table, theme: Theme) -> None:
@@ -34,7 +34,7 @@ class CalibrationViews(QWidget):
         self._table, self._theme = table, theme
         self._one: CalibrationFile | None = None
         self._changes: Changes | None = None
-        self.tabs, self.told = QTabBar(), label("", "caption", wrap=True)
+        self.tabs, self.remark = QTabBar(), label("", "caption", wrap=True)
         self.tabs.setAccessibleName(self.tr("What of the calibration is shown"))
         self.tabs.setDrawBase(False)
         self.tabs.setExpanding(False)
@@ -78,15 +78,15 @@ class CalibrationViews(QWidget):
             return
         self._table.clearContents()
         if at == CHANGED and self._changes is not None:
-            told = " ".join((self._changes.in_words(), *self._changes.remarks))
-            self._show_rows(CHANGES, change_rows(self._changes), told)
+            remark = " ".join((self._changes.in_words(), *self._changes.remarks))
+            self._show_rows(CHANGES, change_rows(self._changes), remark)
         elif at == SPECIFIED:
-            told = " ".join((rule_of(one.specification), *one.left_open))
-            self._show_rows(SPECIFICATION, specification_rows(one.specification), told)
+            remark = " ".join((rule_of(one.specification), *one.left_open))
+            self._show_rows(SPECIFICATION, specification_rows(one.specification), remark)
         else:
             self._show_rows(PARAMETERS, parameter_rows(one))
 
-    def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], told: str = "") -> None:
+    def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], remark: str = "") -> None:
         self._table.set_headings(headings)
         self._table.right_heading(*(column for column, cell in enumerate(rows[0] if rows else []) if cell.right))
         self._table.setRowCount(len(rows))
@@ -94,5 +94,5 @@ class CalibrationViews(QWidget):
             for column, cell in enumerate(cells):
                 colour = getattr(self._theme, cell.state) if cell.state else ""
                 self._table.set_cell(row, column, cell.text, right=cell.right, colour=colour, tip=cell.tip)
-        self.told.setText(told)
-        self.told.setVisible(bool(told))
+        self.remark.setText(remark)
+        self.remark.setVisible(bool(remark))

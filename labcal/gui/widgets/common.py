@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from html import escape
 from typing import TypeVar
 
-from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QPushButton,
     QSizePolicy,
+    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -184,18 +185,31 @@ class ReadoutGrid(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(GRID)
         grid.setVerticalSpacing(GRID // 2)
-        self._values = [label("–") for _ in names]
+        self.values = [label("–") for _ in names]
         for row, name in enumerate(names):
             grid.addWidget(label(translated(name), "caption"), row, 0)
-            grid.addWidget(self._values[row], row, 1)
-            self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
-            self._values[row].setFont(tabular_font())
+            grid.addWidget(self.values[row], row, 1)
+            self.values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
+            self.values[row].setFont(tabular_font())
         grid.setColumnStretch(1, 1)
 
     def show_row(self, row: int, value: str, state: str = "") -> None:
         """Write one row; "–" stands for what is not known. `state` colours it: "old" is grey."""
-        self._values[row].setText(value)
-        set_state(self._values[row], state)
+        self.values[row].setText(value)
+        set_state(self.values[row], state)
+
+
+class FaceStack(QStackedWidget):
+    """As small as the face in sight can be: what another one once showed makes no page wider than its place."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.currentChanged.connect(lambda: self.updateGeometry())
+
+    def minimumSizeHint(self) -> QSize:
+        """Of the face in sight."""
+        face = self.currentWidget()
+        return QSize() if face is None else face.minimumSizeHint().expandedTo(face.minimumSize())
 
 
 class AutoSizeLabel(QLabel):

@@ -68,7 +68,7 @@ class ComparisonView(QWidget):
 
     def _figures(self) -> Card:
         self.card = Card(self.tr("Two runs compared"), self.tr("U: k=2"))
-        self.whose, self.told = label("", "caption", wrap=True), label("", "caption", wrap=True)
+        self.whose, self.remark = label("", "caption", wrap=True), label("", "caption", wrap=True)
         self.table = Table(HEADINGS)
         self.table.right_heading(1, 2, 3, 5)
         self.table.setMinimumHeight(12 * GRID)
@@ -79,7 +79,7 @@ class ComparisonView(QWidget):
         row.addWidget(self.back)
         self.card.body.addLayout(row)
         self.card.body.addWidget(self.table, 1)
-        self.card.body.addWidget(self.told)
+        self.card.body.addWidget(self.remark)
         return self.card
 
     def _picture(self) -> Card:
@@ -127,9 +127,9 @@ class ComparisonView(QWidget):
                 colour = getattr(self._theme, cell.state) if cell.state else ""
                 self.table.set_cell(row, column, cell.text, right=cell.right, colour=colour, tip=cell.tip)
         if changes is not None:
-            self.told.setText(" ".join((changes.in_words(), *changes.remarks, translated(OF_THE_DIFFERENCE))))
+            self.remark.setText(" ".join((changes.in_words(), *changes.remarks, translated(OF_THE_DIFFERENCE))))
         else:
-            self.told.setText("" if found is None else found.refused)
+            self.remark.setText("" if found is None else found.refused)
 
     def _named(self, found: Comparison) -> list[tuple[str, str, Compared]]:
         """Name and colour of either run, the later one in front."""

@@ -89,7 +89,7 @@ def _spare_plot_in_parts() -> Iterator[None]:
     for side in ("bottom", "left"):
         axes[side].enableAutoSIPrefix(False)
         axes[side].setStyle(maxTickLevel=1)
-        axes[side].setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
+        axes[side].setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is expensive to draw
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     _spare_plots.append(widget)
 

@@ -42,16 +42,16 @@ class Sounds(QObject):
         super().__init__(parent)
         self._settings = settings
         self._folder: TemporaryDirectory[str] | None = None
-        self._effects: dict[Sound, Any] | None = None
+        self.effects: dict[Sound, Any] | None = None
 
     def play(self, sound: Sound) -> None:
         """Play it, and wait for nothing."""
         if not is_on(self._settings):
             return
-        if self._effects is None:
-            self._effects = self._made()
-        if sound in self._effects:
-            self._effects[sound].play()
+        if self.effects is None:
+            self.effects = self._made()
+        if sound in self.effects:
+            self.effects[sound].play()
             return
         QApplication.beep()
         for n in range(1, BEEPS[sound]):

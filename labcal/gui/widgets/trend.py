@@ -75,7 +75,7 @@ class Trend(Card):
         self._theme = theme
         self._files: Sequence[CalibrationFile] = ()
         self._times: Sequence[float] = ()
-        self._idle_queue = IdleQueue(self)
+        self.idle_queue = IdleQueue(self)
         self.parameter = QComboBox()
         for name in KINDS:
             self.parameter.addItem(translated(name), name)
@@ -100,7 +100,7 @@ class Trend(Card):
         """In the theme's colours."""
         self._theme = theme
         apply_theme(self.plot, theme)
-        self._idle_queue.add(self.draw)
+        self.idle_queue.add(self.draw)
 
     def show_files(self, dut: str, files: Sequence[CalibrationFile], times: Sequence[float]) -> None:
         """Draw these calibrations of `dut`, the oldest first, at their times [s since 1970]."""
@@ -119,8 +119,8 @@ class Trend(Card):
         unit = f"{self.parameter.currentText()}  {translated(found[0].unit)}"
         self.plot.getPlotItem().setLabel("left", unit, color=self._theme.muted)
         for one, colour in zip(found, self._theme.axes, strict=True):
-            self._idle_queue.put(("line", colour), partial(self._line, one, colour))
-        self._idle_queue.put("range", partial(self._name_and_range, found))
+            self.idle_queue.put(("line", colour), partial(self._line, one, colour))
+        self.idle_queue.put("range", partial(self._name_and_range, found))
 
     def _line(self, one: Course, colour: str) -> None:
         t, value, U = np.array(self._times), np.array(one.value), np.array(one.U)

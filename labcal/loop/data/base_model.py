@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.fit.vector.identify import Identifiability, identify
+from labcal.fit.vector.identifiability import Identifiability, identify
 from labcal.fit.vector.ml import MaximumLikelihood, estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve

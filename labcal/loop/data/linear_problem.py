@@ -133,8 +133,8 @@ def linearise(
         T = np.concatenate([T, turn * (seen.group[:, None] == groups)[:, None, :]], axis=2)
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
     gains, zero = theta[: 3 * 3].reshape(3, 3), theta[3 * 3 :]
-    quiet = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
-    scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), denoised_field_nT=quiet)
+    denoised = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
+    scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), denoised_field_nT=denoised)
     return LinearProblem(
         run, seen, noise, base, parameterisation, theta, phase, scene, whiten, at.residual, y, T, groups
     )

@@ -21,7 +21,6 @@ from labcal.record.run import Channel, Segment
 Array = NDArray[np.float64]
 ROWS = 300  # of a designed run
 MIN_ROWS = 4  # of a turning segment that is turned again
-HALF_TURN = np.diag([-1.0, -1.0, 1.0])
 GAP_S = 60.0  # between the run and what is measured next
 WARMER_C = 15.0
 CYCLES = 4  # of a load, a mode or a heater that is switched

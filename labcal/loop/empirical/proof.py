@@ -63,6 +63,6 @@ def _held_out(found: Evidence, own: HeldOutErrors, listed: Shortlist) -> HeldOut
         after = cross_validate(found.pool, found.blocks, again)
     before = np.full(len(after.rows), np.nan)
     before[found.cv_error.rows] = found.cv_error.before_nT
-    told = np.isfinite(before[after.rows])
+    finite = np.isfinite(before[after.rows])
     rows = after.rows & np.isfinite(before)
-    return HeldOutErrors(after.block[told], before[rows], after.after_nT[told], rows)
+    return HeldOutErrors(after.block[finite], before[rows], after.after_nT[finite], rows)

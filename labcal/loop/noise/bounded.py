@@ -55,12 +55,6 @@ def weighted_spectra(transformed: Array, y: Array) -> WeightedSpectra:
     return WeightedSpectra(bands, weight / weight.sum(), level[:, None] * tried, float(y.size - grams.shape[1] + 1))
 
 
-def bounded_spectrum(transformed: Array, y: Array) -> tuple[Bands, Array]:
-    """The bands and the noise's variance in each, averaged over `weighted_spectra`."""
-    found = weighted_spectra(transformed, y)
-    return found.bands, found.mean
-
-
 @lru_cache(maxsize=LENGTHS_KEPT)
 def tried_spectra(n: int) -> Array:
     """The spectra tried (tried, bands), relative to the white level; white noise first."""

@@ -61,10 +61,10 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     open_to = [c for c in all_candidates(pool, others) if not any(is_same_source(o, c) for o in others)]
     related = [refined(pool, c, others) for c in _same_response(open_to, chosen)]
     lead = {c.cause: nats for c, nats in leads_over_relatives(pool, others, chosen)}
-    always = {cause for cause, nats in lead.items() if nats < policy.POLICY.equivalent_nats}
-    near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, always)
+    inseparable = {cause for cause, nats in lead.items() if nats < policy.POLICY.equivalent_nats}
+    near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, inseparable)
     if pool.problem.whole is not None and len(near) > 1:
-        near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, always)
+        near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, inseparable)
     apart = [w for w in near[1:] if not merely_contains(pool, others, chosen, w.candidate)]
     earning = [w for w in apart if earns_its_extension(pool, others, w)]
     known = {w.candidate.cause for w in earning}
@@ -138,12 +138,12 @@ def _same_response(candidates: Sequence[Candidate], chosen: Candidate) -> list[C
     return [replace(c, term=c.term.with_values(**shape)) for c in alike.values()]
 
 
-def within_reach(ranking: Sequence[Scored], chosen: Candidate, always: Collection[Cause]) -> list[Scored]:
-    """`chosen`, what has nearly its evidence, and causes that count as near `always`."""
+def within_reach(ranking: Sequence[Scored], chosen: Candidate, inseparable: Collection[Cause]) -> list[Scored]:
+    """`chosen`, what has nearly its evidence, and causes that count as near `inseparable`."""
     own = next(w for w in ranking if w.candidate.cause == chosen.cause)
     others = (w for w in ranking if w.candidate.cause != chosen.cause)
     least = _g_prior_evidence(own) - policy.POLICY.equivalent_nats
-    return [own, *(w for w in others if _g_prior_evidence(w) > least or w.candidate.cause in always)]
+    return [own, *(w for w in others if _g_prior_evidence(w) > least or w.candidate.cause in inseparable)]
 
 
 def _g_prior_evidence(w: Scored) -> float:

@@ -121,11 +121,11 @@ def _line_search(
     """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
     limit = _misfit(here, terms, beta, used) * (1 + 1e-9)
     for _ in range(HALVINGS):
-        bare, moved = _stepped(here, terms, beta, step)
-        settled = tuple(term.over_own_secants(b) for term, b in zip(terms, moved, strict=True))
-        there = _relinearised(bare, settled, moved)
-        if _misfit(there, settled, moved, used) <= limit:
-            return there, settled, moved
+        bare, stepped = _stepped(here, terms, beta, step)
+        on_secants = tuple(term.over_own_secants(b) for term, b in zip(terms, stepped, strict=True))
+        there = _relinearised(bare, on_secants, stepped)
+        if _misfit(there, on_secants, stepped, used) <= limit:
+            return there, on_secants, stepped
         step = step / 2
     return None
 
@@ -154,9 +154,9 @@ def _stepped(
     phase = here.phase.copy()
     phase[here.phase_groups] += step[q : q + len(here.phase_groups)]
     ends = np.cumsum([q + len(here.phase_groups), *(len(b) for b in beta)])
-    moved = tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
+    stepped = tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
     bare = linearise(here.run, here.observations, here.noise, here.base, here.parameterisation, theta, phase)
-    return bare, moved
+    return bare, stepped
 
 
 def _relinearised(bare: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...]) -> LinearProblem:
@@ -209,12 +209,12 @@ def _covariance(
     here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]
 ) -> Array:
     """A⁻¹ (Σ S_k G_k) A⁻¹ for plain least squares under the noise spectrum S that the residual shows."""
-    moved = cosine_transform(_derivatives(here, terms, beta, used))
-    bands, spectrum = noise_spectrum(moved, here.y[used])
-    A = weighted_gram(moved, bands, np.ones_like(spectrum))
+    transformed = cosine_transform(_derivatives(here, terms, beta, used))
+    bands, spectrum = noise_spectrum(transformed, here.y[used])
+    A = weighted_gram(transformed, bands, np.ones_like(spectrum))
     known = precision(terms, here.T.shape[2], len(A))
     inverse = inverse_gram(A + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
-    return np.asarray(inverse @ (weighted_gram(moved, bands, spectrum) + known) @ inverse)
+    return np.asarray(inverse @ (weighted_gram(transformed, bands, spectrum) + known) @ inverse)
 
 
 def derivatives(found: JointFit) -> tuple[Array, Array]:

@@ -17,7 +17,7 @@ from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_vali
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models
 from labcal.loop.selection.heldout_rules import n_reportable
 from labcal.loop.selection.joint_fit import information, joint_fit
-from labcal.loop.selection.select import Selection, select, stepwise
+from labcal.loop.selection.select import Selection, SelectionEnding, select, stepwise
 from labcal.loop.selection.stepwise import MAX_EFFECTS
 from labcal.loop.selection.surrogates import null_distribution
 
@@ -40,6 +40,7 @@ class Evidence:
     null_distribution: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
     outlier_distance: float  # of the rows set aside, in standard deviations of the others
+    ending: SelectionEnding = "supported"
     not_carried: Mapping[Cause, float] = field(default_factory=dict)  # what final fits with these leave [nT]
     insignificant: Mapping[Cause, float] = field(default_factory=dict)  # p-values (Wald)
 
@@ -79,6 +80,7 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         null_distribution=null_distribution(pool, accepted),
         refused={**selection.refused, **contributions},
         outlier_distance=outlier_distance(pool.residual_everywhere(accepted)[0], pool.valid),
+        ending=selection.ending,
     )
 
 

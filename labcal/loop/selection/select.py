@@ -28,7 +28,7 @@ from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
 RoundOutcome = Literal["supported", "displaced", "unsupported", "one too many"]  # of one round
-Ending = Literal["supported", "rounds exhausted"]
+SelectionEnding = Literal["supported", "rounds exhausted"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,7 +40,7 @@ class Selection:
     contributions: tuple[HeldOutErrors, ...]  # of each accepted effect, those before it already in
     blocks: BlockFolds
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
-    ending: Ending
+    ending: SelectionEnding
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,7 +68,7 @@ def select(
     last one left stands.
     """
     refused, unsupported = set[Cause](), dict[Cause, HeldOutErrors]()
-    ending: Ending = "rounds exhausted"
+    ending: SelectionEnding = "rounds exhausted"
     for _ in range(MAX_ROUNDS):
         last = _select_once(pool, blocks, most, refused)
         outcome, place = _judge(pool, last, level)

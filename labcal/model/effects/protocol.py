@@ -74,8 +74,8 @@ class Scene:
 
     def moved(self, by_nT: Array | float) -> Scene:
         """The same in a field that is `by_nT` (n, 3) or (3,) larger."""
-        quiet = None if self.denoised_field_nT is None else self.denoised_field_nT + by_nT
-        return replace(self, field_nT=self.field_nT + by_nT, denoised_field_nT=quiet)
+        denoised = None if self.denoised_field_nT is None else self.denoised_field_nT + by_nT
+        return replace(self, field_nT=self.field_nT + by_nT, denoised_field_nT=denoised)
 
     def select(self, rows: NDArray[Any]) -> Scene:
         """The same scene with only these rows (mask or numbers, in time order)."""

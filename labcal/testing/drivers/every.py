@@ -49,8 +49,8 @@ def it_has_the_methods_of_its_role(case: DriverCase) -> None:
         require(role in ROLES, f"{rig.name}.roles names {role!r}; the roles are {', '.join(ROLES)}.")
         for kind in (Instrument, ROLES[role]):
             lacks = [name for name in _members(kind) if not hasattr(rig.driver, name)]
-            told = f"{rig.name} cannot be a {role}: it lacks {', '.join(lacks)}"
-            require(isinstance(rig.driver, kind), f"{told} ({kind.__name__} in labcal/bench/driver_kit/roles.py).")
+            sentence = f"{rig.name} cannot be a {role}: it lacks {', '.join(lacks)}"
+            require(isinstance(rig.driver, kind), f"{sentence} ({kind.__name__} in labcal/bench/driver_kit/roles.py).")
 
 
 def _members(kind: type) -> list[str]:
@@ -97,8 +97,8 @@ def a_forbidden_message_cannot_be_sent(case: DriverCase) -> None:
     rig = case.rig()
     require(case.forbidden, f"Name a message that {rig.name} must never send: forbidden=[b'…'].")
     for message in case.forbidden:
-        told = f"{rig.name} could send {message!r}: add a pattern that matches it to `never`."
-        with refused(InstrumentError, told, words="never sent", fault="forbidden"):
+        sentence = f"{rig.name} could send {message!r}: add a pattern that matches it to `never`."
+        with refused(InstrumentError, sentence, words="never sent", fault="forbidden"):
             rig.line.send(message)
     require(rig.sent == [], f"{rig.name} put {rig.sent!r} on the line although it was refused.")
 

@@ -31,30 +31,30 @@ STEPS: tuple[Callable[[Any], object], ...] = (
 )
 
 
-def whatever_it_is_told_its_emulator_goes_on(case: DriverCase) -> None:
+def whatever_it_is_sent_its_emulator_goes_on(case: DriverCase) -> None:
     """Every message it knows with other numbers, cut, and with a byte turned; then the driver greets it again."""
     rig = case.rig()
     _use(rig)
     chance, heard = random.Random(1), rig.sent or [b"hello\r\n"]
     for message in (*case.forbidden, *sorted(set(heard))):
         for nonsense in _spoilt(message, chance):
-            _tell(rig, nonsense)
+            _send(rig, nonsense)
     rig.wait(1.0)
     rig.emulator.take(rig.clock.now(), b"\x1b\r\n")  # ends a stream, and what was cut
     rig.wait(1.0)
     rig.line.flush()
-    told = f"{rig.name} cannot identify its emulator after nonsense: the emulator must drop what it does not know."
-    require(not rig.sent or rig.driver.identify().model, told)
+    sentence = f"{rig.name} cannot identify its emulator after nonsense: the emulator must drop what it does not know."
+    require(not rig.sent or rig.driver.identify().model, sentence)
 
 
-def _tell(rig: DriverRig, nonsense: bytes) -> None:
+def _send(rig: DriverRig, nonsense: bytes) -> None:
     rig.wait(0.2)
     try:
         rig.emulator.take(rig.clock.now(), nonsense)
         rig.emulator.emit(rig.clock.now() + 0.1)
     except Exception as error:
-        told = f"The emulator of {rig.name} fails when it is sent {nonsense!r} ({type(error).__name__}: {error})"
-        raise AssertionError(f"{told}: answer as the instrument would, with an error or not at all.") from error
+        sentence = f"The emulator of {rig.name} fails when it is sent {nonsense!r} ({type(error).__name__}: {error})"
+        raise AssertionError(f"{sentence}: answer as the instrument would, with an error or not at all.") from error
 
 
 def _use(rig: DriverRig) -> None:
@@ -88,4 +88,4 @@ def _crc(frame: bytes) -> bytes:
     return value.to_bytes(2, "little")
 
 
-PROMISES = (whatever_it_is_told_its_emulator_goes_on,)
+PROMISES = (whatever_it_is_sent_its_emulator_goes_on,)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.fit.filters.centered_sequential import CenteredSequential
 from labcal.fit.filters.ekf import EKF
-from labcal.fit.filters.live import LiveFilter
+from labcal.fit.filters.sequential import LiveFilter
 from labcal.fit.filters.ukf import UKF, AugmentedUKF
 from labcal.fit.scalar.scalar_run import scalars, usable
 from labcal.record import Run

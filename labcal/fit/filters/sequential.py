@@ -23,7 +23,7 @@ from labcal.fit.scalar.scalar_run import Estimator, Scalars, as_fit, noise_scale
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-FIRST_LOOK, GROWTH = 50, 1.25  # readings before TWOSTEP is tried, and between tries
+FIRST_CHECK, GROWTH = 50, 1.25  # readings before TWOSTEP is tried, and between tries
 NEGLIGIBLE = 0.3  # of the noise of the mean: the curvature of |b|² that a start may leave
 CHANCE = 1e-6  # of a false alarm
 SURPRISE = 1.5  # innovations squared over expected: beyond this, and beyond chance, the filter has diverged
@@ -39,7 +39,7 @@ class FilterUpdate(Protocol):
 
 
 class Start:
-    """Keeps the first readings until a batch estimate of them is `enough`; looks ever less often."""
+    """Keeps the first readings until a batch estimate of them is `enough`; checks ever less often."""
 
     def __init__(
         self, noise: Array, reference_noise: float, estimate: Estimator, enough: Callable[[Scalars, Estimate], bool]
@@ -48,15 +48,15 @@ class Start:
         self._estimate, self._enough = estimate, enough
         self._readings: list[Array] = []
         self._magnitudes: list[float] = []
-        self._look = FIRST_LOOK
+        self._next_check = FIRST_CHECK
 
     def __len__(self) -> int:
         return len(self._readings)
 
     def settled(self) -> tuple[Scalars, Estimate]:
         """The readings with their noise, and the estimate. Raises ArithmeticError (LinAlgError) where there is none."""
-        if len(self) < FIRST_LOOK:
-            raise ArithmeticError(f"{len(self)} readings with a magnitude; a start needs {FIRST_LOOK}")
+        if len(self) < FIRST_CHECK:
+            raise ArithmeticError(f"{len(self)} readings with a magnitude; a start needs {FIRST_CHECK}")
         kept = Scalars(np.array(self._readings), np.array(self._magnitudes), self._noise, self._reference_noise)
         return settle(kept, self._estimate)
 
@@ -64,9 +64,9 @@ class Start:
         """Keep a reading (3,); return the start once there is enough of it."""
         self._readings.append(np.asarray(reading, dtype=float))
         self._magnitudes.append(float(magnitude))
-        if len(self) < self._look:
+        if len(self) < self._next_check:
             return None
-        self._look = int(self._look * GROWTH)
+        self._next_check = int(self._next_check * GROWTH)
         try:
             seen, found = self.settled()
         except (ArithmeticError, np.linalg.LinAlgError):

@@ -64,10 +64,10 @@ def describe_function(
     basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: tuple[str, ...]
 ) -> FunctionShape:
     """The shape of a function over its domain; `left_nT` (n, 3) is what remains of the rows of `scene`."""
-    looks = shape_of(basis, hull, inputs)
+    described = shape_of(basis, hull, inputs)
     if len(inputs) == 2:
-        return looks
-    return replace(looks, both_ways=not _differs_on_the_way_back(values(inputs, scene)[:, 0], left_nT, scene))
+        return described
+    return replace(described, both_ways=not _differs_on_the_way_back(values(inputs, scene)[:, 0], left_nT, scene))
 
 
 def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> FunctionShape:
@@ -128,7 +128,7 @@ def _differs_on_the_way_back(x: Array, left: Array, scene: Scene) -> bool:
     return bool(np.sum(took**2) > (OTHER_WAY + 2 * chance) * np.sum(left**2))
 
 
-def experiment(run: Run, record: EffectRecord, looks: FunctionShape) -> NextExperiment:
+def experiment(run: Run, record: EffectRecord, described: FunctionShape) -> NextExperiment:
     """The one that would show what a term without a name is."""
     name = record.inputs[0]
     channel = name.removeprefix(CHANNEL)
@@ -137,4 +137,4 @@ def experiment(run: Run, record: EffectRecord, looks: FunctionShape) -> NextExpe
     do, procedure = EXPERIMENTS.get(kind, other)
     if len(record.inputs) == 2:
         do = f"hold {record.inputs[1].removeprefix(CHANNEL)} and {do}; then the other way round"
-    return NextExperiment(f"the cause has no name yet. {looks.says(record.inputs)}".rstrip("."), do, procedure)
+    return NextExperiment(f"the cause has no name yet. {described.says(record.inputs)}".rstrip("."), do, procedure)

@@ -1,4 +1,4 @@
-"""What a run determines: the information that excitation gives, apart from what noise feigns."""
+"""What a run determines: the information that excitation gives, apart from what noise induces."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from labcal.geometry import unit
 
 Array = NDArray[np.float64]
 NAMES = (*(f"K_{a}{b}" for a in "xyz" for b in "xyz"), "k_x", "k_y", "k_z")
-SIGNAL_OVER_NOISE = 4.0  # a direction counts where excitation gives four times the information that noise feigns
+SIGNAL_OVER_NOISE = 4.0  # a direction counts where excitation gives four times the information that noise induces
 CLEAR = 1e4  # … and beyond this much more there is no need to look for a valley
 MOST_NAMED = 5
 FAR = 8.0  # standard uncertainties at which a valley is looked for
