@@ -33,11 +33,10 @@ fi
 "$BIN/mypy"
 "$BIN/lint-imports" --no-cache
 
-# Three processes share the tests of two cores, whole files each and in order: each waits a quarter of its time for a line
-# or a guardian. Two where there is less than 6 GB; `PROCESSES=1 make test`: one.
+# Two processes share the tests, whole files each and in order, where there are two cores; `PROCESSES=1 make test`: one.
+# A process waits a quarter of its time for a line or a guardian: `PROCESSES=3` gives two cores more to do, in more memory.
 SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
-cores, GB = os.cpu_count() or 1, os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / 1e9
-processes = int(os.environ["PROCESSES"] or (1 if cores < 2 else 2 if GB < 6 else 3))
+processes = int(os.environ["PROCESSES"] or min(2, os.cpu_count() or 1))
 print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
 # shellcheck disable=SC2086  # several words
 exec "$BIN/pytest" $SHARED -m "not slow" "$@"
