@@ -46,6 +46,7 @@ def test_a_load_that_is_switched_at_rest_is_no_noise(making: ModuleType, tmp_pat
     rows, segments = making.recorded(seconds=20.0)
     for segment in segments:
         segment["kind"] = "static"
+    rows["angle"] = np.full(len(rows["t_s"]), np.nan)
     attitudes = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 1, 0], [0, -1, 1], [1, 1, 1]])
     rows["ref"] = np.repeat(20000.0 * attitudes, 40, axis=0)
     noise = np.random.default_rng(2).normal(0, 20.0, rows["dut"].shape)
