@@ -15,6 +15,7 @@ from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solutio
 from labcal.fit.vector.system import Noise, evaluate
 from labcal.loop import policy
 from labcal.loop.data.linear_problem import Base
+from labcal.loop.data.resolution import rounding_noise
 from labcal.record import Run, Segment
 
 Array = NDArray[np.float64]
@@ -75,9 +76,9 @@ def _along_an_axis(segment: Segment) -> Segment:
 
 
 def declared_noise(run: Run) -> float:
-    """Noise of one axis of one reading [DUT units]; a thousandth of the reading where nothing is declared."""
+    """Noise of one axis of one reading with its rounding [DUT units]; where none is declared a thousandth of it."""
     if run.dut.noise_nT:
-        return run.dut.noise_nT / run.dut.nominal_nT_per_unit
+        return float(np.hypot(run.dut.noise_nT / run.dut.nominal_nT_per_unit, rounding_noise(run)))
     return 1e-3 * float(np.sqrt(np.mean(run.reading**2)))
 
 
