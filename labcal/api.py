@@ -15,6 +15,7 @@ from labcal.fit import Fit
 from labcal.fit import fit as estimate
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
+from labcal.one_thread import one_thread
 from labcal.record import Run
 from labcal.runner import Answer, Outcome
 
@@ -77,6 +78,7 @@ def load_run(run: str | Path | Run, *, channels: Sequence[str] | None = None) ->
 
 
 @_as_input_error()
+@one_thread()
 def fit(
     run: str | Path | Run,
     method: str = "ml",
@@ -130,6 +132,7 @@ def fit(
 
 
 @_as_input_error()
+@one_thread()
 def close_loop(
     run: str | Path | Run,
     *,
@@ -215,6 +218,7 @@ def load_calibration(path: str | Path) -> Calibration:
 
 
 @_as_input_error()
+@one_thread()
 def verify(
     calibration: str | Path, allowed_signers: str | Path | None = None, run: str | Path | Run | None = None
 ) -> Verification:
@@ -255,6 +259,7 @@ def verify(
 
 
 @_as_input_error()
+@one_thread()
 def run(
     procedure: str = "preflight",
     bench: str | Path | None = None,

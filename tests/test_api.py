@@ -7,13 +7,18 @@ import importlib.util
 import runpy
 import subprocess
 import sys
+from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
 
 import labcal
 from labcal import api
+from labcal.one_thread import one_thread
 
 ROOT = Path(__file__).parents[1]
 SHORT = ROOT / "examples" / "short-preflight"
@@ -163,3 +168,44 @@ def test_the_example_that_is_shipped_holds() -> None:
     result = labcal.verify(SHORT / "calibration.json", SHORT / "allowed_signers", SHORT / "run.zip")
     assert (result.valid, result.run_matches) == (True, True)
     assert labcal.load_run(SHORT / "run.zip").simulated
+
+
+def linear_algebra() -> set[int]:
+    """How many threads each library of linear algebra has."""
+    return {pool["num_threads"] for pool in threadpool_info() if pool["user_api"] == "blas"}
+
+
+WORKING = (labcal.fit, labcal.close_loop, labcal.verify, labcal.run)
+
+
+def test_one_thread_lasts_until_the_last_of_several_calls(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS")
+    with threadpool_limits(2), ExitStack() as second:
+        with one_thread():
+            second.enter_context(one_thread())
+        assert linear_algebra() == {1}
+        second.close()
+        assert linear_algebra() == {2}
+
+
+@pytest.mark.parametrize(("stated", "threads"), [(None, 1), ("2", 2)], ids=["nobody chose", "the user chose"])
+@pytest.mark.parametrize("call", WORKING, ids=lambda call: call.__name__)
+def test_a_call_that_works_something_out_has_one_thread_of_linear_algebra(
+    monkeypatch: pytest.MonkeyPatch, call: Callable[..., object], stated: str | None, threads: int
+) -> None:
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS")
+    if stated is not None:
+        monkeypatch.setenv("OPENBLAS_NUM_THREADS", stated)
+    seen: list[set[int]] = []
+
+    def work(path: object, *_: object, **__: object) -> NoReturn:
+        seen.append(linear_algebra())
+        raise FileNotFoundError(2, "No such file", str(path))
+
+    for name in ("load_run", "close_loop", "verify", "run"):
+        monkeypatch.setattr(f"labcal.session.{name}", work)
+    with threadpool_limits(2):
+        with pytest.raises(labcal.InputError):
+            call("nowhere")
+        assert linear_algebra() == {2}
+    assert seen == [{threads}]

@@ -25,6 +25,10 @@ Runs are named as on the command line, by a run id of the local store or the pat
 itself. What is wrong with a request or an input is a `labcal.InputError`, an instrument that failed a
 `labcal.InstrumentError`; both messages are sentences for people. The examples below run in the project's folder.
 
+While `fit`, `close_loop`, `verify` and `run` are at work, the linear algebra of NumPy and SciPy has one thread in the
+whole process: the matrices are small, and on a busy computer more threads wait for each other many times as long.
+Afterwards it has as many as before. Where `OPENBLAS_NUM_THREADS` is set, that counts.
+
 This page is made from the docstrings: `python tools/api_reference.py docs/api.md`.
 """
 ORDER = ("run", "load_run", "fit", "close_loop", "load_calibration", "Calibration.apply", "verify")

@@ -156,6 +156,9 @@ def _between_versions(made: Document) -> dict[str, float]:
             for j, p in enumerate(effect["parameters"]):
                 at = f"{place}[{i}].parameters[{j}]"
                 shares |= {f"{at}.value": 2 * OTHER_U * p["u"], f"{at}.u": OTHER_U * p["u"]}
+    if any(finding["belongs_to"] == "rig" for finding in made["findings"]):  # the fields at the DUT come from the fit
+        noise = made["metrics"].get("after.noise_nT", 0.0)
+        shares |= {f"validity.field_nT[{i}]": OTHER_U * noise for i in range(2)}
     for i, row in enumerate(made["covariance"]):
         shares |= {f"covariance[{i}][{j}]": 2 * OTHER_U * _scale(made, i, j) for j in range(len(row))}
     return shares

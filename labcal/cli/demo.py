@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from labcal.cli import app
+from labcal.cli.progress import at_a_terminal
 from labcal.cli.results import FORCE
 from labcal.cli.screen import console
 
@@ -35,7 +36,7 @@ def demo(
     make_room(out, force=force)
     began = time.monotonic()
     columns = (TextColumn("{task.description:<34}", markup=False), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console(stderr=True)) as progress:
+    with at_a_terminal(Progress(*columns, console=console(stderr=True))) as progress:
         task = progress.add_task("opening the simulated bench", total=None)
 
         def stage(name: str) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -74,9 +73,12 @@ def apply(
     """Calibrate readings; says on stderr where the calibration is unsigned, provisional, expired or superseded."""
     from labcal import session
 
+    remarks: list[str] = []  # said once it is done: a refusal is one sentence
     applied = session.apply_calibration(
-        calibration, source, out, dut, require_signature=require_signature, tell=partial(say, err=True), force=force
+        calibration, source, out, dut, require_signature=require_signature, tell=remarks.append, force=force
     )
+    for remark in remarks:
+        say(remark, err=True)
     _show_applied(applied, out)
 
 

@@ -51,8 +51,18 @@ def shown(how: str) -> Iterator[Display]:
     from rich.progress import BarColumn, Progress, TextColumn
 
     columns = (TextColumn("{task.description:<28}", markup=False), BarColumn(), TextColumn("{task.fields[left]}"))
-    with Progress(*columns, console=console(stderr=True), transient=True) as progress:
+    with at_a_terminal(Progress(*columns, console=console(stderr=True), transient=True)) as progress:
         yield Bar(progress)
+
+
+@contextmanager
+def at_a_terminal(progress: Progress) -> Iterator[Progress]:
+    """The bar at work; nothing of it, no empty line either, where it would go into a file or a pipe."""
+    if not progress.console.is_terminal:
+        yield progress
+        return
+    with progress:
+        yield progress
 
 
 def step_line(step: str) -> None:
@@ -136,6 +146,9 @@ class Bar(Nothing):
     @contextmanager
     def aside(self) -> Iterator[None]:
         """Without the bar, which would write over what is asked."""
+        if not self._progress.live.is_started:
+            yield
+            return
         self._progress.stop()
         try:
             yield

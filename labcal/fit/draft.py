@@ -12,15 +12,19 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
+from labcal.model.apply import apply
 from labcal.model.effects import of_temperature
 from labcal.model.effects.inputs import CHANNEL
 from labcal.model.plausibility import saturation_limits
+from labcal.model.readings import readings_of
 from labcal.model.smooth import Domain
 from labcal.record import Run
 from labcal.uncertainty.conformity import with_conformity
 from labcal.uncertainty.of_calibration import as_json, budgets
 from labcal.uncertainty.unstated import not_covered
 from labcal.version import __version__
+
+NEARLY_ALL = (0.01, 0.99)  # of the fields
 
 
 def draft_calibration(
@@ -75,6 +79,8 @@ def draft_calibration(
         made_by=made_by,
         chain=chain,
     )
+    if any(effect.belongs_to == "rig" for effect in found.effects):
+        made = replace(made, validity=_with_fields_at_the_dut(made, run))
     if found.sources is not None:
         made = replace(made, budget=as_json(budgets(made, found.sources, run)))
     return with_conformity(made, run)
@@ -113,6 +119,17 @@ def _validity(run: Run, effects: Sequence[EffectRecord]) -> Validity:
     seen = magnitude[np.isfinite(magnitude) & np.isfinite(run.reading).all(axis=1)]
     modes = tuple(str(m) for m in np.unique(run.mode) if m)
     return Validity((float(seen.min()), float(seen.max())), _temperatures(run, effects), modes)
+
+
+def _with_fields_at_the_dut(made: Calibration, run: Run) -> Validity:
+    """The validity with the fields that the DUT met: where the rig adds to it they are not the reference's.
+
+    Nearly all of them: a wild reading among the others met no such field.
+    """
+    length = np.linalg.norm(apply(made, readings_of(run)).field_nT, axis=1)
+    least, most = np.nanquantile(length, NEARLY_ALL)
+    low, high = made.validity.field_nT
+    return replace(made.validity, field_nT=(min(low, float(least)), max(high, float(most))))
 
 
 def _temperatures(run: Run, effects: Sequence[EffectRecord]) -> tuple[float, float] | None:

@@ -39,6 +39,14 @@ def bridged(t_s: Array, values: Array) -> tuple[Array, Mask]:
     return filled, sure
 
 
+def is_known_enough(t_s: Array, values: Array) -> bool:
+    """Whether half of the rows have a value, or one that can be inferred: slow telemetry leaves most cells empty."""
+    known = np.isfinite(values)
+    if 2 * np.count_nonzero(known) >= len(known):
+        return True
+    return bool(known.any() and 2 * np.count_nonzero(bridged(t_s, values)[1]) >= len(known))
+
+
 def _lasting_s(t: Array, x: Array) -> float | None:
     """How long a level of a switched channel usually lasts; None where it moves between its switches too."""
     moved = np.diff(x)

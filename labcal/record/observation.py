@@ -97,6 +97,17 @@ def _into_body(run: Run, segment: Segment, rows: NDArray[np.intp], reference: Ar
     else:
         at_zero = shortest_rotation(np.asarray(segment.axis_cage), np.asarray(segment.axis_body))
     fixed = reference @ at_zero.T
-    if segment.kind != "rotation" or run.angle_deg is None:
+    if not stands_turned(run, segment):
         return np.asarray(fixed)
+    assert run.angle_deg is not None
     return rotate(np.asarray(segment.axis_body), -np.radians(run.angle_deg[rows]), fixed)
+
+
+def stands_turned(run: Run, segment: Segment) -> bool:
+    """Whether the platform's angle turns what `body_from_cage` says, which holds at angle zero.
+
+    At rest it does where the segment states its axis: the platform stands at an angle.
+    """
+    if segment.kind == "rotation":
+        return run.angle_deg is not None
+    return segment.kind == "static" and segment.axis_body is not None and _has_angle(run, segment)

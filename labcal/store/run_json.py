@@ -11,7 +11,15 @@ from functools import lru_cache
 from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    model_validator,
+)
 
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text, replace_control
@@ -39,6 +47,15 @@ UNITS: Mapping[str, tuple[str, ...]] = {
     "pressure": ("Pa", "hPa", "kPa", "MPa", "mbar", "bar", "Torr"),
     "humidity": ("%", "%RH", "1"),
     "count": ("count", "1", ""),
+}
+SPELT = {  # other ways to write them, which no other quantity uses
+    "temperature": {"°C": "degC", "℃": "degC", "C": "degC", "celsius": "degC", "°F": "degF", "kelvin": "K"},
+    "current": {"ampere": "A", "amps": "A", "μA": "µA"},  # a Greek mu
+    "voltage": {"volt": "V", "volts": "V", "μV": "µV"},
+    "power": {"watt": "W", "watts": "W", "μW": "µW"},
+    "rate": {"°/s": "deg/s", "dps": "deg/s", "RPM": "rpm", "rev/min": "rpm", "s^-1": "1/s"},
+    "humidity": {"percent": "%", "%rH": "%RH", "percentRH": "%RH"},
+    "count": {"counts": "count", "ct": "count", "cts": "count", "LSB": "count"},
 }
 LONGEST_KEY = 40
 ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four decimals are rounded, not wrong
@@ -113,6 +130,11 @@ def _misspelt(key: str, absent: tuple[str, ...]) -> str | None:
     return next(iter(get_close_matches(key, absent, n=1, cutoff=0.8)), None)
 
 
+def _or(default: str) -> BeforeValidator:
+    """What null says where a text may be left out: the same as leaving it out."""
+    return BeforeValidator(lambda value: default if value is None else value)
+
+
 class _Part(BaseModel):
     """A JSON object: more keys than known are let be, a known key misspelt is refused."""
 
@@ -135,7 +157,7 @@ class DutPart(_Part):
     """The device under test."""
 
     serial: Text
-    model: Text = ""
+    model: Annotated[Text, _or("")] = ""
     unit: Literal["nT", "count"]
     nominal_nT_per_unit: float = Field(gt=0, le=LARGEST_FIELD_nT)
     noise_nT: Nanotesla | None = None
@@ -169,7 +191,7 @@ class ReferencePart(_Part):
     """The reference sensor and what is stated about it."""
 
     kind: Literal["vector", "scalar", "none"]
-    serial: Text = ""
+    serial: Annotated[Text, _or("")] = ""
     noise_nT: Nanotesla | None = None
     place: Literal["dut", "remote", "computed"] | None = None
     position_m: Vector | None = None
@@ -199,9 +221,9 @@ class SegmentPart(_Part):
     axis_body: Axis | None = None
     axis_cage: Axis | None = None
     body_from_cage: Rotation | None = None
-    reference_frame: Literal["cage", "body"] = "cage"
+    reference_frame: Annotated[Literal["cage", "body"], _or("cage")] = "cage"
     mode: Mode | None = None
-    note: Text = ""
+    note: Annotated[Text, _or("")] = ""
     mounting: Text | None = None
     angle_noise_deg: Spread | None = None
     u_axis_body_deg: Spread | None = None
@@ -217,18 +239,32 @@ class SegmentPart(_Part):
             raise ValueError(f"body_from_cage · axis_cage must be axis_body; they differ by {off:.3g}")
         return self
 
+    def known(self) -> dict[str, Any]:
+        """The keys of the format, by name; an axis that the attitude carries from the other one is there too."""
+        stated, R = super().known(), np.array(self.body_from_cage)
+        if self.body_from_cage is not None and self.axis_cage is None and self.axis_body is not None:
+            return stated | {"axis_cage": tuple((R.T @ self.axis_body).tolist())}
+        if self.body_from_cage is not None and self.axis_body is None and self.axis_cage is not None:
+            return stated | {"axis_body": tuple((R @ self.axis_cage).tolist())}
+        return stated
+
 
 class ChannelPart(_Part):
     """What a housekeeping column means."""
 
     unit: Text
     quantity: Quantity
-    role: Role = "dut"
+    role: Annotated[Role, _or("dut")] = "dut"
+
+    @property
+    def spelt_unit(self) -> str:
+        """The unit as labcal writes it."""
+        return SPELT.get(self.quantity, {}).get(self.unit, self.unit)
 
     @model_validator(mode="after")
     def _unit_exists(self) -> Self:
         known = UNITS.get(self.quantity)
-        if known is not None and self.unit not in known:
+        if known is not None and self.spelt_unit not in known:
             units = ", ".join(unit for unit in known if unit)
             raise ValueError(f"there is no unit {self.unit!r} of {self.quantity}; expected one of {units}")
         return self
@@ -271,7 +307,7 @@ class RunJson(_Part):
     run_id: Name
     started_utc: Utc
     simulated: bool
-    operator: Text = ""
+    operator: Annotated[Text, _or("")] = ""
     dut: DutPart
     reference: ReferencePart
     segments: tuple[SegmentPart, ...] = Field(min_length=1)

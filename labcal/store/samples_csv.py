@@ -50,7 +50,7 @@ def read_samples(data: bytes, header: RunJson, *, file: object) -> Run:
         administrative=header.administrative,
         environment=header.stated_environment(),
         channels=tuple(
-            Channel(name, part.unit, part.quantity, numbers[name], part.role)
+            Channel(name, part.spelt_unit, part.quantity, numbers[name], part.role)
             for name, part in header.channels.items()
             if name in numbers
         ),

@@ -141,8 +141,7 @@ def read_table(
 ) -> ColumnTable:
     """The whole of a table that is in memory, as `TableReader`. Raises InputError at the first fault."""
     if must_end and data and not data.endswith(b"\n"):
-        line = data.count(b"\n") + 1
-        raise InputError("the last line has no line end: the file looks cut off", file=file, line=line)
+        raise _cut_off(data, file)
     reader = TableReader(io.BytesIO(data), file=file, numbers=numbers, texts=texts, required=required)
     rows, columns = data.count(b"\n"), len(reader.header)
     if rows * columns > MOST_CELLS:
@@ -158,6 +157,15 @@ def read_table(
         {c: np.concatenate([np.empty(0), *(p.numbers.pop(c) for p in pieces)]) for c in names if c in numbers},
         {c: [cell for piece in pieces for cell in piece.texts[c]] for c in names if c in texts},
     )
+
+
+def _cut_off(data: bytes, file: object) -> InputError:
+    """What is wrong with a file that does not end in a line end: its encoding, its line ends, or it was cut."""
+    decode(data, file=str(file))  # a text of another encoding is no text that was cut
+    if b"\n" not in data and b"\r" in data:
+        return InputError("lines end in CR alone; expected LF or CRLF", file=file, line=1)
+    line = data.count(b"\n") + 1
+    return InputError("the last line has no line end: the file looks cut off", file=file, line=line)
 
 
 def _with_few_words(piece: Piece, words: dict[str, dict[str, str]]) -> Piece:

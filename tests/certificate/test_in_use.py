@@ -64,6 +64,10 @@ def test_apply_says_how_the_file_stands_and_refuses_where_a_signature_is_require
     assert "UNSIGNED: cal.json carries no signature" in said.err
     assert "UNSIGNED" not in said.out
     (readings.with_name("out.csv")).unlink()
+    unread = readings.with_name("unread.csv")
+    unread.write_text("dut_x,dut_y\n1,2\n")
+    assert applied(draft, unread) == 2
+    assert capsys.readouterr().err.count("\n") == 1  # a refusal is one sentence
     assert applied(draft, readings, "--require-signature") == 2
     assert "is not validly signed (cal.json carries no signature)" in capsys.readouterr().err
     assert not readings.with_name("out.csv").exists()

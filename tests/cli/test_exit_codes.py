@@ -85,6 +85,14 @@ def test_a_wrong_word_is_one_sentence_that_says_where_help_is(words, capsys):
     assert f"`labcal {words[0]} --help`" in said
 
 
+@pytest.mark.parametrize("words", [["run", "preflight"], ["run", "nowhere", "--bench", "nowhere.toml"]])
+def test_where_a_run_cannot_begin_one_sentence_is_said_and_no_empty_line(words, capsys):
+    assert cli.execute(words) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("labcal: ")
+    assert said.count("\n") == 1
+
+
 def test_a_run_id_that_is_no_text_is_a_sentence(capsys):
     assert cli.execute(["show", "\udcff"]) == 2
     assert "no UTF-8" in capsys.readouterr().err

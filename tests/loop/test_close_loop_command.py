@@ -1,7 +1,9 @@
 """`labcal close-loop`: exit codes and JSON by the contract."""
 
+import csv
 import json
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -46,3 +48,17 @@ def test_the_flight_log_names_its_battery_current_with_base_offset(shared: Path,
     assert result["base"] == "offset"
     assert 850 < result["before"]["holdout_rms_nT"] < 950
     assert [e["effect"] for e in result["accepted"]] == ["offset-current"]
+
+
+def test_a_run_whose_rig_adds_a_field_is_valid_in_the_fields_that_the_device_met(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    rows, segments = making.recorded()
+    rows["ref"] = rows["ref"] - [400.0, 500.0, 450.0]  # a field of the cage that the reference does not see
+    bundle, made, out = making.written(tmp_path / "run", rows, segments), tmp_path / "cal.json", tmp_path / "out.csv"
+    assert cli.execute(["close-loop", str(bundle), "--out", str(made)]) == 0
+    assert [effect["effect"] for effect in json.loads(made.read_text())["findings"]] == ["cage-field"]
+    assert cli.execute(["apply", str(made), str(bundle / "samples.csv"), "--out", str(out)]) == 0
+    with out.open(newline="") as source:
+        flags = [row["flag"] for row in csv.DictReader(source)]
+    assert sum(flag != "" for flag in flags) < 0.01 * len(flags)

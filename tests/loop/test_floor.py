@@ -1,4 +1,4 @@
-"""What noise alone would leave: the angle's rounding is part of it, a load that is switched at rest is not."""
+"""What noise alone would leave: rounding of readings and angle is part of it, a load switched at rest is not."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -41,11 +42,26 @@ def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT / 1.05) ** 2 + rounding), rel=0.02)
 
 
+@pytest.mark.parametrize("unit", ["nT", "count"])
+@pytest.mark.parametrize("step_nT", [0.0, 60.0])
+def test_the_readings_rounding_is_part_of_the_declared_noise(
+    making: ModuleType, tmp_path: Path, unit: Literal["nT", "count"], step_nT: float
+) -> None:
+    run = session.load_run(str(making.written(tmp_path, *making.recorded())))
+    step = step_nT or 1e-3
+    reading = np.round(run.reading / step) * (1.0 if unit == "count" else step)
+    dut = replace(run.dut, unit=unit, nominal_nT_per_unit=step if unit == "count" else 1.0)
+    _, found, _ = prepare(replace(run, reading=reading, dut=dut))
+    assert found.source == "declared"
+    assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT**2 + step_nT**2 / 12)) / 1.05, rel=0.02)
+
+
 @pytest.mark.parametrize("told", [True, False], ids=["by its current", "by the power mode"])
 def test_a_load_that_is_switched_at_rest_is_no_noise(making: ModuleType, tmp_path: Path, told: bool) -> None:
     rows, segments = making.recorded(seconds=20.0)
     for segment in segments:
         segment["kind"] = "static"
+    rows["angle"] = np.full(len(rows["t_s"]), np.nan)
     attitudes = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 1, 0], [0, -1, 1], [1, 1, 1]])
     rows["ref"] = np.repeat(20000.0 * attitudes, 40, axis=0)
     noise = np.random.default_rng(2).normal(0, 20.0, rows["dut"].shape)

@@ -42,6 +42,24 @@ def test_what_is_smooth_is_bridged_over_gaps_short_beside_its_memory() -> None:
     assert not sure[T >= 590.0].any()  # nothing comes after
 
 
+def test_slow_telemetry_of_what_is_smooth_names_its_cause(
+    making: ModuleType, tmp_path: Path, closed_loop: Callable[[Path], tuple[int, dict[str, Any], str]]
+) -> None:
+    """Four of five cells are empty: two lines in time would do as well as the current that they are."""
+    rows, segments = making.recorded(seed=3)
+    t = rows["t_s"]
+    current = 0.3 + 0.2 * np.sin(t / 5.3) + 0.1 * np.sin(t / 17.0)
+    rows["dut"] = rows["dut"] + current[:, None] * [180.0, 90.0, -240.0]
+    told = np.arange(len(t)) % 5 == 0
+    rows["i_load"] = np.where(told, current, np.nan)
+    rows["temp"][len(t) // 5 :] = np.nan  # it was lost, and nothing after is sure
+    _, result, _ = closed_loop(making.written(tmp_path, rows, segments))
+    assert [(found["effect"], found["channels"]) for found in result["accepted"]] == [("offset-current", ["i_load"])]
+    assert result["verdict"] == "explained"
+    (silent,) = [found["says"] for found in result["findings"] if found["kind"] == "silent-channel"]
+    assert "no value, nor a sure one between two others, in most rows: temp." in silent
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("levels", [2, 4])
 def test_a_load_with_gaps_is_not_taken_for_its_square(

@@ -44,7 +44,7 @@ KINDS = {
     ),
     "setting of an estimator": (
         "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD USUAL_TURN LINE_CONTRAST",
-        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE ANGLE_DECIMALS",
+        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE ANGLE_DECIMALS", "data.resolution:NEAR OFF",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS BELOW_LOWEST", "noise.marginal:RATIOS",
@@ -63,7 +63,7 @@ KINDS = {
         "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
     ),
     "constant of mathematics": (
-        "data.noise_floor:ROUNDING", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
+        "data.resolution:ROUNDING", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
         "findings.residual_tests:SPIRAL",
     ),
     "run that is simulated": (

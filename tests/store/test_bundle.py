@@ -67,6 +67,58 @@ def test_line_ends_byte_order_marks_and_quotes_are_no_fault(bundle, rows: str, s
 
 
 @pytest.mark.parametrize(
+    ("quantity", "written", "read"),
+    [("temperature", "°C", "degC"), ("humidity", "percent", "%"), ("count", "counts", "count"), ("other", "C", "C")],
+)
+def test_a_unit_may_be_spelt_in_another_way(bundle, quantity: str, written: str, read: str) -> None:
+    def change(header: Any) -> None:
+        header["channels"]["i"] = {"unit": written, "quantity": quantity}
+
+    assert read_bundle(bundle(change)).channel("i").unit == read
+
+
+@pytest.mark.parametrize(
+    ("path", "default"),
+    [
+        ("operator", ""),
+        ("dut.model", ""),
+        ("reference.serial", ""),
+        ("segments.0.note", ""),
+        ("segments.0.reference_frame", "cage"),
+        ("channels.i.role", "dut"),
+    ],
+)
+def test_null_is_no_statement(bundle, path: str, default: str) -> None:
+    said, null = (bundle_of(read_bundle(bundle(change_of(path, value)))) for value in (default, None))
+    assert null.run_json == said.run_json
+
+
+@pytest.mark.parametrize("absent", ["axis_cage", "axis_body"])
+def test_the_attitude_carries_one_axis_from_the_other(bundle, absent: str) -> None:
+    axes = {"axis_body": [1.0, 0.0, 0.0], "axis_cage": [0.0, 0.0, 1.0]}
+    stated = {name: axis for name, axis in axes.items() if name != absent}
+
+    def change(header: Any) -> None:
+        attitude = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
+        header["segments"][0] = {"id": "x", "kind": "rotation", "body_from_cage": attitude, **stated}
+
+    assert list(getattr(read_bundle(bundle(change)).segments[0], absent)) == axes[absent]
+
+
+@pytest.mark.parametrize(
+    ("encoded", "words"),
+    [
+        (lambda text: text.encode("utf-16"), "line 1: expected UTF-8 text, found byte 0xff"),
+        (lambda text: text.replace("\n", "\r").encode(), "line 1: lines end in CR alone; expected LF or CRLF"),
+        (lambda text: text.rstrip().encode(), "the last line has no line end: the file looks cut off"),
+    ],
+)
+def test_a_file_that_does_not_end_in_a_line_end_says_why(bundle, encoded: Any, words: str, sample_rows: str) -> None:
+    with pytest.raises(InputError, match=words):
+        read_bundle(bundle(rows=encoded(sample_rows)))
+
+
+@pytest.mark.parametrize(
     ("line", "column", "text"),
     [
         (3, "dut_x", "nan"),

@@ -15,7 +15,8 @@ from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solutio
 from labcal.fit.vector.system import Noise, evaluate
 from labcal.loop import policy
 from labcal.loop.data.linear_problem import Base
-from labcal.record import Run
+from labcal.loop.data.resolution import rounding_noise
+from labcal.record import Run, Segment
 
 Array = NDArray[np.float64]
 MIN_ROWS = 30  # fewer usable rows than this are refused
@@ -58,23 +59,26 @@ def along_axes(run: Run) -> Run:
     The rows of one run have to offer equally many numbers here; the frame is known from axes as well.
     """
     segments = tuple(
-        replace(s, kind="rotation", axis_cage=(0.0, 0.0, 1.0), axis_body=_third(s.body_from_cage), body_from_cage=None)
-        if s.kind == "static" and s.body_from_cage is not None and s.reference_frame == "cage"
-        else s
-        for s in run.segments
+        _along_an_axis(s) if s.kind == "static" and s.reference_frame == "cage" else s for s in run.segments
     )
     return replace(run, segments=segments, angle_deg=None)
 
 
-def _third(body_from_cage: tuple[tuple[float, ...], ...]) -> tuple[float, float, float]:
-    x, y, z = (row[2] for row in body_from_cage)
-    return x, y, z
+def _along_an_axis(segment: Segment) -> Segment:
+    """A segment at rest as one that turns about its axis, or, where only its attitude is stated, about the cage's z."""
+    if segment.body_from_cage is None:
+        return segment
+    cage, body = segment.axis_cage, segment.axis_body
+    if cage is None or body is None:
+        x, y, z = (row[2] for row in segment.body_from_cage)
+        cage, body = (0.0, 0.0, 1.0), (x, y, z)
+    return replace(segment, kind="rotation", axis_cage=cage, axis_body=body, body_from_cage=None)
 
 
 def declared_noise(run: Run) -> float:
-    """Noise of one axis of one reading [DUT units]; a thousandth of the reading where nothing is declared."""
+    """Noise of one axis of one reading with its rounding [DUT units]; where none is declared a thousandth of it."""
     if run.dut.noise_nT:
-        return run.dut.noise_nT / run.dut.nominal_nT_per_unit
+        return float(np.hypot(run.dut.noise_nT / run.dut.nominal_nT_per_unit, rounding_noise(run)))
     return 1e-3 * float(np.sqrt(np.mean(run.reading**2)))
 
 

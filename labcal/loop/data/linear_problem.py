@@ -23,6 +23,7 @@ from labcal.model.effects import Scene, Term
 from labcal.model.effects.protocol import Rig
 from labcal.model.gaps import bridged
 from labcal.record import Run
+from labcal.record.observation import stands_turned
 
 Array = NDArray[np.float64]
 Base = Literal["affine", "gain-offset", "offset"]
@@ -195,8 +196,11 @@ def _rig(run: Run, seen: Observations, phase: Array, prediction: Array) -> Rig:
         cage, body = np.asarray(segment.axis_cage), np.asarray(segment.axis_body)
         stated = segment.body_from_cage
         at_zero = np.asarray(stated) if stated is not None else shortest_rotation(cage, body)
-        if segment.kind != "rotation" or run.angle_deg is None:
+        if run.angle_deg is None or not stands_turned(run, segment):
             to_body[rows] = at_zero
+            continue
+        if segment.kind != "rotation":  # at rest, where no effect of the turning platform looks for it
+            to_body[rows] = rotation(body, -np.radians(run.angle_deg[rows])) @ at_zero
             continue
         start = np.where(seen.group[rows] >= 0, phase[np.maximum(seen.group[rows], 0)], 0.0) if len(phase) else 0.0
         angle[rows] = np.unwrap(np.radians(run.angle_deg[rows]))

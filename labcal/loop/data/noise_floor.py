@@ -12,6 +12,7 @@ from labcal.fit.vector.system import Noise
 from labcal.loop import policy
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.outliers import hampel_outliers
+from labcal.loop.data.resolution import ROUNDING
 from labcal.loop.noise.differences import white_level
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
@@ -21,7 +22,6 @@ Source = Literal["declared", "static", "differences"]
 MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
 ANGLE_DECIMALS = 6  # of a degree, below which changes of the angle are the same
 STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
-ROUNDING = 12  # step² over the variance of what is rounded to steps: a uniform distribution (GUM 4.3.7)
 ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 

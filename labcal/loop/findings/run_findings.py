@@ -13,6 +13,7 @@ from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.noise.differences import white_level
 from labcal.loop.result import Finding
+from labcal.model.gaps import is_known_enough
 from labcal.record import Run
 from labcal.record.run import Channel
 
@@ -28,11 +29,17 @@ def findings(run: Run, problem: LinearProblem, level: NoiseFloor) -> tuple[Findi
 
 
 def silent_channels(run: Run) -> list[Finding]:
-    """Channels that cannot show a cause: without a value, or with one value alone."""
+    """Channels that cannot show a cause: without a value, with one value alone, or with too few to be drawn between."""
     values = {c.name: c.values[np.isfinite(c.values)] for c in run.channels if c.role == "dut"}
     empty = [name for name, known in values.items() if not len(known)]
     constant = [name for name, known in values.items() if len(known) and np.ptp(known) == 0]
-    kinds = ((empty, "no value in this run"), (constant, "one value all through this run"))
+    moving = {c.name: c.values for c in run.channels if c.name in values and c.name not in (*empty, *constant)}
+    sparse = [name for name, column in moving.items() if not is_known_enough(run.t_s, column)]
+    kinds = (
+        (empty, "no value in this run"),
+        (constant, "one value all through this run"),
+        (sparse, "no value, nor a sure one between two others, in most rows"),
+    )
     return [
         Finding("silent-channel", "data", f"Channels with {what}: {', '.join(names)}. They can show no cause.")
         for names, what in kinds

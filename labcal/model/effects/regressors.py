@@ -14,6 +14,7 @@ from labcal.model.effects.past import Past
 from labcal.model.effects.protocol import Array, Scene, Term
 from labcal.model.effects.recursion import affine_recursion
 from labcal.model.effects.shape import MOMENT, Shape
+from labcal.model.gaps import is_known_enough
 from labcal.record import Run, offers
 from labcal.record.run import Channel, Vector
 
@@ -53,17 +54,17 @@ def driving_in_c(term: Term) -> str:
 
 
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:
-    """Channels of the sensor's side with one of these quantities that move and are known for half of the rows."""
-    return [c for c in run.channels if c.role == "dut" and c.quantity in quantities and _moves(c.values)]
+    """Channels of the sensor's side with one of these quantities that move and are known, or sure, in half the rows."""
+    return [c for c in run.channels if c.role == "dut" and c.quantity in quantities and _moves(run, c)]
 
 
 def of_the_rig(run: Run) -> list[Channel]:
-    """Channels of the platform and of the room, a motor, a door, a lift, that move and are known for half the rows.
+    """Channels of platform and room, a motor, a door, a lift, that move and are known, or sure, in half the rows.
 
     What the coils carry makes the cage's own field, which the reference sees; the weather moves nothing magnetic.
     """
     rig = [c for c in run.channels if c.role in ("platform", "room") and c.quantity not in WEATHER]
-    return [c for c in rig if _moves(c.values)]
+    return [c for c in rig if _moves(run, c)]
 
 
 def coils(run: Run) -> list[Channel]:
@@ -79,7 +80,7 @@ def _are_alike(one: Channel, other: Channel) -> bool:
 
 def room_temperatures(run: Run) -> list[Channel]:
     """Temperatures of the room that move and are known for half of the rows: what the rig's instruments follow."""
-    return [c for c in run.channels if c.role == "room" and c.quantity == "temperature" and _moves(c.values)]
+    return [c for c in run.channels if c.role == "room" and c.quantity == "temperature" and _moves(run, c)]
 
 
 def some_moment(run: Run) -> Shape:
@@ -97,9 +98,9 @@ def mountings(run: Run) -> dict[int, Vector]:
     }
 
 
-def _moves(values: Array) -> bool:
-    known = values[np.isfinite(values)]
-    return 2 * len(known) >= len(values) and len(known) > 0 and float(np.ptp(known)) > 0
+def _moves(run: Run, channel: Channel) -> bool:
+    known = channel.values[np.isfinite(channel.values)]
+    return len(known) > 0 and float(np.ptp(known)) > 0 and is_known_enough(run.t_s, channel.values)
 
 
 def middle(channel: Channel) -> float:
