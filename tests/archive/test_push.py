@@ -15,7 +15,7 @@ import pytest
 from conftest import Bundle, rows_of
 from postgres import Server
 
-from labcal import audit, session
+from labcal import audit, certificate, session
 from labcal.certificate import calibration_bytes
 from labcal.cli import execute as labcal
 from labcal.errors import InputError, Stopped
@@ -199,6 +199,28 @@ def test_a_calibration_brings_its_run_and_a_run_its_calibrations(url: str, bundl
     found = archiving.push(elsewhere, ["r1"])
     assert (found.runs, found.calibrations) == (1, 1)
     assert {one["measured_utc"] for one in archiving.archived_calibrations(url)} == {"2026-03-02T08:15:00.000Z"}
+
+
+def test_what_is_there_is_not_verified_again_and_the_log_is_read_once_for_all(
+    url: str, signed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept, looked = home() / "calibrations", list[str]()
+    kept.mkdir()
+    for number in range(3):
+        stated = json.loads(signed.read_text()) | {"run_id": f"r{number}"}
+        (kept / f"r{number}.json").write_text(json.dumps(stated))
+        shutil.copy(f"{signed}.sshsig", kept / f"r{number}.json.sshsig")
+    audit.append(home(), "run", "ada", {"run": "r0"})
+    verify, read = certificate.verify, audit.read
+    monkeypatch.setattr(
+        certificate, "verify", lambda *all_, **named: (looked.append("file"), verify(*all_, **named))[1]
+    )
+    monkeypatch.setattr(audit, "read", lambda place: (looked.append("log"), read(place))[1])
+    assert archiving.push(url).calibrations == 3
+    assert (looked.count("file"), looked.count("log")) == (3, 2)  # whose signatures hold, and to push the log itself
+    looked.clear()
+    assert archiving.push(url).calibrations == 0
+    assert "file" not in looked
 
 
 def test_a_second_signature_is_added_later_and_who_signed_is_told(url: str, signed: Path) -> None:
