@@ -210,7 +210,8 @@ def test_what_is_there_is_not_verified_again_and_the_log_is_read_once_for_all(
         stated = json.loads(signed.read_text()) | {"run_id": f"r{number}"}
         (kept / f"r{number}.json").write_text(json.dumps(stated))
         shutil.copy(f"{signed}.sshsig", kept / f"r{number}.json.sshsig")
-    audit.append(home(), "run", "ada", {"run": "r0"})
+    signature = Path(f"{signed}.sshsig").read_bytes()
+    audit.append(home(), "sign", "ada", {"signature": audit.link_of(signature)})
     verify, read = certificate.verify, audit.read
     monkeypatch.setattr(
         certificate, "verify", lambda *all_, **named: (looked.append("file"), verify(*all_, **named))[1]
