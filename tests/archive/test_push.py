@@ -13,10 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Bundle, rows_of
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 from postgres import Server
 
 from labcal import audit, certificate, session
-from labcal.certificate import calibration_bytes
+from labcal.certificate import calibration_bytes, sshsig
 from labcal.cli import execute as labcal
 from labcal.errors import InputError, Stopped
 from labcal.files.home import home
@@ -204,14 +205,15 @@ def test_a_calibration_brings_its_run_and_a_run_its_calibrations(url: str, bundl
 def test_what_is_there_is_not_verified_again_and_the_log_is_read_once_for_all(
     url: str, signed: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    kept, looked = home() / "calibrations", list[str]()
+    kept, looked, key = home() / "calibrations", list[str](), Ed25519PrivateKey.generate()
     kept.mkdir()
     for number in range(3):
-        stated = json.loads(signed.read_text()) | {"run_id": f"r{number}"}
-        (kept / f"r{number}.json").write_text(json.dumps(stated))
-        shutil.copy(f"{signed}.sshsig", kept / f"r{number}.json.sshsig")
-    signature = Path(f"{signed}.sshsig").read_bytes()
-    audit.append(home(), "sign", "ada", {"signature": audit.link_of(signature)})
+        made = replace(certificate.read_calibration(signed), run_id=f"r{number}")
+        content = calibration_bytes(made)
+        signature = sshsig.sign(content, key).encode()
+        (kept / f"r{number}.json").write_bytes(content)
+        (kept / f"r{number}.json.sshsig").write_bytes(signature)
+        audit.append(home(), "sign", "ada", {"signature": audit.link_of(signature)})
     verify, read = certificate.verify, audit.read
     monkeypatch.setattr(
         certificate, "verify", lambda *all_, **named: (looked.append("file"), verify(*all_, **named))[1]
