@@ -128,22 +128,26 @@ def standing(process: int) -> tuple[float, int, int]:
 
 
 def fill(runs: int) -> None:
-    """So many short runs in the store, of a hundred sensors."""
+    """So many short runs in the store, of a hundred sensors, in one transaction."""
     from labcal.record import Dut, Reference, RunHeader
     from labcal.record.stream import Block
-    from labcal.store import Store, live
+    from labcal.store import Store, chain
+    from labcal.store.items import to_json, to_row
 
-    require_sound, live.require_sound = live.require_sound, lambda *_: None  # before each run: all pages, every time
+    block = to_row(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), np.arange(20.0), np.full((20, 3), 2e4)))
     header = RunHeader("", "", True, "J. Doe", Dut(""), Reference("vector"), procedure="preflight")
-    t_s, readings = np.arange(20.0), np.full((20, 3), 2e4)
-    with Store.open() as store:
+    with Store.open() as store, store._written():
         for number in range(runs):
-            day, sensor = f"20{16 + number // 1000:02}-{1 + number // 28 % 12:02}-{1 + number % 28:02}", number % 100
-            named = replace(header, run_id=f"past-{number}", started_utc=f"{day}T08:00:00Z", dut=Dut(f"EM-{sensor:03}"))
-            with store.begin(named) as writer:
-                writer.write(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t_s, readings))
-                writer.finish("finished")
-    live.require_sound = require_sound
+            day, dut = (
+                f"{2016 + number // 1000}-{1 + number // 28 % 12:02}-{1 + number % 28:02}",
+                f"EM-{number % 100:03}",
+            )
+            named = replace(header, run_id=f"past-{number}", started_utc=f"{day}T08:00:00Z", dut=Dut(dut))
+            text = to_json({**asdict(named), "chain": chain.FORMAT})
+            row = chain.begin(store._connection, named.run_id, text)
+            chain.append(store._connection, row, "status", ("running", named.started_utc))
+            chain.append(store._connection, row, "item", block)
+            chain.append(store._connection, row, "status", ("finished", named.started_utc))
 
 
 def main() -> int:
