@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind coverage sensitivity campaign clients bench gui bundle clean
+.PHONY: demo test lint slow papers blind coverage sensitivity campaign clients bench gui bundle release soak clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
@@ -76,5 +76,12 @@ BUNDLE_PYTHON ?= 3.11
 bundle: $(VENV)/.dev
 	@$(BIN)/python tools/bundle/make.py --out $(BUNDLE) --python $(BUNDLE_PYTHON)
 
+release: $(VENV)/.dev
+	@$(BIN)/python tools/release.py --out dist
+
+SOAK ?= --preflights 30 --minutes 60 --runs 10000
+soak: $(VENV)/.dev
+	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 $(BIN)/python benchmarks/soak.py $(SOAK) --picture docs/images/soak.png
+
 clean:
-	rm -rf $(VENV) $(CLIENTS) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) $(CLIENTS) demo-out soak-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -1,13 +1,11 @@
 """What is installed from: the same bytes from the same source, all of it, and what Qt asks of the system."""
 
-import hashlib
 import io
-import os
+import json
 import re
 import shutil
 import subprocess
 import sys
-import tarfile
 import time
 import tomllib
 from importlib.util import module_from_spec, spec_from_file_location
@@ -15,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 from labcal.qt_packages import QT_PACKAGES
 
@@ -37,28 +36,26 @@ def tracked():
     return [name for name in told.splitlines() if (ROOT / name).is_file()]
 
 
-def built(folder, when_s, umask, names):
-    """Hash by file name of wheel and sdist, built from a copy whose files have another age and other rights."""
-    for name in names:
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(ROOT / name, folder / name)
-        os.chmod(folder / name, 0o666 & ~umask)
-        os.utime(folder / name, (when_s, when_s))
-    command = [sys.executable, "-m", "hatchling", "build", "--directory", str(folder / "out")]
-    environment = {**os.environ, "SOURCE_DATE_EPOCH": "1767600000", "TZ": f"UTC{umask % 7}"}
-    subprocess.run(command, cwd=folder, check=True, capture_output=True, env=environment, timeout=120)
-    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in (folder / "out").iterdir()}
-
-
 def test_two_builds_are_one_wheel_and_one_sdist_and_the_sdist_is_whole(tmp_path):
-    names = tracked()
-    first = built(tmp_path / "a", 1.6e9, 0o022, names)
-    assert len(first) == 2
-    assert built(tmp_path / "elsewhere" / "b", time.time(), 0o077, sorted(names, reverse=True)) == first
-    [packed] = (tmp_path / "a" / "out").glob("*.tar.gz")
-    with tarfile.open(packed) as archive:
-        inside = {name.split("/", 1)[1] for name in archive.getnames()}
-    assert set(names) - inside <= LEFT_BEHIND
+    release, names = tool("release"), tracked()
+    builds = [release.build(tmp_path / f"{n}", names, *how, "1767600000") for n, how in enumerate(release.BUILDS)]
+    assert sorted(builds[0]) == sorted(builds[1])
+    assert [name.rsplit(".", 1)[1] for name in sorted(builds[0])] == ["whl", "gz"]
+    assert builds[0] == builds[1]
+    [sdist] = (content for name, content in builds[0].items() if name.endswith(".gz"))
+    assert release.lacking(sdist, names) == []
+    assert release.lacking(sdist, [*names, "labcal/another.py"]) == ["labcal/another.py"]
+
+
+def test_the_inventory_names_what_labcal_and_its_extras_need_with_licences():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    release = tool("release")
+    listed = json.loads(release.inventory(release.needed("labcal")))["components"]
+    names = {one["name"]: one["licenses"][0]["license"]["name"] for one in listed}
+    assert {canonicalize_name(Requirement(text).name) for text in project["dependencies"]} < names.keys()
+    assert "BSD" in names["numpy"]
+    assert "contourpy" in names  # of matplotlib
+    assert not {"pytest", "ruff", "mypy"} & names.keys()
 
 
 def test_readme_names_what_the_window_needs_of_the_system():

@@ -6,7 +6,7 @@ file that names no approver, or one who has not signed, is PROVISIONAL: valid, a
 
 from __future__ import annotations
 
-import re
+import os
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime
@@ -30,6 +30,7 @@ from labcal.model import Calibration
 from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
+MOST_SIGNATURES = 99  # beside one file
 Status = Literal["released", "provisional", "unsigned", "invalid", "expired", "superseded"]
 Shown = Callable[[Path, bytes], ShownTime | None]  # a signature's file and bytes: since when they are shown to be there
 Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
@@ -304,9 +305,8 @@ def verify(
 
 def signature_files(path: Path) -> list[Path]:
     """The signature files that lie beside the calibration at `path`, in order of signing."""
-    numbered = re.compile(re.escape(path.name) + r"(?:\.(?P<number>[2-9]|[1-9]\d))?\.sshsig")
-    found = [(int(m["number"] or 1), f) for f in path.parent.iterdir() if (m := numbered.fullmatch(f.name))]
-    return [file for _, file in sorted(found)]
+    named = (_signature_path(path, number) for number in range(1, MOST_SIGNATURES + 1))
+    return [file for file in named if os.path.lexists(file)]  # asked one by one: a folder may hold thousands of files
 
 
 def _signature_path(path: Path, number: int) -> Path:

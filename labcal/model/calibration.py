@@ -180,11 +180,16 @@ def k_means(effects: Sequence[EffectRecord], k_at: Mapping[str, float] | None = 
     """What k belongs to beside these effects, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
     effects = [effect for effect in effects if effect.basis is None]  # that is zero on the mean, nowhere by itself
     stated = {name: value for effect in effects for name, value in effect.reference_value.items()}
-    units = {name: _unit_of_drive(effect) for effect in effects for name in effect.channels[:1]}
+    units = units_of_channels(effects)
     said = [
         f"{name} = {value:.4g} {units.get(name, '')}".rstrip() for name, value in {**stated, **(k_at or {})}.items()
     ]
     return f"at {', '.join(said)}" if said else ""
+
+
+def units_of_channels(effects: Sequence[EffectRecord]) -> dict[str, str]:
+    """The unit of each channel that drives an effect, as it is printed; empty where it is open."""
+    return {name: _unit_of_drive(effect) for effect in effects for name in effect.channels[:1]}
 
 
 def _unit_of_drive(effect: EffectRecord) -> str:

@@ -48,19 +48,23 @@ def note_import(run: str, store: Store) -> None:
 
 def noted_utc(signature: bytes) -> datetime | None:
     """When the log took down that these bytes signed a file; None where it did not, or is not as it was written."""
-    try:
-        digest, rows = sha256(signature).hexdigest(), audit.stored(home())
-        if not any(digest.encode() in text for _, text, _ in rows):
-            return None
-        log = audit.read(home())
-    except InputError:
-        return None
-    latest = ""
-    for entry in () if log.fault else log.entries:
-        latest = max(latest, entry.utc)  # a clock that was put back shows nothing earlier than what it had told
-        if entry.deed in ("sign", "approve") and entry.about.get("signature") == digest:
-            return datetime.fromisoformat(latest)
+    digest = sha256(signature).hexdigest()
+    with suppress(InputError):
+        if any(digest.encode() in text for _, text, _ in audit.stored(home())):
+            return noted_signatures().get(digest)
     return None
+
+
+def noted_signatures() -> dict[str, datetime]:
+    """When the log took down each signature, by its SHA-256; none where it is not as it was written."""
+    found, latest = dict[str, datetime](), ""
+    with suppress(InputError):
+        log = audit.read(home())
+        for entry in () if log.fault else log.entries:
+            latest = max(latest, entry.utc)  # a clock that was put back shows nothing earlier than what it had told
+            if entry.deed in ("sign", "approve") and "signature" in entry.about:
+                found.setdefault(entry.about["signature"], datetime.fromisoformat(latest))
+    return found
 
 
 def noted_heads() -> dict[str, tuple[str, ...]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
+from datetime import datetime
 from pathlib import Path
 from typing import Self
 
@@ -30,10 +31,10 @@ from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.record import Run
 from labcal.session.archiving import Pushed, own_site, place_of_bundles
-from labcal.session.audited import note
+from labcal.session.audited import note, noted_signatures
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING, signatures
 from labcal.session.sources import is_path, run_bundle
-from labcal.store import Bundle, RunSummary, Store, zipped
+from labcal.store import Bundle, Store, zipped
 from labcal.store.listing import FILE as STORE
 
 FINISHED = ("finished", "imported")
@@ -54,6 +55,8 @@ class Pusher:
     calibrations: int = 0
     entries: int = 0
     refused: list[str] = field(default_factory=list)
+    _made_from: dict[str, list[Path]] | None = None
+    _noted: dict[str, datetime] | None = None
 
     @classmethod
     def at(cls, archive: Archive, bundles: str | None, tell: Callable[[str], None]) -> Self:
@@ -87,9 +90,16 @@ class Pusher:
             self._calibration(Path(name))
         else:
             digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name)
+            for path in self._calibrations_of(digest):
+                self._calibration(path)
+
+    def _calibrations_of(self, digest: str) -> list[Path]:
+        """This lab's signed calibrations that were made from the run of this SHA-256."""
+        if self._made_from is None:
+            self._made_from = {}
             for path in _signed_calibrations():
-                if certificate.read_calibration(path).run_sha256 == digest:
-                    self._calibration(path)
+                self._made_from.setdefault(certificate.read_calibration(path).run_sha256, []).append(path)
+        return self._made_from.get(digest, [])
 
     def _new_runs(self) -> Iterator[str]:
         """Finished runs of the store whose chains the archive does not know."""
@@ -102,12 +112,12 @@ class Pusher:
     def _of_store(self, run_id: str) -> str:
         """Push a run of the store; returns its SHA-256."""
         with closing(Store.read_only(home() / STORE)) as store:
-            head, summary = store.head_of(run_id), _summary(store, run_id)
+            summary, head = store.summary(run_id), store.head_of(run_id)
             if summary.status not in FINISHED:
                 raise InputError(f"run {run_id} is {summary.status}: only a finished run goes into the archive")
             if head is not None and head in self.there.heads:
                 return self.there.heads[head]
-            bundle, run = store.bundle(run_id, with_chain=True), store.run(run_id)
+            bundle, run = store.bundle_and_run(run_id)
             instruments = () if summary.status == "imported" else store.header(run_id).instruments
         return self._bundle(bundle, run, summary.status, summary.procedure, instruments, head)
 
@@ -132,18 +142,32 @@ class Pusher:
         return digest
 
     def _calibration(self, path: Path) -> None:
-        content = read_limited(path, LARGEST_BYTES)
-        calibration = certificate.parse_calibration(content, path)
-        documents = [*_signatures(path, content), *_reports(path)]
-        if not any(one.kind == "signature" for one in documents):
-            raise InputError("is a draft: the archive takes a calibration that is signed", file=path)
+        content, reports = read_limited(path, LARGEST_BYTES), list(_reports(path))
+        signed = [file for file in certificate.signature_files(path) if file.is_file()]
         digest = audit.link_of(content)
-        if all((digest, one.sha256) in self.there.documents for one in documents):
+        beside = {one.sha256 for one in reports} | {audit.link_of(read_limited(one, LARGEST_BYTES)) for one in signed}
+        if signed and all((digest, one) in self.there.documents for one in beside):
             return
+        calibration = certificate.parse_calibration(content, path)
+        if not signed:
+            raise InputError("is a draft: the archive takes a calibration that is signed", file=path)
         self._its_run(calibration)
+        documents = [*self._signatures(path, content), *reports]
         if push_calibration(self.archive, self.site, calibration, content, documents):
             self.calibrations += 1
             self._say("calibration", path.name, digest)
+
+    def _signatures(self, path: Path, content: bytes) -> Iterator[Document]:
+        """The signatures beside the file, with what this lab's trust list says of each now."""
+        if self._noted is None:  # once for all: to look at every entry of a log of years takes seconds
+            self._noted = noted_signatures()
+        found = signatures(path, noted=self._noted)
+        if found.content != content:
+            raise InputError("was written to while it was read", file=path)
+        for check in found.checks:
+            if check.file.is_file():
+                signature = read_limited(check.file, LARGEST_BYTES)
+                yield Document("signature", check.file.name, signature, check.principal or "", check.objection or "")
 
     def _its_run(self, calibration: Calibration) -> None:
         """Push the run that the calibration was made from, where the store has it unchanged and it is not there yet."""
@@ -180,26 +204,10 @@ class Pusher:
         self.entries = push_audit(self.archive, self.site, log, [_entry(*pair) for pair in pairs])
 
 
-def _summary(store: Store, run_id: str) -> RunSummary:
-    store.status(run_id)  # raises InputError where there is none
-    return next(run for run in store.runs() if run.run_id == run_id)
-
-
 def _signed_calibrations() -> Iterator[Path]:
     """The window's calibrations and those that took the place of others, so far as they are signed."""
     for folder in (home() / CALIBRATIONS, home() / SUPERSEDING):
         yield from (path for path in sorted(folder.glob("*.json")) if certificate.signature_files(path))
-
-
-def _signatures(path: Path, content: bytes) -> Iterator[Document]:
-    """The signatures beside the file, with what this lab's trust list says of each now."""
-    found = signatures(path)
-    if found.content != content:
-        raise InputError("was written to while it was read", file=path)
-    for check in found.checks:
-        if check.file.is_file():
-            signature = read_limited(check.file, LARGEST_BYTES)
-            yield Document("signature", check.file.name, signature, check.principal or "", check.objection or "")
 
 
 def _reports(path: Path) -> Iterator[Document]:

@@ -9,7 +9,7 @@ from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, Literal
 
 from labcal import certificate
 from labcal.certificate import Stated, Verification, read_allowed_signers
@@ -132,26 +132,34 @@ def signatures(
     run_sha256: str | None = None,
     chain: Mapping[str, Any] | None = None,
     came: Mapping[str, datetime] | None = None,
+    noted: Mapping[str, datetime] | None = None,
 ) -> Verification:
     """The signatures alone, against the lab's trust list or the one that is named; whom the lab revoked is revoked.
 
-    `came` says when each, by its SHA-256, came to the archive.
+    `came` says when each, by its SHA-256, came to the archive; `noted` when the audit log took it down, where the
+    caller has read that for many files at once.
     """
     own = handed_out()
     signers = with_revocations(read_allowed_signers(allowed_signers), own) if allowed_signers else own
     revoked = certificate.keys.revoked(home())
     return certificate.verify(
-        path, signers, revoked, datetime.now(UTC), run_sha256, chain, shown=partial(shown, came=came)
+        path, signers, revoked, datetime.now(UTC), run_sha256, chain, shown=partial(shown, came=came, noted=noted)
     )
 
 
-def shown(file: Path, signature: bytes, came: Mapping[str, datetime] | None = None) -> ShownTime | None:
+def shown(
+    file: Path,
+    signature: bytes,
+    came: Mapping[str, datetime] | None = None,
+    noted: Mapping[str, datetime] | None = None,
+) -> ShownTime | None:
     """Since when a signature is shown to be there, the earliest that is shown: by a token beside it of an authority
     that this lab trusts, by the lab's audit log, or by when it `came` to the archive.
     """
-    token, noted = shown_utc(file, signature, authorities()), noted_utc(signature)
-    seen = [ShownTime(token, "token")] if token is not None else []
-    seen += [ShownTime(noted, "audit log")] if noted is not None else []
-    if (there := (came or {}).get(sha256(signature).hexdigest())) is not None:
-        seen.append(ShownTime(there, "archive"))
-    return min(seen, key=lambda one: one.utc, default=None)
+    digest = sha256(signature).hexdigest()
+    seen: list[tuple[datetime | None, Literal["token", "audit log", "archive"]]] = [
+        (shown_utc(file, signature, authorities()), "token"),
+        (noted_utc(signature) if noted is None else noted.get(digest), "audit log"),
+        ((came or {}).get(digest), "archive"),
+    ]
+    return min((ShownTime(utc, by) for utc, by in seen if utc is not None), key=lambda one: one.utc, default=None)

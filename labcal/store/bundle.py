@@ -22,6 +22,7 @@ from labcal.store.samples_csv import read_samples, write_samples
 from labcal.store.zip_directory import refuse_a_long_directory
 
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)
+ZIP_LEVEL = 1  # an eighth larger than at level 6, in a fifth of the time: what is pushed goes at the disk's pace
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +156,7 @@ def zipped(bundle: Bundle) -> bytes:
                 continue
             member = zipfile.ZipInfo(name, ZIP_DATE)
             member.create_system, member.external_attr = 3, (stat.S_IFREG | 0o644) << 16
-            archive.writestr(member, content, zipfile.ZIP_DEFLATED, 6)
+            archive.writestr(member, content, zipfile.ZIP_DEFLATED, ZIP_LEVEL)
     return buffer.getvalue()
 
 

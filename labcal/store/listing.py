@@ -44,11 +44,12 @@ def list_runs(path: Path | None = None) -> list[RunSummary]:
         return summaries(connection, path)
 
 
-def summaries(connection: Connection, path: Path) -> list[RunSummary]:
-    """All runs, the oldest first."""
+def summaries(connection: Connection, path: Path, number: int | None = None) -> list[RunSummary]:
+    """All runs, the oldest first; with `number` the one that the store has under it."""
+    chosen = "" if number is None else f" WHERE number = {number:d}"
     with named_faults(path):
         rows = connection.execute(
-            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run ORDER BY number"
+            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run{chosen} ORDER BY number"
         ).fetchall()
     return [_summary(path, *row) for row in rows]
 

@@ -144,6 +144,11 @@ class Store:
         """All runs, the oldest first."""
         return summaries(self._connection, self.path)
 
+    def summary(self, run_id: str) -> RunSummary:
+        """One line about a run. Raises InputError where there is no such run."""
+        [found] = summaries(self._connection, self.path, self._number(run_id))
+        return found
+
     def first_and_last(self) -> tuple[str, str]:
         """The ids of the run that the store began with and of the newest; "" where it has none."""
         found = [self._all(f"SELECT run_id FROM run ORDER BY number {way} LIMIT 1") for way in ("ASC", "DESC")]
@@ -211,7 +216,7 @@ class Store:
         """The run's rows, as far as they are committed. Raises InputError where there is no such run."""
         self.chain_of(run_id)
         imported = self._imported(run_id)
-        return assemble(self.header(run_id), self.items(run_id, raw=False)) if imported is None else imported.run()
+        return self._recorded(run_id) if imported is None else imported.run()
 
     def bundle(self, run_id: str, *, with_chain: bool = False) -> Bundle:
         """The run's exported bundle, with its chain.jsonl where it is asked for; of an imported run what came in.
@@ -219,10 +224,22 @@ class Store:
         A run that has not ended hands out no chain: nobody could tell it from one that was cut off.
         """
         origin, imported = self.chain_of(run_id), self._imported(run_id)
+        return self._exported(run_id, self._recorded(run_id), origin, with_chain) if imported is None else imported
+
+    def bundle_and_run(self, run_id: str) -> tuple[Bundle, Run]:
+        """The bundle with its chain, as `bundle` has it, and its rows: what is stored is walked and read once."""
+        origin, imported = self.chain_of(run_id), self._imported(run_id)
         if imported is not None:
-            return imported
+            return imported, imported.run()
+        run = self._recorded(run_id)
+        return self._exported(run_id, run, origin, with_chain=True), run
+
+    def _recorded(self, run_id: str) -> Run:
+        return assemble(self.header(run_id), self.items(run_id, raw=False))
+
+    def _exported(self, run_id: str, run: Run, origin: chain.Chain | None, with_chain: bool) -> Bundle:
         lines = chain_jsonl(self._connection, self._number(run_id)) if with_chain and ends(self.status(run_id)) else b""
-        return replace(bundle_of(self.run(run_id)), chain=lines, origin=origin)
+        return replace(bundle_of(run), chain=lines, origin=origin)
 
     def chain_of(self, run_id: str) -> chain.Chain | None:
         """The head of the chain that binds all that the store has of a run; None for a run of before there were chains.

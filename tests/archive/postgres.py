@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 OWNER = "keeper"
 WITHIN_S = 120  # for a server that never starts, not for a busy machine
 NUMBERS = count()
-# -F: it does not wait for the disk, for what is lost here is no loss.
-SETTINGS = "-F -c listen_addresses= -c shared_buffers=16MB -c max_connections=30 -c autovacuum=off"
+SETTINGS = "-c listen_addresses= -c shared_buffers=16MB -c max_connections=30 -c autovacuum=off"
+HASTY = "-F"  # it does not wait for the disk, for what is lost in tests is no loss
 
 
 class NoServerError(Exception):
@@ -88,8 +88,9 @@ class Server:
 
 
 @contextmanager
-def server() -> Iterator[Server]:
+def server(*, hasty: bool = True) -> Iterator[Server]:
     """Raises NoServerError."""
+    settings = f"{HASTY} {SETTINGS}" if hasty else SETTINGS
     found, user = programs(), ordinary_user()
     folder = Path(tempfile.mkdtemp(prefix="labcal-pg-", dir="/tmp"))
     try:
@@ -97,7 +98,7 @@ def server() -> Iterator[Server]:
         made = ["-U", OWNER, "-A", "trust", "-N", "--wal-segsize=1", "-E", "UTF8", "--locale=C"]
         done([found / "initdb", "-D", folder / "data", *made], user)
         control = [found / "pg_ctl", "-D", folder / "data", "-w", "-t", str(WITHIN_S)]
-        done([*control, "-l", folder / "log", "-o", f"{SETTINGS} -k {folder}", "start"], user)
+        done([*control, "-l", folder / "log", "-o", f"{settings} -k {folder}", "start"], user)
         try:
             yield Server(folder, found)
         finally:

@@ -13,10 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Bundle, rows_of
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 from postgres import Server
 
-from labcal import audit, session
-from labcal.certificate import calibration_bytes
+from labcal import audit, certificate, session
+from labcal.certificate import calibration_bytes, sshsig
 from labcal.cli import execute as labcal
 from labcal.errors import InputError, Stopped
 from labcal.files.home import home
@@ -199,6 +200,30 @@ def test_a_calibration_brings_its_run_and_a_run_its_calibrations(url: str, bundl
     found = archiving.push(elsewhere, ["r1"])
     assert (found.runs, found.calibrations) == (1, 1)
     assert {one["measured_utc"] for one in archiving.archived_calibrations(url)} == {"2026-03-02T08:15:00.000Z"}
+
+
+def test_what_is_there_is_not_verified_again_and_the_log_is_read_once_for_all(
+    url: str, signed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept, looked, key = home() / "calibrations", list[str](), Ed25519PrivateKey.generate()
+    kept.mkdir()
+    for number in range(3):
+        made = replace(certificate.read_calibration(signed), run_id=f"r{number}")
+        content = calibration_bytes(made)
+        signature = sshsig.sign(content, key).encode()
+        (kept / f"r{number}.json").write_bytes(content)
+        (kept / f"r{number}.json.sshsig").write_bytes(signature)
+        audit.append(home(), "sign", "ada", {"signature": audit.link_of(signature)})
+    verify, read = certificate.verify, audit.read
+    monkeypatch.setattr(
+        certificate, "verify", lambda *all_, **named: (looked.append("file"), verify(*all_, **named))[1]
+    )
+    monkeypatch.setattr(audit, "read", lambda place: (looked.append("log"), read(place))[1])
+    assert archiving.push(url).calibrations == 3
+    assert (looked.count("file"), looked.count("log")) == (3, 2)  # whose signatures hold, and to push the log itself
+    looked.clear()
+    assert archiving.push(url).calibrations == 0
+    assert "file" not in looked
 
 
 def test_a_second_signature_is_added_later_and_who_signed_is_told(url: str, signed: Path) -> None:

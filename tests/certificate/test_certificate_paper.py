@@ -18,7 +18,7 @@ from labcal.certificate.report.front import images_in
 from labcal.certificate.report.html import html
 from labcal.certificate.report.style import with_uncertainty
 from labcal.errors import InputError
-from labcal.model import Calibration
+from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
 from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
 
@@ -148,6 +148,28 @@ def test_what_is_no_certificate_of_a_real_sensor_says_so_across_the_page(
     assert page_of(path, issued, lab).front.stamp == ""
     path.write_bytes(path.read_bytes() + b" ")
     assert page_of(path, issued, lab).front.stamp == "SIGNATURE NOT VALID"
+
+
+def test_nothing_simulated_is_in_an_accreditation_s_scope(issued: Calibration, tmp_path: Path):
+    assert "SCS 0999" not in words(page_of(tmp_path / "cal.json", replace(issued, simulated=True)))
+    for name in ("logo", "accreditation"):
+        (tmp_path / f"{name}.svg").write_text("<svg/>")
+    assert len(images_in(tmp_path)) == 2
+    assert images_in(tmp_path, accredited=False) == images_in(tmp_path)[:1]
+
+
+def test_units_are_printed_with_their_symbols_and_points_with_their_units(issued: Calibration, tmp_path: Path):
+    effect = EffectRecord("offset-current", ("i_eps",), {"i_eps": 0.05}, "sensor",
+                          (Parameter("c_x", 900.0, 9.0, "nT/A"),))  # fmt: skip
+    at, angle = "50 µT along +x, i_eps = 0.4276", {"quantity": "off 90° x-y", "at": "", "unit": "deg"}
+    correlated = {"one": "K_xy", "other": "k_x", "r": -0.93}
+    budgets = ({**BUDGET, "at": at, "correlations": (correlated,)}, {**BUDGET, **angle})
+    told = words(page_of(tmp_path / "cal.json", replace(issued, budget=budgets, effects=(effect,))))
+    assert "50 µT along +x, i_eps = 0.4276 A 17" in told
+    assert "b x at 50 µT along +x, i_eps = 0.4276 A: U = 17 nT" in told
+    assert "i_eps counts from 0.05 A." in told
+    assert "K_xy and k_x −0.93" in told
+    assert "off 90° x-y – 17 2.00 °" in told
 
 
 def test_what_a_file_says_ends_no_style_sheet(issued: Calibration, tmp_path: Path):

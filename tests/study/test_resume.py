@@ -161,6 +161,21 @@ def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bytes(
     assert bytes_of(tmp_path / "out") == reference
 
 
+def test_a_study_on_a_cluster_that_was_killed_goes_on_to_the_same_bytes(
+    study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: tuple[str, list[subprocess.Popen[bytes]]]
+) -> None:
+    out, (address, _) = tmp_path / "out", cluster
+    command = [sys.executable, "-m", "labcal", "study", str(study), "--out", str(out), "--scheduler", address]
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    until(lambda: len(list(out.glob("jobs/*.json"))) >= 1)
+    process.kill()
+    process.wait()
+    kept = len(list(out.glob("jobs/*.json")))
+    assert not (out / "table.csv").exists()
+    assert run_study(study, out, scheduler=address).kept_before == kept
+    assert bytes_of(out) == reference
+
+
 def test_a_scheduler_that_is_not_there_is_said(study: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("distributed", reason="the extra `cluster` is not installed")
     for address, said in (("somewhere://x", "is no address such as"), ("nonsense:::", "scheduler")):

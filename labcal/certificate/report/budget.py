@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from labcal.certificate.report.page import Block, Plot, Table
-from labcal.certificate.report.style import NOTHING, TEXT, decimals_for, ink, number, two_digits
+from labcal.certificate.report.style import NOTHING, TEXT, decimals_for, ink, number, printed_unit, two_digits
 from labcal.model import Calibration
+from labcal.model.calibration import units_of_channels
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase
@@ -22,7 +24,7 @@ BAR_IN = 0.17
 def field_blocks(c: Calibration) -> list[Block]:
     """U of the field's components over the working range; nothing without a budget."""
     field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
-    return [_field_table(field)] if field else []
+    return [_field_table(field, units_of_channels(c.effects))] if field else []
 
 
 def budget_blocks(c: Calibration) -> list[Block]:
@@ -36,7 +38,7 @@ def budget_blocks(c: Calibration) -> list[Block]:
     picture = Plot(
         lambda figure: draw_shares(figure, drawn), 0.9 + BAR_IN * len(drawn), "What makes up the variance of each."
     )
-    return [_figures_table(figures), picture, *map(_rows_table, in_full)]
+    return [_figures_table(figures), picture, *(_rows_table(one, units_of_channels(c.effects)) for one in in_full)]
 
 
 def _of_one_kind(field: Sequence[One], figures: Sequence[One]) -> list[list[One]]:
@@ -44,31 +46,34 @@ def _of_one_kind(field: Sequence[One], figures: Sequence[One]) -> list[list[One]
     return [kind for kind in kinds if kind]
 
 
-def _field_table(field: Sequence[One]) -> Table:
+def _field_table(field: Sequence[One], units: Mapping[str, str]) -> Table:
     """A row a point: U of each component."""
     rows = []
     for point in dict.fromkeys(b["at"] for b in field):
         of_point = [b for b in field if b["at"] == point]
         worst = max(of_point, key=lambda b: b["U"])
-        rows.append((point, *(two_digits(b["U"]) for b in of_point), _k(worst), largest(worst)))
+        rows.append((_with_units(point, units), *(two_digits(b["U"]) for b in of_point), _k(worst), largest(worst)))
     header = ("At", "U(b x) nT", "U(b y) nT", "U(b z) nT", "k", "Largest contributions (to the largest U)")
     note = "U of each component of the field from one reading; about 95 %. All rows of every budget are in the file."
     return Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note)
 
 
 def _figures_table(figures: Sequence[One]) -> Table:
-    rows = tuple((b["quantity"], b["at"] or NOTHING, two_digits(b["U"]), _k(b), b["unit"], largest(b)) for b in figures)
+    rows = tuple(
+        (b["quantity"], b["at"] or NOTHING, two_digits(b["U"]), _k(b), printed_unit(b["unit"]), largest(b))
+        for b in figures
+    )
     return Table(("Figure", "At", "U", "k", "Unit", "Largest contributions"), rows, frozenset({2, 3}))
 
 
-def _rows_table(b: One) -> Table:
+def _rows_table(b: One, units: Mapping[str, str]) -> Table:
     """One budget in full, the largest contribution first (GUM, 7.2.7)."""
     rows = tuple(
         (
             row["source"],
             row["type"],
             row["distribution"],
-            f"{number(row['u'], decimals_for([row['u']]))} {row['unit']}",
+            f"{number(row['u'], decimals_for([row['u']]))} {printed_unit(row['unit'])}",
             f"{row['sensitivity']:.3g}".replace("-", "−"),
             number(abs(row["u"] * row["sensitivity"]), decimals_for([b["U"]]) + 1),
             f"{100 * row['share']:.1f} %",
@@ -76,13 +81,21 @@ def _rows_table(b: One) -> Table:
         )
         for row in sorted(b["rows"], key=lambda row: -row["share"])
     )
-    at = f" at {b['at']}" if b["at"] else ""
-    U, dof = f"{two_digits(b['U'])} {b['unit']}", dof_text(b["dof"])
+    at = f" at {_with_units(b['at'], units)}" if b["at"] else ""
+    unit = printed_unit(b["unit"])
+    U, dof = f"{two_digits(b['U'])} {unit}", dof_text(b["dof"])
     said = f"{b['quantity']}{at}: U = {U}, k = {_k(b)}, effective degrees of freedom {dof}."
-    if pairs := ", ".join(f"{c['one']} and {c['other']} {c['r']:+.2f}" for c in b["correlations"]):
+    if pairs := ", ".join(f"{c['one']} and {c['other']} {c['r']:+.2f}".replace("-", "−") for c in b["correlations"]):
         said += f" The sources are independent; of the fitted parameters these are correlated: {pairs}."
-    header = ("Source", "Type", "Distribution", "u", "Sensitivity", f"|c·u| ({b['unit']})", "Share", "DoF")
+    header = ("Source", "Type", "Distribution", "u", "Sensitivity", f"|c·u| ({unit})", "Share", "DoF")
     return Table(header, rows, frozenset({3, 4, 5, 6, 7}), said)
+
+
+def _with_units(at: str, units: Mapping[str, str]) -> str:
+    """A point in words with the units of its channels, where a file states their numbers alone."""
+    for name, unit in units.items():
+        at = re.sub(rf"(?<= {re.escape(name)} = )[^ ,]+(?=,|$)", rf"\g<0> {unit}", at)
+    return at
 
 
 def largest(b: One, most: int = 2) -> str:

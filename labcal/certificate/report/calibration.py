@@ -34,9 +34,10 @@ from labcal.certificate.report.page import (
     section,
     sections,
 )
-from labcal.certificate.report.style import NOTHING, number, sentence, two_digits, with_uncertainty
+from labcal.certificate.report.style import NOTHING, number, printed_unit, sentence, two_digits, with_uncertainty
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
+from labcal.model.calibration import units_of_channels
 from labcal.model.effects import find
 from labcal.record import Dut, Run
 from labcal.uncertainty.conformity import Changes, stated_lines
@@ -131,7 +132,7 @@ def _effect_table(effect: EffectRecord) -> Table:
 
 def _parameter_row(p: Parameter, kind: str | None = None) -> tuple[str, str, str, str]:
     name = f"{p.name} ({kind})" if kind else p.name
-    return name, *with_uncertainty(p.value, COVERAGE * p.u), p.unit.replace("degC", "°C")
+    return name, *with_uncertainty(p.value, COVERAGE * p.u), printed_unit(p.unit)
 
 
 def _why(effect: EffectRecord) -> str:
@@ -144,7 +145,11 @@ def _why(effect: EffectRecord) -> str:
     said += [
         f"Rival: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
     ]
-    said += [f"{name} counts from {value:g}." for name, value in effect.reference_value.items()]
+    units = units_of_channels([effect])
+    said += [
+        f"{name} counts from {value:g} {units.get(name, '')}".rstrip() + "."
+        for name, value in effect.reference_value.items()
+    ]
     return " ".join(filter(None, said))
 
 

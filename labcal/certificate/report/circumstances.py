@@ -50,9 +50,10 @@ def identity(c: Calibration, run: Run | None, said: Circumstances) -> Facts:
     """Laboratory, customer, item, dates, place, method (7.8.2.1 b, c, e to k)."""
     stated = said.administrative
     item, laboratory = stated.item, stated.laboratory
+    accredited = laboratory.accreditation if laboratory and not c.simulated else ""  # nothing simulated is in its scope
     rows = [
         ("Laboratory", _address(laboratory)),
-        *([("Accreditation", laboratory.accreditation)] if laboratory and laboratory.accreditation else []),
+        *([("Accreditation", accredited)] if accredited else []),
         ("Customer", _address(stated.customer)),
         ("Item", _item(c, item.manufacturer if item else None)),
         ("Condition of the item", (item and item.condition) or NOT_STATED),

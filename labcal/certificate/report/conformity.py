@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from labcal.certificate.report.page import Block, Mark, Prose, Table, Tone
-from labcal.certificate.report.style import number, with_uncertainty
+from labcal.certificate.report.style import number, printed_unit, with_uncertainty
 from labcal.uncertainty.conformity import WORDS, Change, Changes, Judged, ratio_in_words, risk_in_words
 
 MARKS: dict[str, tuple[str, Tone]] = {
@@ -46,7 +46,7 @@ def conformity_blocks(lines: Sequence[Judged]) -> list[Block | None]:
 def _line(line: Judged) -> tuple[str, ...]:
     value, U = with_uncertainty(line.value, line.U)
     risk, tur = risk_in_words(line.risk), ratio_in_words(line.tur)
-    return line.quantity, value, U, f"{line.limit:g}", line.unit, WORDS[line.result], risk, tur
+    return line.quantity, value, U, f"{line.limit:g}", printed_unit(line.unit), WORDS[line.result], risk, tur
 
 
 def change_blocks(found: Changes | None) -> list[Block | None]:
@@ -63,4 +63,11 @@ def _change(row: Change) -> tuple[str, ...]:
     U = row.U or float("nan")
     numbers = (with_uncertainty(value, U)[0] for value in (row.found, row.left, row.left - row.found))
     e_n = number(row.e_n, 2)
-    return row.quantity, *numbers, with_uncertainty(U, U)[1], row.unit, e_n, "changed" if row.changed else ""
+    return (
+        row.quantity,
+        *numbers,
+        with_uncertainty(U, U)[1],
+        printed_unit(row.unit),
+        e_n,
+        "changed" if row.changed else "",
+    )

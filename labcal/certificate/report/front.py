@@ -40,9 +40,13 @@ def stamp(c: Calibration, v: Verification) -> str:
     return " · ".join(said)
 
 
-def images_in(folder: Path) -> tuple[str, ...]:
-    """The logo and the accreditation mark in `folder`, as far as they are there and small enough to be printed."""
-    there = (folder / f"{name}{ending}" for name in IMAGES for ending in KINDS)
+def images_in(folder: Path, *, accredited: bool = True) -> tuple[str, ...]:
+    """The logo and the accreditation mark in `folder`, as far as they are there and small enough to be printed.
+
+    Without `accredited` the logo alone: nothing simulated is in an accreditation's scope.
+    """
+    names = IMAGES if accredited else IMAGES[:1]
+    there = (folder / f"{name}{ending}" for name in names for ending in KINDS)
     return tuple(_data(KINDS[f.suffix], f.read_bytes()) for f in there if _printable(f))
 
 

@@ -14,6 +14,7 @@ AXES = ("#d55e00", "#009e73", "#0072b2")  # x, y, z: vermilion, green, blue
 INKS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#57606a", "#000000")
 MARKERS = "o^sDvP<>"
 WIDTH_IN = 7.0
+SYMBOLS = {"uT": "µT", "deg": "°", "arcmin": "′", "arcsec": "″"}
 NOTHING = "–"
 LONGEST_LABEL = 24
 
@@ -75,6 +76,11 @@ def number(value: float | None, decimals: int = 1) -> str:
     if not text.strip("-0.,"):
         text = text.lstrip("-")
     return text.replace(",", "\u202f").replace("-", "\u2212")
+
+
+def printed_unit(unit: str) -> str:
+    """A unit with its symbol of the SI, where a file has letters for it."""
+    return SYMBOLS.get(unit, unit.replace("degC", "°C"))
 
 
 def sentence(text: str) -> str:
