@@ -19,6 +19,7 @@ class Sources:
 
     noise: FitNoise
     declared: tuple[Contribution, ...]
+    beside_declared: float = 1.0  # part of the residual's square that no declared error can have left
 
     @property
     def covariance(self) -> Array:
