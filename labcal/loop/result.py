@@ -159,9 +159,14 @@ class ClosedLoop:
         )
 
     def metrics(self) -> Mapping[str, Mapping[str, float]]:
-        """Before and after, for the calibration file: after with what it ships, and of how many components it is."""
+        """Before and after, for the calibration file: after with what it ships, and of how many components it is.
+
+        Beside it what of the held-out residual no error can have left that the run declares of reference and mounting.
+        """
         after = {**asdict(self.shipped or self.after), "noise_nT": self.noise_nT}
         after["holdout_components"] = 3.0 if self.residual_kind == "vector" else 1.0
+        if self.sources is not None:
+            after["holdout_beside_declared_nT"] = after["holdout_rms_nT"] * self.sources.beside_declared**0.5
         return {"before": asdict(self.before), "after": after}
 
     def to_json(self) -> dict[str, Any]:

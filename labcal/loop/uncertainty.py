@@ -19,6 +19,7 @@ from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit, derivatives
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.uncertainty import Contribution, DeclaredError, FitNoise, Sources, declared_errors
+from labcal.uncertainty.beside_declared import beside_declared, share
 
 Array = NDArray[np.float64]
 
@@ -64,7 +65,7 @@ def of_the_file(found: JointFit, uncertain: Sources, of_the_sensor: Sequence[boo
     noise = uncertain.noise.onto(B)
     noise.each[:, list(moments), list(moments)] = np.square(list(moments.values()))
     declared = tuple(replace(one, shift=B @ one.shift) for one in uncertain.declared)
-    return OfTheFile(Sources(noise, declared), tuple(names))
+    return OfTheFile(Sources(noise, declared, uncertain.beside_declared), tuple(names))
 
 
 def uncertainty_of(found: JointFit) -> Sources:
@@ -80,7 +81,9 @@ def uncertainty_of(found: JointFit) -> Sources:
         Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift)
         for error, shift in zip(errors, shifts.T, strict=True)
     ]
-    return Sources(_of_noise(found, A, inverse, D), tuple(contributions))
+    y = found.problem.y[found.used]
+    part = share(y, beside_declared(y, _left_by(A, inverse, D)))
+    return Sources(_of_noise(found, A, inverse, D), tuple(contributions), part)
 
 
 def wald_p_values(found: JointFit) -> list[float]:
@@ -125,5 +128,9 @@ def _shown(A: Array, inverse: Array, D: Array) -> Array:
     Of another it is not known that it left anything: beside a scale of the reference there remains the scale times the
     residual itself, and as a column of free size that would take up all of the noise.
     """
-    left = D - np.einsum("nqp,pd->nqd", A, inverse @ np.einsum("nqp,nqd->pd", A, D))
-    return np.asarray(D[:, :, np.sum(left**2, axis=(0, 1)) > 1.0])
+    return np.asarray(D[:, :, np.sum(_left_by(A, inverse, D) ** 2, axis=(0, 1)) > 1.0])
+
+
+def _left_by(A: Array, inverse: Array, D: Array) -> Array:
+    """What one standard deviation of each declared error leaves in the residual (n, q, d), A fitted beside it."""
+    return np.asarray(D - np.einsum("nqp,pd->nqd", A, inverse @ np.einsum("nqp,nqd->pd", A, D)))

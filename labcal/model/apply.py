@@ -193,8 +193,10 @@ def misfit_variance(calibration: Calibration, noise: float) -> float:
     """What the run's held-out residuals keep beyond the noise, as a variance of one component [nT²].
 
     `noise` is that of the field's three components together (rms). Residuals within 1.15 of it count as noise alone.
+    What errors left that the run declares is in the parameters' covariance already.
     """
-    held_out, seen = calibration.metrics.get("after", {}).get("holdout_rms_nT", 0.0), held_out_components(calibration)
+    after, seen = calibration.metrics.get("after", {}), held_out_components(calibration)
+    held_out = after.get("holdout_beside_declared_nT", after.get("holdout_rms_nT", 0.0))
     expected = noise * np.sqrt(seen / 3)
     if held_out <= MATERIAL * expected:
         return 0.0

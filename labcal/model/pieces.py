@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import DELAY, Fitted, Scene, Shape, Term, load_shipped
-from labcal.model.effects.inputs import outside
+from labcal.model.effects.inputs import channels_of, outside
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+EITHER_WAY = {"begun high": 1.0, "begun low": -1.0}  # standard deviations of a state of which nothing is known yet
 BESIDE = 3  # usable rows beyond an effect's reach that a piece has on either side: a cubic's, and its slopes'
 
 
@@ -29,7 +30,7 @@ class Taken:
 
     value: Array  # (n, 3)
     jacobian: Array  # (n, 3, p) by its parameters in their order; zero where it is not known
-    variance: Array  # (n, 3) of what its parameters do not say
+    variance: Array  # (n, 3) of what its parameters do not say: what went before it, what comes after
     usable: Mask  # (n,) rows that have what it needs
     flags: Mapping[str, Mask]  # each (n,)
     late: Mask | None  # (n,) rows where its channel is not known so much earlier or later
@@ -82,6 +83,7 @@ class Walk:
         self.effect = load_shipped(record)
         self._reach_s = (self.effect.family.reach_s(self.effect.term) or 0.0) if remembers(self.effect) else 0.0
         self._left: dict[str, Mapping[str, State]] = {}
+        self._ends = {n: (d.hull[0][0], d.hull[-1][0]) for d in record.domain for n in channels_of(d.inputs)}
         self._steps = self._steps_of_shapes()
 
     @property
@@ -110,6 +112,9 @@ class Walk:
                     jacobian[usable, :, place] = columns[:, :, linear.index(parameter.name)]
                 elif parameter.name in slopes:
                     jacobian[usable, :, place] = (slopes[parameter.name] - value[usable]) / self._steps[parameter.name]
+            if self._left.get(""):  # it is a state, that begins somewhere
+                begun = [self._columns(rows, self.effect.term, one) @ self.effect.beta for one in EITHER_WAY]
+                variance[usable] = np.mean([np.square(one - value[usable]) for one in begun], axis=0)
         if self._record.domain:
             flags["domain"] = self._outside(rows)
         if self._record.basis is not None:  # what has no name is no more than it was seen to be
@@ -159,7 +164,8 @@ class Walk:
             usable = self._usable(around)
             first, last = rows.start - around.start, rows.stop - around.start
             before, own = int(usable[:first].sum()), int(usable[first:last].sum())
-            past = Past(own, self._left.get(variant, {}))
+            astray = EITHER_WAY.get(variant, 0.0)
+            past = Past(own, self._left.get(variant, {}), astray=astray, ends=self._ends)
             columns = term.columns(self._scene(around, usable, past))
             if not self._beyond(around.stop, past.until_s):
                 self._left[variant] = past.after

@@ -19,8 +19,18 @@ class Sources:
 
     noise: FitNoise
     declared: tuple[Contribution, ...]
+    beside_declared: float = 1.0  # part of the residual's square that no declared error can have left
 
     @property
     def covariance(self) -> Array:
         """All together (p, p)."""
         return np.asarray(self.noise.covariance + covariance_of(self.declared, self.noise.each.shape[1]))
+
+    def fewest_dof(self) -> float:
+        """The fewest effective degrees of freedom of any parameter (Welch and Satterthwaite; GUM, G.4.1)."""
+        whole, of_noise = np.diag(self.covariance), np.diag(self.noise.covariance)
+        axes = np.eye(len(whole))
+        found = [
+            self.noise.dof_of(axes[i]) * (whole[i] / of_noise[i]) ** 2 for i in range(len(whole)) if of_noise[i] > 0
+        ]
+        return float(min(found, default=np.inf))

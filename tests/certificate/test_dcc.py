@@ -183,6 +183,19 @@ def test_its_numbers_are_the_file_s(whole: Calibration, run: Run):
     assert numbers(k, ".//si:valueExpandedMUXMLList") == [4.0] * 3
 
 
+def test_parameters_of_few_degrees_of_freedom_have_a_k_that_holds_95_percent(whole: Calibration, run: Run):
+    """ν = 9 behind one angle of the map: t for 95.45 % is 2.32, and no U is stated with less."""
+    angle = {"quantity": "off 90° x–y", "at": "", "unit": "deg", "U": 2.32, "k": 2.32, "dof": 9.0, "correlations": (),
+             "rows": ()}  # fmt: skip
+    root = etree.fromstring(xml_of(replace(whole, budget=(*whole.budget, angle)), run))
+    for name, count, U in (("labcal_K", 9, 2.32e-5), ("labcal_k", 3, 4.64)):
+        [one] = root.iterfind(f".//dcc:result[@refType='{name}']", NAMES)
+        assert numbers(one, ".//si:valueExpandedMUXMLList") == pytest.approx([U] * count)
+        assert numbers(one, ".//si:coverageFactorXMLList") == [2.32]
+    [effect] = root.iterfind(".//dcc:result[@refType='labcal_effect']", NAMES)
+    assert set(numbers(effect, ".//si:coverageFactor")) == {2.32}
+
+
 def test_the_error_of_indication_is_what_the_reading_says_less_the_field(whole: Calibration, run: Run):
     root = etree.fromstring(xml_of(whole, run))
     first = root.find(".//dcc:result[@refType='basic_result']", NAMES)

@@ -104,6 +104,22 @@ def test_a_turn_back_is_known_by_its_angles_alone(bench) -> None:
     assert not blind.frame_known
 
 
+@pytest.mark.parametrize("axes", ["xy", "xyz"])
+def test_turns_the_other_way_without_angles_are_no_frame(bench, axes: str) -> None:
+    """About two axes the wrong sense is half a turn about the third: all fits, and the field would be the opposite."""
+    run, true, _ = bench(offers="vector", axes=axes)
+    left = [i for i, segment in enumerate(run.segments) if segment.axis_body[2] == 0]
+    rows = np.concatenate([run.rows(i)[::-1] if i in left else run.rows(i) for i in range(len(run.segments))])
+    back = magnitudes_of(replace(
+        run, reading=run.reading[rows], angle_deg=run.angle_deg[rows], reference_vector=run.reference_vector[rows]
+    ))  # fmt: skip
+    stated, blind = ml(back), ml(replace(back, angle_deg=None))
+    assert stated.frame_known
+    assert np.abs(normalised(stated, true)).max() < 4.5
+    assert blind.ok
+    assert not blind.frame_known
+
+
 def test_a_field_that_turns_meanwhile_leaves_the_rotation_open(bench) -> None:
     """Its magnitude says nothing of its direction, but the heights on one locus then differ: no plane, no frame."""
     run, true, b = bench(offers="axis")

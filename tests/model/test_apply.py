@@ -275,6 +275,12 @@ def test_what_is_left_of_a_magnitude_is_that_of_every_component(components: floa
     assert apply(below, readings()).u_nT[0] == pytest.approx(NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3))
 
 
+def test_what_declared_errors_left_of_it_is_in_the_parameters_and_counts_once() -> None:
+    after = {"noise_nT": NOISE_NT, "holdout_rms_nT": 260.0, "holdout_beside_declared_nT": 60.0}
+    left = calibration(metrics={"before": {}, "after": after})
+    assert apply(left, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
+
+
 def test_a_row_without_a_reading_stays_empty() -> None:
     measured = readings().reading.copy()
     measured[9, 1] = np.nan

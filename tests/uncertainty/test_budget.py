@@ -13,6 +13,7 @@ import wrong_lab
 from trials import as_run, calibrated
 from wrong_lab import Declared
 
+from labcal.certificate.parameters_k import k_of_sources
 from labcal.loop.close import prepare
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.bounded import weighted_spectra
@@ -21,7 +22,7 @@ from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import Calibration
 from labcal.model.affine import AffineMap
 from labcal.model.effects import family
-from labcal.uncertainty import FitNoise, Sources
+from labcal.uncertainty import Contribution, FitNoise, Sources
 from labcal.uncertainty.budget import PROBABILITY, Budget, Row, coverage_factor
 from labcal.uncertainty.of_calibration import NOISE, ONE_READING, field_budgets, figure_budgets
 
@@ -292,3 +293,13 @@ def test_declared_noise_of_a_reading_is_taken_as_known_and_found_noise_is_counte
         rows = field_budgets(cal, sources, there)[0].rows
         of_reading.append(next((row.type, row.dof) for row in rows if row.source == ONE_READING))
     assert of_reading == [("B", np.inf), ("A", sources.noise.dof), ("A", sources.noise.dof)]
+
+
+@pytest.mark.parametrize(("zero", "dof", "k"), [(0.0, 6.0, 2.517), (3.0, 600.0, 2.0)])
+def test_the_parameter_with_the_fewest_degrees_of_freedom_sets_the_k_of_all(zero: float, dof: float, k: float) -> None:
+    """What is declared counts as known: with nine times the noise's variance of it, ν = 6 (10 / 1)²."""
+    declared = Contribution("zero", "B", "normal", 1.0, "nT", np.inf, np.array([6.0, zero]))
+    sources = Sources(FitNoise.single(np.diag([4.0, 1.0]), 6.0), (declared,))
+    assert sources.fewest_dof() == pytest.approx(dof)
+    assert k_of_sources(sources) == pytest.approx(k, abs=5e-3)
+    assert k_of_sources(None) == 2.0

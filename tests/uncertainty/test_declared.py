@@ -20,6 +20,7 @@ from labcal.model.effects import family
 from labcal.record import Run
 from labcal.testing.made_up_runs import made_up_run
 from labcal.uncertainty import covariance_of, declared_errors
+from labcal.uncertainty.beside_declared import LARGEST, beside_declared
 
 DECLARED = Declared(scale_ppm=400.0, zero_nT=30.0, align_deg=0.2, body_deg=0.25)
 
@@ -111,3 +112,41 @@ def test_a_declared_scale_that_does_not_show_takes_nothing_off_the_noise() -> No
     assert np.sqrt(np.diag(beside)) == pytest.approx(np.sqrt(np.diag(plain)), rel=0.02)
     fits = [ml(replace(r, dut=replace(r.dut, noise_nT=None))).covariance for r in (run, stated)]
     assert np.sqrt(np.diag(fits[1])[9:]) == pytest.approx(np.sqrt(np.diag(fits[0])[9:]), rel=0.05)
+
+
+@pytest.mark.parametrize("declared_noise", [True, False])
+def test_what_declared_errors_leave_in_the_residual_is_no_noise_of_the_device(recorded, declared_noise: bool) -> None:
+    """A reference that stands askew leaves its own error beside the map: no reading of the device has it."""
+    wrong = Declared(zero_nT=60.0, align_deg=0.4)
+    run, found = recorded(6, wrong, rows=60)
+    if not declared_noise:
+        run = replace(run, dut=replace(run.dut, noise_nT=None))
+    stated = ml(run)
+    nothing = ml(replace(run, reference=replace(run.reference, u_offset_nT=None, u_align_deg=None)))
+    less = ml(replace(run, reference=replace(run.reference, u_offset_nT=1.0, u_align_deg=0.01)))
+    assert stated.noise_nT == pytest.approx(found.noise_nT, rel=0.15)
+    assert nothing.noise_nT > 2 * found.noise_nT  # where nobody says that it may be askew, it stays in what is found
+    assert less.noise_nT > 2 * found.noise_nT  # and where it is more askew than they say
+
+
+def test_what_declared_errors_leave_is_no_structure_that_the_loop_leaves(recorded) -> None:
+    run, found = recorded(6, Declared(zero_nT=60.0, align_deg=0.4), rows=24)
+    less = replace(run, reference=replace(run.reference, u_offset_nT=1.0, u_align_deg=0.01))
+    parts, left = [], []
+    for one in (run, less):
+        fitted = joint_fit(prepare(one)[0], [])
+        parts.append(uncertainty_of(fitted).beside_declared)
+        left.append(float(np.sqrt(np.mean(fitted.problem.residual_nT**2))))
+    assert np.sqrt(parts[0]) * left[0] == pytest.approx(found.noise_nT, rel=0.15)
+    assert np.sqrt(parts[1]) * left[1] > 3 * found.noise_nT
+
+
+def test_no_more_is_taken_off_than_a_declared_error_can_be() -> None:
+    draw = np.random.default_rng(1)
+    noise, shape = draw.normal(size=(300, 3)), draw.normal(size=(300, 3, 1))
+    for size, stays in ((2.0, 0.0), (20.0, 20.0 - LARGEST)):
+        rest = beside_declared(noise + size * 4.0 * shape[:, :, 0], 4.0 * shape)
+        along = float(np.sum(rest * shape[:, :, 0]) / np.sum(shape**2)) / 4.0
+        assert along == pytest.approx(stays, abs=0.03)
+    small = 1e-3 * shape
+    assert beside_declared(noise, small) == pytest.approx(noise)  # it cannot show in so much noise

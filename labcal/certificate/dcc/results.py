@@ -10,6 +10,7 @@ import numpy as np
 from labcal.certificate.dcc.changes import change_results
 from labcal.certificate.dcc.conformity import conformity_results
 from labcal.certificate.dcc.parts import COVERAGE, Makers
+from labcal.certificate.parameters_k import k_of_parameters
 from labcal.model import Calibration, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.effects import find
@@ -29,12 +30,13 @@ def results(m: Makers, c: Calibration, run: Run, changed: Changes | None) -> lis
     """All dcc:result elements."""
     per_reading = "1" if c.dut.unit == "nT" else "nT/count"
     u = np.full(12, np.nan) if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
-    K, k = m.real_list(c.affine.K, per_reading, COVERAGE * u[:9]), m.real_list(c.affine.k_nT, "nT", COVERAGE * u[9:])
+    f = k_of_parameters(c)
+    K, k = m.real_list(c.affine.K, per_reading, f * u[:9], f), m.real_list(c.affine.k_nT, "nT", f * u[9:], f)
     return [
         *_indications(m, c, run),
         m.result("K", f"Row by row. {MODEL}", m.d.quantity(K), ref_type="labcal_K"),
         m.result(f"k {c.k_means()}".rstrip(), "", m.d.quantity(k), ref_type="labcal_k"),
-        *(_effect(m, i, effect) for i, effect in enumerate(c.effects) if effect.parameters),
+        *(_effect(m, i, effect, f) for i, effect in enumerate(c.effects) if effect.parameters),
         *_joint(m, c, per_reading),
         *conformity_results(m, c),
         *change_results(m, changed),
@@ -73,14 +75,12 @@ def _indication(m: Makers, c: Calibration, point: Point, indicated: Any, u: Any)
     return m.result(f"Indication of {point.says}", what, listed, ref_type="basic_result")
 
 
-def _effect(m: Makers, i: int, effect: EffectRecord) -> Any:
+def _effect(m: Makers, i: int, effect: EffectRecord, k: float) -> Any:
     """One effect with its formula and the reference values of its channels: what is taken off, beside K m - k."""
     family = find(effect.effect)
     formula = " ".join((family.kernel.__doc__ or "").split()) if family else "known to the package that brings it"
     at = "; ".join(f"reference value of {name}: {value!r}" for name, value in effect.reference_value.items())
-    parameters = [
-        m.quantity(p.value, p.unit, COVERAGE * p.u, "labcal_effectParameter", p.name) for p in effect.parameters
-    ]
+    parameters = [m.quantity(p.value, p.unit, k * p.u, "labcal_effectParameter", p.name, k) for p in effect.parameters]
     reference = [
         m.quantity(value, "1", None, "labcal_channelReference", name) for name, value in effect.reference_value.items()
     ]

@@ -8,6 +8,7 @@ from hashlib import sha256
 
 import numpy as np
 
+from labcal.certificate.parameters_k import COVERAGE, k_in_words, k_of_parameters
 from labcal.certificate.report.budget import OF_THE_FIELD, budget_blocks, field_blocks
 from labcal.certificate.report.circumstances import (
     NOTHING_SAID,
@@ -43,8 +44,6 @@ from labcal.record import Dut, Run
 from labcal.uncertainty.conformity import Changes, stated_lines
 from labcal.uncertainty.unstated import not_stated
 
-COVERAGE = 2.0  # coverage factor k of U
-MANY_K = 2.05  # of 51 degrees of freedom, where k = 2 holds 94.9 %
 _UNKNOWN_RUN = (
     "Frame as mounted; mounting uncertainty not included. The reference's own scale, zero, alignment and time, "
     "where the run does not state them. (The run is not in this lab's store, so they cannot be listed here.)"
@@ -84,12 +83,16 @@ def calibration_page(
             section("As found, as left", change_blocks(changed)),
             section("Environment", environment(run)),
             section("Equipment and traceability", equipment(calibration, run, stated)),
-            section("Effects of the sensor, corrected by this calibration", effect_tables(calibration.effects)),
+            section(
+                "Effects of the sensor, corrected by this calibration",
+                effect_tables(calibration.effects, k_of_parameters(calibration)),
+            ),
             section("Where it holds", [_validity(calibration)]),
             section("What is not covered", [Prose(_not_covered(calibration, run))]),
             section("Uncertainty budget", budget_blocks(calibration)),
             section(
-                "Findings about the rig and the data, not part of the correction", effect_tables(calibration.findings)
+                "Findings about the rig and the data, not part of the correction",
+                effect_tables(calibration.findings, k_of_parameters(calibration)),
             ),
             section("How well it fits", [_residuals(calibration)]),
             section("Who stands for it", _signatures(calibration, verification, checked)),
@@ -107,9 +110,9 @@ def name_of(dut: Dut) -> str:
     return dut.serial if dut.model in ("", dut.serial) else f"{dut.serial} {dut.model}"
 
 
-def effect_tables(effects: Sequence[EffectRecord]) -> list[Table]:
-    """A table an effect: its parameters, and below them why it was decided so."""
-    return [_effect_table(effect) for effect in effects]
+def effect_tables(effects: Sequence[EffectRecord], k: float = COVERAGE) -> list[Table]:
+    """A table an effect: its parameters with U = k u, and below them why it was decided so."""
+    return [_effect_table(effect, k) for effect in effects]
 
 
 def headline_of(before: float | None, after: float | None, caption: str) -> Headline | None:
@@ -120,19 +123,19 @@ def headline_of(before: float | None, after: float | None, caption: str) -> Head
     return Headline(number(before, decimals), number(after, decimals), "nT", caption)
 
 
-def _effect_table(effect: EffectRecord) -> Table:
+def _effect_table(effect: EffectRecord, k: float) -> Table:
     name = " · ".join([effect.effect, *effect.channels]) + (" (provisional)" if effect.provisional else "")
     family = find(effect.effect)
     kinds = {shape.name: shape.kind.name for shape in family.shapes} if family is not None else {}
-    rows = tuple(_parameter_row(parameter, kinds.get(parameter.name)) for parameter in effect.parameters)
+    rows = tuple(_parameter_row(parameter, k, kinds.get(parameter.name)) for parameter in effect.parameters)
     if effect.basis is not None:  # its coefficients say nothing one by one
         rows = ((f"{len(rows)} coefficients of a smooth function", NOTHING, NOTHING, "nT"),)
-    return Table((name, "Value", f"U (k = {COVERAGE:.0f})", "Unit"), rows, frozenset({1, 2}), _why(effect))
+    return Table((name, "Value", f"U (k = {k_in_words(k)})", "Unit"), rows, frozenset({1, 2}), _why(effect))
 
 
-def _parameter_row(p: Parameter, kind: str | None = None) -> tuple[str, str, str, str]:
+def _parameter_row(p: Parameter, k: float, kind: str | None = None) -> tuple[str, str, str, str]:
     name = f"{p.name} ({kind})" if kind else p.name
-    return name, *with_uncertainty(p.value, COVERAGE * p.u), printed_unit(p.unit)
+    return name, *with_uncertainty(p.value, k * p.u), printed_unit(p.unit)
 
 
 def _why(effect: EffectRecord) -> str:
@@ -199,7 +202,7 @@ def _parameters(c: Calibration) -> list[Block]:
     per_unit = " (nT)" if c.dut.unit == "count" else ""
     u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
     values = np.column_stack([c.affine.K, c.affine.k_nT])
-    U = np.full((3, 4), np.nan) if u is None else COVERAGE * np.column_stack([u[:9].reshape(3, 3), u[9:]])
+    U = np.full((3, 4), np.nan) if u is None else k_of_parameters(c) * np.column_stack([u[:9].reshape(3, 3), u[9:]])
     rows = list[tuple[str, ...]]()
     for axis, value, spread in zip("xyz", values, U, strict=True):
         cells = [with_uncertainty(*pair) for pair in zip(value, spread, strict=True)]
@@ -211,14 +214,11 @@ def _parameters(c: Calibration) -> list[Block]:
 
 
 def _coverage(c: Calibration) -> str:
-    """What U = 2 u of a parameter is worth: 95 %, unless the figures of the map rest on few degrees of freedom."""
-    largest = max([b["k"] for b in c.budget if not b["quantity"].startswith(OF_THE_FIELD)], default=COVERAGE)
-    if largest < MANY_K:
-        return f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)."
-    return (
-        f"U is the expanded uncertainty, k = {COVERAGE:.0f}. Few degrees of freedom are behind it, so that it may hold "
-        f"less than 95 %: for the sensor's figures that takes k up to {largest:.2f}."
-    )
+    """By which k the U of a parameter holds 95 %."""
+    k = k_of_parameters(c)
+    said = f"U is the expanded uncertainty, k = {k_in_words(k)} (about 95 %)."
+    few = " Few degrees of freedom are behind it: it is the largest k of the sensor's figures, and holds 95 % or more."
+    return said if k == COVERAGE else said.replace("(about 95 %)", "(95 % at least)") + few
 
 
 def _validity(c: Calibration) -> Facts:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.certificate.parameters_k import k_in_words, k_of_sources
 from labcal.certificate.report.calibration import effect_tables, headline_of, name_of
 from labcal.certificate.report.conformity import conformity_blocks
 from labcal.certificate.report.empirical_term import empirical_blocks
@@ -37,6 +38,7 @@ KINDS = {"vector": "length of the residual vector", "scalar": "residual of the m
 def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
     """The page of what the loop found in `run`."""
     floor = f"noise alone would leave {number(result.noise_floor_nT)} nT ({result.noise_floor_source})"
+    k = k_of_sources(result.sources)
     return Page(
         kind="Closed loop",
         title=name_of(run.dut),
@@ -55,7 +57,7 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("Is it in specification?", conformity_blocks(result.conformity.lines) if result.conformity else []),
             section("Residual before and after", _pictures(result, run)),
             section("Without a name", empirical_blocks(result, run)),
-            section("Accepted", effect_tables(result.accepted)),
+            section("Accepted", effect_tables(result.accepted, k)),
             section("Tests of what is left", [_tests(result)]),
             section("Tried and not accepted", [_rejected(result.rejected), _not_tried(result)]),
             section("Remarks", [Prose(result.remarks)] if result.remarks else []),
@@ -63,7 +65,8 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("What is not covered", [Prose((*not_covered(run), *_left_open(result)))]),
         ),
         footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes. "
-        "U is the expanded uncertainty, k = 2 (about 95 %). A positive offset parameter: the sensor reads high.",
+        f"U is the expanded uncertainty, k = {k_in_words(k)} (about 95 %). "
+        "A positive offset parameter: the sensor reads high.",
     )
 
 

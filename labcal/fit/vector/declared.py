@@ -13,6 +13,7 @@ from labcal.fit.vector.solve import Parameterisation, Solution
 from labcal.fit.vector.system import Noise, blocks, evaluate, normal
 from labcal.record import Run
 from labcal.uncertainty import Contribution, DeclaredError, declared_errors
+from labcal.uncertainty.beside_declared import beside_declared
 
 Array = NDArray[np.float64]
 
@@ -48,11 +49,7 @@ def residual_beside_declared(
         weight * _residual(there, noise, found.theta + parameterisation.basis @ step[:q], found.phase + step[q:]) - here
         for _, there, step in _moved(run, seen, noise, parameterisation, found)
     ]
-    if not left:
-        return here, here
-    U, size, _ = np.linalg.svd(np.stack([part.ravel() for part in left], axis=1), full_matrices=False)
-    U = U[:, size**2 > np.mean(here**2)]
-    return here, np.asarray(here - (U @ (U.T @ here.ravel())).reshape(-1, 3))
+    return here, beside_declared(here, np.stack(left, axis=2)) if left else here
 
 
 def _moved(

@@ -29,6 +29,7 @@ from labcal.fit.vector.system import Noise, WhiteIn, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
 from labcal.uncertainty import Contribution, FitNoise, Sources
+from labcal.uncertainty.beside_declared import share
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
@@ -83,7 +84,8 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
     if found.identified.why_not:
         return _refused(found.identified.why_not)
     frame_known = found.parameterisation.name != "symmetric"
-    wider = _inflation(run, found)
+    part, correlated = _beside_declared(run, found)
+    wider = part * correlated
     noise = FitNoise.single(found.covariance * wider, _free(found) / max(wider, 1.0))
     sources = Sources(noise, _declared(run, found))
     return Fit(
@@ -94,7 +96,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
         sources=sources,
         frame_known=frame_known,
         phase_rad=found.solution.phase[: len(found.observations.phase_names)],
-        noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
+        noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale * float(np.sqrt(part)),
     )
 
 
@@ -148,17 +150,18 @@ def _free(found: MaximumLikelihood) -> float:
     return float(weighed - found.parameterisation.basis.shape[1] - len(found.solution.phase))
 
 
-def _inflation(run: Run, found: MaximumLikelihood) -> float:
-    """How much correlated residuals widen the covariance, declared errors set apart; 1 where they are independent.
+def _beside_declared(run: Run, found: MaximumLikelihood) -> tuple[float, float]:
+    """The part of the residual's square that is no declared error's, and how much its correlation widens a covariance.
 
-    Residuals that declared errors enlarged have widened it already: that is taken back as far as the declared noise.
+    Residuals that declared errors enlarged have enlarged the noise already: that is taken back as far as the declared
+    noise. They are the reference's and the mounting's, and in no reading of the device.
     """
     parts = found.observations, found.noise, found.parameterisation, found.solution
     residual, left = residual_beside_declared(run, *parts)
-    share = float(np.sum(left**2) / max(np.sum(residual**2), 1e-300))
+    part = share(residual, left)
     if run.dut.noise_nT is not None:
-        share = max(share, 1 / found.scale**2)
-    return share * variance_inflation(left, found.observations.segment)
+        part = max(part, 1 / found.scale**2)
+    return part, variance_inflation(left, found.observations.segment)
 
 
 def _require_excitation(seen: Observations, shape: Parameterisation) -> None:

@@ -22,6 +22,7 @@ from labcal.record import Run, Segment
 Array = NDArray[np.float64]
 FEWEST_SAMPLES = 8  # of a locus
 CLEAR = 4.0  # standard uncertainties by which a locus goes round one way
+HALF_TURNED = 1.0  # of the trace of K in nominal units, 3 for a sensor that lies as stated, −1 for one turned by half
 CHANCE, LARGER = 1e-6, 1.5  # heights squared over radii squared: beyond this, and beyond chance, there is no plane
 
 
@@ -97,11 +98,12 @@ def in_planes(run: Run, seen: Observations, noise: Noise, found: Solution) -> bo
     """Whether the loci of this fit go round as the run states, clearly, and lie in planes as far as noise lets one see.
 
     Magnitudes and heights of any size allow some of b's mirror images as well; the sense in which the loci go round
-    and the sign of det K leave one. A field that changes its direction, or a wrong axis, shows in the heights.
+    and the sign of det K leave one. A field that changes its direction, or a wrong axis, shows in the heights. A sense
+    that is not recorded, but taken to be right-handed, leaves none where half a turn is nearer to the nominal frame.
     """
     K = found.theta[:9].reshape(3, 3)
     field, covariance = seen.reading @ K.T - found.theta[9:], K @ noise.covariance(seen.scale) @ K.T
-    if np.linalg.det(K) <= 0:
+    if np.linalg.det(K) <= 0 or (_without_angles(run) and is_half_turned(K)):
         return False
     for index, locus in enumerate(seen.loci):
         own = np.flatnonzero((seen.kind == AXIS) & (seen.group == index))
@@ -109,6 +111,21 @@ def in_planes(run: Run, seen: Observations, noise: Noise, found: Solution) -> bo
         if value < CLEAR * u:
             return False
     return _heights_are_noise(seen, noise, found)
+
+
+def _without_angles(run: Run) -> bool:
+    """Whether a turn's sense is taken to be right-handed."""
+    turns = [run.rows(index) for index, segment in enumerate(run.segments) if is_turn(segment)]
+    return run.angle_deg is None or not all(np.isfinite(run.angle_deg[rows]).any() for rows in turns)
+
+
+def is_half_turned(K: Array) -> bool:
+    """Whether half a turn about an axis of the body brings K (3, 3) clearly nearer to the sensor's nominal frame.
+
+    Turned about two axes the other way than supposed, a run gives just that: a mirror image that is none of K's own.
+    """
+    d = np.diag(K) / np.cbrt(abs(np.linalg.det(K)))
+    return bool(max(float(d[axis] - d.sum() + d[axis]) for axis in range(3)) > d.sum() + HALF_TURNED)
 
 
 def _heights_are_noise(seen: Observations, noise: Noise, found: Solution) -> bool:

@@ -65,11 +65,9 @@ def responses(term: Term, scene: Scene) -> Array:
     drive = term.drive(scene)
     if (late := term.of(DELAY)) is not None:
         return on_each_axis(delayed(scene.t_s, scene.segment, drive, late.value))
-    return np.concatenate([on_each_axis(_behind(scene, drive, tau)) for tau in time_constants(term)], axis=2)
-
-
-def _behind(scene: Scene, drive: Array, tau_s: float) -> Array:
-    return low_passed(scene.t_s, scene.segment, drive, tau_s, scene.past)
+    ends = term.ends_of_drive(scene)
+    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends) for tau in time_constants(term)]
+    return np.concatenate([on_each_axis(one) for one in behind], axis=2)
 
 
 def time_constants(term: Term) -> list[float]:

@@ -23,7 +23,8 @@ def kernel(term: Term, scene: Scene) -> Array:
     A curved one has Σ h_i s_i (T − T_ref)² beside it.
     """
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
-    s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)[:, None]
+    followed = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past, term.ends_of_drive(scene))
+    s, warm = scene.along_axes_nT, followed[:, None]
     if not _is_whole(term):
         powers = (warm, warm**2) if _is_curved(term) else (warm,)
         return np.concatenate([(power * s)[:, None, :] * scene.axes for power in powers], axis=2)

@@ -23,7 +23,7 @@ from labcal.model.effects import c_loops
 from labcal.model.effects.c_form import CForm, real
 from labcal.model.effects.memory import nowhere
 from labcal.model.effects.nonlinearity import SATURATION, SATURATION_nT, bend
-from labcal.model.effects.past import Past
+from labcal.model.effects.past import ANYWHERE, Past
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.recursion import affine_recursion, clipped_recursion
 from labcal.model.effects.regressors import BODY, driving, driving_in_c, on_each_axis, per_axis, powered, stretches
@@ -54,28 +54,36 @@ def stop(
     *,
     at_rest: bool = True,
     before: Before | None = None,
+    astray: float = 0.0,
 ) -> Array:
     """The stop operator along rows of drive (n, k) [nT]: within ± threshold (one, or k).
 
     It starts anew in each row of `starts`, at rest in the field there or at drive 0; the first row goes on from the one
-    `before` it where it is no start.
+    `before` it where it is no start. `astray` starts so many standard deviations of anywhere from the middle.
     """
     steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
-    steps[first] = 0.0 if at_rest else drive[first]
+    steps[first] = astray * ANYWHERE * threshold if astray or at_rest else drive[first]
     if before is None:
         return clipped_recursion(steps, threshold, first)
     steps[0] = before[1] + (drive[0] - before[0])
     return clipped_recursion(steps, threshold, np.r_[0, first])
 
 
-def dahl(drive: Array, width: float, starts: Sequence[int] = (0,), before: Before | None = None) -> Array:
-    """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width; at rest in `starts`."""
+def dahl(
+    drive: Array, width: float, starts: Sequence[int] = (0,), before: Before | None = None, astray: float = 0.0
+) -> Array:
+    """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width; at rest in `starts`.
+
+    There it may be `astray` by so many standard deviations of anywhere.
+    """
     at, state = (drive[0], 0.0) if before is None else before
     steps, first = np.diff(drive, axis=0, prepend=at[None]), np.asarray(starts, dtype=np.intp)
     steps[first] = 0.0
     keep = np.exp(-np.abs(steps) / width)
     keep[first] = 0.0
-    return affine_recursion(keep, np.sign(steps) * (1 - keep), state)
+    add = np.sign(steps) * (1 - keep)
+    add[first] = astray * ANYWHERE
+    return affine_recursion(keep, add, state)
 
 
 def kernel(term: Term, scene: Scene) -> Array:
@@ -85,11 +93,11 @@ def kernel(term: Term, scene: Scene) -> Array:
     stands still be taken off by it.
     """
     s = driving(term, scene if scene.rig is None else replace(scene, denoised_field_nT=scene.rig.prediction_nT))
-    names = {shape.name for shape in term.shape}
+    names, off = {shape.name for shape in term.shape}, 0.0 if scene.past is None else scene.past.astray
     if "w_nT" in names:
-        loops = [_along(scene, s, lambda starts, before: dahl(s, term.at("w_nT"), starts, before))]
+        loops = [_along(scene, s, lambda starts, before: dahl(s, term.at("w_nT"), starts, before, off))]
     elif "s_nT" in names:
-        play = s - _along(scene, s, lambda starts, before: stop(s, term.at("r_nT"), starts, before=before))
+        play = s - _along(scene, s, lambda starts, before: stop(s, term.at("r_nT"), starts, before=before, astray=off))
         level = term.at("s_nT")
         loops = [np.tanh(play / level) - np.tanh(s / level), bend(s / level), *(s**k for k in BENDS)]
     elif "lon_deg" in names:
@@ -127,9 +135,10 @@ def _stopped(term: Term, scene: Scene, s: Array) -> list[Array]:
     kept = next((shape.value for shape in term.shape if shape.name == "kept"), None)
     thresholds, k = _thresholds(term), s.shape[1]
     drive, limits = np.tile(s, len(thresholds)), np.repeat(thresholds, k)
+    off = 0.0 if scene.past is None else scene.past.astray
 
     def stopped(starts: Sequence[int], before: Before | None) -> Array:
-        return stop(drive, limits, starts, at_rest=kept is None, before=before)
+        return stop(drive, limits, starts, at_rest=kept is None, before=before, astray=off)
 
     return np.split(_along(scene, drive, stopped, once=kept == 1), len(thresholds), axis=1)
 

@@ -19,7 +19,11 @@ def kernel(term: Term, scene: Scene) -> Array:
     """E = c ((i − i_ref)² * h)(t), with i_ref = 0, h a first-order response of tau_s."""
     squared = term.drive(scene) ** 2
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
-    return on_each_axis(low_passed(scene.t_s, scene.segment, squared, tau_s, scene.past))
+    ends = term.ends_of_drive(scene)
+    if ends is not None:
+        largest = max(end**2 for end in ends)
+        ends = (0.0 if ends[0] < 0 < ends[1] else min(end**2 for end in ends)), largest
+    return on_each_axis(low_passed(scene.t_s, scene.segment, squared, tau_s, scene.past, ends))
 
 
 def in_c(term: Term) -> CForm:

@@ -23,7 +23,7 @@ from labcal.model.effects.following import (
     responses,
     time_constants,
 )
-from labcal.model.effects.past import Past
+from labcal.model.effects.past import ANYWHERE, Past
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.model.effects.recursion import clipped_recursion
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
@@ -62,7 +62,7 @@ def kernel(term: Term, scene: Scene) -> Array:
     if not any(name.startswith("d_") for name, _ in term.parameters):
         return responses(term, scene)
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
-    T = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)
+    T = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past, term.ends_of_drive(scene))
     return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
 
 
@@ -72,7 +72,7 @@ def _branch(term: Term, scene: Scene) -> Array:
     if not len(T):
         return T
     name = f"branch of {half}"
-    before, stood = past.before.get(name, (T[0], 0.0))
+    before, stood = past.before.get(name, (T[0], past.astray * half * ANYWHERE))
     steps = np.diff(T, prepend=before)
     steps[0] += stood
     stop = clipped_recursion(steps[:, None], half, np.zeros(1, dtype=np.intp))[:, 0]

@@ -168,6 +168,14 @@ class Term:
         name = self.channels[0]
         return np.asarray(scene.channels[name] - self.reference_value[name])
 
+    def ends_of_drive(self, scene: Scene) -> tuple[float, float] | None:
+        """Between which values the drive has been seen; None where nothing says so."""
+        ends = None if scene.past is None else scene.past.ends.get(name := self.channels[0])
+        if ends is None:
+            return None
+        low, high = (end - self.reference_value[name] for end in ends)
+        return low, high
+
 
 def no_form(term: Term) -> bool:
     """No form of a family."""

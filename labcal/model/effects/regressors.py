@@ -26,6 +26,9 @@ STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has swit
 STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
 ALIKE = 0.999  # correlation of two records of one current
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
+LEARNED = 10.0  # time constants from a beginning on: what happens there says what may have happened before
+TRIED = 32  # rows of them at which it is begun anew
+Ends = tuple[float, float]
 
 
 def per_axis(name: str, unit: str) -> tuple[tuple[str, str], ...]:
@@ -70,7 +73,7 @@ def of_the_rig(run: Run) -> list[Channel]:
 def coils(run: Run) -> list[Channel]:
     """Currents of the cage's coils that move and are known in all rows; of one that is recorded twice the first."""
     currents = [c for c in run.channels if c.role == "coil" and c.quantity == "current"]
-    known = [c for c in currents if bool(np.isfinite(c.values).all()) and _moves(c.values)]
+    known = [c for c in currents if bool(np.isfinite(c.values).all()) and _moves(run, c)]
     return [c for k, c in enumerate(known) if not any(_are_alike(c, other) for other in known[:k])]
 
 
@@ -115,7 +118,14 @@ def stretches(segment: NDArray[np.intp]) -> list[slice]:
     return [slice(a, b) for a, b in zip(starts, ends, strict=True)]
 
 
-def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float, past: Past | None = None) -> Array:
+def low_passed(
+    t_s: Array,
+    segment: NDArray[np.intp],
+    drive: Array,
+    tau_s: float,
+    past: Past | None = None,
+    ends: Ends | None = None,
+) -> Array:
     """First-order response (n,) to `drive` with time constant `tau_s`, exact for a drive that is linear between rows.
 
     A negative one undoes a response: the drive was seen through a slow thermometer.
@@ -123,7 +133,8 @@ def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float
     What follows slowly does not start anew where a segment does: over a gap of up to CARRIED time constants the state
     is carried, the drive bridged linearly. After a longer one, and before the first row, the drive is taken to have
     moved as it does over the next tau_s where that is a line, and to have stood where it is not. With `past` the first
-    row may go on from one before.
+    row may go on from one before; where none went before, the state begins astray by so many standard deviations as
+    the past says, `ends` being those between which the drive was seen.
     """
     if tau_s == 0 or len(t_s) == 0:
         return drive
@@ -139,13 +150,42 @@ def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float
     ramp = np.where(steps > 0, (1 - keep) / np.where(steps > 0, steps, 1.0), 1.0)
     add = (ramp - keep) * np.concatenate([[driven], drive[:-1]]) + (1 - ramp) * drive
     for start, stop in pairwise([*np.flatnonzero(anew).tolist(), len(t_s)]):
-        add[start] = drive[start] - tau_s * _slope(t_s[start:stop], drive[start:stop], tau_s)
+        add[start] = _begun(t_s[start:stop], drive[start:stop], tau_s)
         if start < past.own:
-            past.until_s = max(past.until_s, t_s[start] + tau_s)
+            past.until_s = max(past.until_s, t_s[start] + tau_s * (LEARNED if past.astray else 1.0))
+        if start < past.own and past.astray:
+            rows = slice(start, start + int(np.sum(t_s[start:stop] <= t_s[start] + LEARNED * tau_s)))
+            followed = affine_recursion(np.r_[0.0, keep[rows][1:]], add[rows], 0.0)
+            add[start] += past.astray * _unknown_beginning(t_s[rows], drive[rows], followed, tau_s, ends)
     keep[anew] = 0.0
     followed, last = affine_recursion(keep, add, state), past.own - 1
     past.after[name] = t_s[last], segment[last], drive[last], followed[last]
     return followed
+
+
+def _unknown_beginning(t_s: Array, drive: Array, followed: Array, tau_s: float, ends: Ends | None) -> float:
+    """How far from its beginning a state may be that follows the drive, as a standard deviation.
+
+    Begun anew in other rows (n,) it is as far off as here, but for what is left there of this beginning's own error:
+    V (1 − e^(−2 t / tau)) of its variance V, where errors fade as they do here. That it lies anywhere between the
+    drive's ends counts as one observation more, of one time constant: all there is where the drive stood.
+    """
+    low, high = ends or (float(drive.min()), float(drive.max()))
+    square, known = (high - low) ** 2 / 12 + ((low + high) / 2 - followed[0]) ** 2, 1.0
+    later = np.flatnonzero(t_s > t_s[0])
+    later = later[t_s[later] <= t_s[0] + (LEARNED - 1) * tau_s][:: max(len(later) // TRIED, 1)]
+    if len(later):
+        anew = np.array([_begun(t_s[row:], drive[row:], tau_s) for row in later])
+        times = (t_s[later] - t_s[0]) / tau_s
+        each = times[-1] / len(later)
+        square += each * float(np.sum((anew - followed[later]) ** 2))
+        known += each * float(np.sum(1 - np.exp(-2 * times)))
+    return float(np.sqrt(square / known))
+
+
+def _begun(t_s: Array, drive: Array, tau_s: float) -> float:
+    """A state in the first row that follows the drive and of which nothing is known from before."""
+    return float(drive[0] - tau_s * _slope(t_s, drive, tau_s))
 
 
 def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -> Array:
