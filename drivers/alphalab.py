@@ -9,7 +9,7 @@ import numpy as np
 
 from drivers.framing import alphalab
 from drivers.framing.mishaps import Mishaps, overloaded
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
@@ -44,7 +44,7 @@ class Settings:
             raise ValueError("rate must be above 0 and at most 10 readings a second")
 
 
-class AlphaLab:
+class AlphaLab(Polled):
     """Refuses a meter that shows differences; a reading is good only if its magnitude fits its axes."""
 
     roles = ("reference",)

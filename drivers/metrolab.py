@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.framing.mishaps import Mishaps, overloaded
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from drivers.framing.scpi import Scpi
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
@@ -45,7 +45,7 @@ class Settings:
             raise ValueError('range_T is "", "AUTO" or a number of tesla such as "0.1"')
 
 
-class Metrolab:
+class Metrolab(Polled):
     """Each reading is triggered, so that none comes twice; its unit is read from the reply, never assumed."""
 
     roles = ("reference",)

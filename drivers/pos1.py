@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from drivers.framing.mishaps import Mishaps
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.framing import Lines
 from labcal.bench.driver_kit.roles import Identity
@@ -43,7 +43,7 @@ class Settings:
     about: str = "POS"
 
 
-class Pos1:
+class Pos1(Polled):
     """A reading whose own code tells of an error is noted and gives no value."""
 
     roles = ("reference",)

@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from drivers.framing.mishaps import Mishaps, overloaded
-from drivers.framing.polling import Polls
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.record.stream import Block, Event
@@ -46,7 +46,7 @@ class Analogue:
             raise ValueError("uT_per_V and zero_V must be finite numbers, and uT_per_V other than zero")
 
 
-class Fluxgate:
+class Fluxgate(Polled):
     """The methods of a reference on `volts`, one sample of the three inputs. The sensor says nothing of itself."""
 
     roles = ("reference",)

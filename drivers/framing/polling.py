@@ -8,6 +8,16 @@ from collections.abc import Iterator
 from labcal.bench.clock import Clock
 
 
+class Polled:
+    """An instrument with `_polls`: whoever reads it learns when it is to be asked."""
+
+    _polls: Polls
+
+    def due_s(self) -> float:
+        """When it is to be asked next, on the bench's clock; inf where it is not."""
+        return self._polls.next_s()
+
+
 class Polls:
     """Moments to ask at, `rate` a second; a beat that was missed is left out, not made up for."""
 
@@ -21,6 +31,10 @@ class Polls:
     def stop(self) -> None:
         """No more."""
         self._next_s = math.inf
+
+    def next_s(self) -> float:
+        """The next moment; inf where there is none."""
+        return self._next_s
 
     def due(self, t_s: float) -> Iterator[float]:
         """Wait for each moment up to `t_s` and give the time when it is there; then wait for `t_s`."""
