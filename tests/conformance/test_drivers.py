@@ -79,6 +79,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "ea-ps2000b": [bytes.fromhex(h) for h in ("f100266400017b", "f10036f0f00307", "f100360a0a013b", "f00001000f")],
     "keysight-e36300": [b"*RST\n", b"*SAV 1\n", b"OUTP:PAIR SER\n", b"OUTP:TRAC ON\n", b"CAL:SEC:STAT OFF\n"],
     "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
+    "hp-603x": [b"CLR\n", b"rst\n", b"RCL 3\n", b"STO 3\n", b"HOLD 1\n", b"FOLD 2\n", b"TEST?\n", b"ISET 1;CLR\n"],
     "genesys": [b"RST\r", b"SAV\r", b"rcl\r", b"\\\r", b"AST 1\r", b"FLD ON\r", b"RMT LLO\r", b"\xa1", b"PC 1\rRST\r"],
     "newport-esp301": [b"1PR5\r", b"1MV+\r", b"1DH\r", b"SM\r", b"RS\r", b"1PA5;1PR5\r", b"1SN7\r"],
     "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],

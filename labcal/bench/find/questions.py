@@ -67,7 +67,10 @@ PROBES = (  # each ends first what the one before may have left in another's buf
 )
 
 
-MESSAGE = Probe((b"*IDN?\n",), PROBES[0].answer, "", "", 2.0)  # where a write is a message, it must be a whole one
+MESSAGES = (  # where a write is a message, it must be a whole one
+    Probe((b"*IDN?\n",), PROBES[0].answer, "", "", 2.0),
+    Probe((b"ID?\n",), rb"ID +HP ?60\d\d[A-Z]", "hp-603x", "coil", 2.0),  # of before SCPI
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +103,7 @@ def asked(link: str, clock: Clock, recognise: Recognise = lambda said: None) -> 
     elif scheme == "serial":
         yield from _serial(rest.partition("?")[0], clock, recognise)
     elif scheme != "emulated":
-        yield from _asked(link, clock, [MESSAGE] if scheme in ("visa", "usbtmc") else PROBES[:1], recognise)
+        yield from _asked(link, clock, MESSAGES if scheme in ("visa", "usbtmc") else PROBES[:1], recognise)
 
 
 def by_words(url: str, said: str, recognise: Recognise) -> Found:
