@@ -68,6 +68,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "lemi-025": [b"L"],
     "replay": [b"1"],
     "rm3100": [b"\x01"],
+    "i2c-board": [b"\x01"],
     "text-line": [b"x"],
     "alphalab": [bytes([code, 0, 0, 0, 0, 0]) for code in (0x04, 0x05, 0x0B, 0x0C, 0x0E, 0x14)],
     "metrolab": [b"*RST\n", b":CAL\n", b":SYST:PRES\n", b":INIT;*SAV 1\n", b":MEM:DATA?\n"],
