@@ -25,7 +25,13 @@ LATITUDE, LONGITUDE = (
     re.compile(r"^(.*\.)?(lon|lng)(gitude)?$", re.IGNORECASE),
 )
 MOST_CHANNELS = 12
-OWN_UNIT = {"ulog": "G", "dataflash": "mG", "rosbag": "T", "iaga": "nT"}  # what these formats write a field in
+OWN_UNIT = {
+    "ulog": "G",
+    "dataflash": "mG",
+    "rosbag": "T",
+    "iaga": "nT",
+    "imagcdf": "nT",
+}  # what these formats write a field in
 CALLED_DUT = re.compile(r"dut|test|raw", re.IGNORECASE)
 
 
