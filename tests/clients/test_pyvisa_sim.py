@@ -77,7 +77,7 @@ devices:
 resources:
   GPIB0::8::INSTR: {device: older}
   GPIB0::5::INSTR: {device: supply}
-  USB0::0X0957::0X0807::MY51::INSTR: {device: supply}
+  USB0::0x0957::0x0807::MY51::INSTR: {device: supply}
 """
 
 
