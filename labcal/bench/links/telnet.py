@@ -9,7 +9,7 @@ ANSWERS = {DO: WONT, WILL: DONT}  # an option is refused, so that bytes stay as 
 MOST_ANSWERS = 64  # of one connection: two ends that refuse each other for ever do not
 
 
-class Connection(Protocol):
+class Carrier(Protocol):
     """The connection below."""
 
     byte_s: float
@@ -34,7 +34,7 @@ class Connection(Protocol):
 class TelnetPort:
     """Bytes of the instrument on `below`; a command that is cut is waited for."""
 
-    def __init__(self, below: Connection) -> None:
+    def __init__(self, below: Carrier) -> None:
         self._below, self.byte_s = below, below.byte_s
         self._rest, self._answered, self._after_cr = b"", 0, False
 
