@@ -89,8 +89,8 @@ class AlphaLab(Polled):
 
     def _reading(self, stamp: float) -> tuple[list[float], bytes] | None:
         """x, y, z as sent, and the frame; None, noted, where it is no good."""
-        request = bytes([READ, 0, 0, 0, 0, 0])
-        frame = self._link.ask(request, end=alphalab.LENGTH, timeout_s=self.settings.timeout_s)
+        self._link.flush()  # a block that came twice would answer for ever one question late
+        frame = self._link.ask(bytes([READ, 0, 0, 0, 0, 0]), end=alphalab.LENGTH, timeout_s=self.settings.timeout_s)
         mG = NT_PER_MG / self._nT  # in what it sends
         xyz = alphalab.axes(frame, self.settings.magnitude_mG * mG, self.settings.magnitude_part)
         if xyz is None:

@@ -26,7 +26,7 @@ class Settings(Analogue):
     """
 
     inputs: tuple[Input, Input, Input] = (0, 1, 2)
-    timeout_s: Annotated[float, Field(gt=0, le=60)] = 2.0
+    timeout_s: Annotated[float, Field(gt=0, le=60)] = 0.5
 
 
 class DaqInputs(Fluxgate):

@@ -11,6 +11,7 @@ from pydantic import Field
 from drivers.framing.hmr2300 import LENGTH, NT_PER_COUNT, BinaryFrames, BinaryReplies, TextFrames, samples_again
 from drivers.framing.hmr2300_words import ESC, Words
 from drivers.framing.mishaps import Mishaps, overloaded
+from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
@@ -47,7 +48,7 @@ class Settings:
             )
 
 
-class Hmr2300:
+class Hmr2300(Polled):
     """Counts become nT at 15000 a gauss. A reading at full scale is a fault, not a value."""
 
     roles = ("reference",)
@@ -56,7 +57,7 @@ class Hmr2300:
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
-        self._streaming, self._next_poll_s, self._mishaps = False, 0.0, Mishaps(name)
+        self._streaming, self._polls, self._mishaps = False, Polls(clock, settings.rate), Mishaps(name)
         self._words = Words(name, link, clock, settings.id, settings.timeout_s)
         self._frames: TextFrames | BinaryFrames | BinaryReplies = TextFrames()
 
@@ -93,7 +94,9 @@ class Hmr2300:
             (f"R={s.rate}", "OK"),
         ):
             self._words.change(words, reply)
-        self._streaming, self._next_poll_s = True, self._clock.now()
+        self._streaming, self._polls = True, Polls(self._clock, s.rate)
+        if s.mode == "polled":
+            self._polls.start()
         binary = BinaryReplies if s.mode == "polled" else BinaryFrames
         self._begin((binary if s.format == "binary" else TextFrames)(s.invalid))
 
@@ -122,6 +125,7 @@ class Hmr2300:
     def stop(self) -> None:
         """End the stream."""
         self._streaming = False
+        self._polls.stop()
         self._link.send(ESC)
 
     def make_safe(self) -> None:
@@ -138,10 +142,5 @@ class Hmr2300:
             self._words.send("C")
 
     def _polled(self, t_s: float) -> list[tuple[float, bytes]]:
-        pieces, end = [], LENGTH if self.settings.format == "binary" else b"\r"
-        while self._streaming and self._next_poll_s <= t_s:
-            self._clock.wait_until(self._next_poll_s)
-            pieces.append((self._clock.now(), self._words.poll(end)))
-            self._next_poll_s += 1 / self.settings.rate
-        self._clock.wait_until(t_s)
-        return pieces
+        end = LENGTH if self.settings.format == "binary" else b"\r"
+        return [(stamp, self._words.poll(end)) for stamp in self._polls.due(t_s)]

@@ -25,6 +25,10 @@ class Polls:
         """No more."""
         self._next_s = math.inf
 
+    def next_s(self) -> float:
+        """The next moment; inf where there is none."""
+        return self._next_s
+
     def due(self, t_s: float) -> Iterator[float]:
         """Wait for each moment up to `t_s` and give the time when it is there; then wait for `t_s`."""
         while self._next_s <= t_s:
@@ -37,11 +41,15 @@ class Polls:
 
 
 class Polled:
-    """What sensors that are asked on a beat have in common."""
+    """What sensors that are asked on a beat have in common; whoever reads one learns when it is to be asked."""
 
     _polls: Polls
     _mishaps: Mishaps
     _link: Link
+
+    def due_s(self) -> float:
+        """When it is to be asked next, on the bench's clock; inf where it is not."""
+        return self._polls.next_s()
 
     def events(self) -> list[Event]:
         """Readings that were no good."""

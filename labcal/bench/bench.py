@@ -32,6 +32,8 @@ from labcal.bench.driver_kit.roles import (
 )
 from labcal.bench.guarded_greeting import all_greeted
 from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.guardian.handover import patience
+from labcal.bench.links.urls import is_connection
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
 from labcal.bench.streams.reconnect import Reconnecting, bring_back
@@ -42,6 +44,7 @@ from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream
 
 COIL_POLL_S = 1.0
+LISTEN_S = 0.2  # at the latest the streams are listened to again; where time is simulated only those that are asked
 SEE_S = 0.2  # of the reference, and at least one sample
 PATIENCE = 0.9  # of the time after which a sensor is called silent: a lost line is called by its own name
 COIL_CHANNELS = tuple(
@@ -99,8 +102,14 @@ class Bench:
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
         self._streams = [
-            Reconnecting(sensor, partial(self.reconnect, sensor.name), PATIENCE * stated.silent_s)
-            for sensor, stated in ((dut, config.dut), (reference, config.reference))
+            Reconnecting(dut, partial(self.reconnect, dut.name), PATIENCE * config.dut.silent_s),
+            Reconnecting(
+                reference,
+                partial(self.reconnect, reference.name),
+                PATIENCE * config.reference.silent_s,
+                lambda: PATIENCE * self._reference_missed_s(),
+                tried=not is_connection(config.instruments[reference.name].link),
+            ),
         ]
         if isinstance(platform, BenchPlatform):
             again = partial(self.reconnect, platform.name)
@@ -113,6 +122,7 @@ class Bench:
         self._streaming = False
         self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
+        self._listened_s = 0.0
         self._heard_s: dict[str, float] = {}  # what is polled, by name
         self._field = FieldReading()
         self._look = Look(self._at_rest_only(), self._ask_again)
@@ -186,7 +196,7 @@ class Bench:
         """Begin all streams; from here on nothing that arrives is lost, ramps included."""
         self.reference.start()
         self.dut.start()
-        self._next_angle_s = self._next_coils_s = now = self.clock.now()
+        self._listened_s = self._next_angle_s = self._next_coils_s = now = self.clock.now()
         self._watches = [
             StreamWatch(sensor.name, stated.silent_s, stated.stuck_s, now)
             for sensor, stated in ((self.dut, self.config.dut), (self.reference, self.config.reference))
@@ -264,12 +274,25 @@ class Bench:
         if self._streaming:  # however late it is: on a slow line a ramp has no time left to wait
             self.look()
         while self._streaming and self.clock.now() < t_s:
-            self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s))
+            listen_s = self._listens_s()
+            self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s, listen_s))
             self._poll()
             self.look()
+            if listen_s <= self.clock.now() < t_s:
+                self._listen()
         self.clock.wait_until(t_s)
         if self._streaming:
             self._listen()
+
+    def _listens_s(self) -> float:
+        """When the streams are listened to next; what is asked, or is lost, says when."""
+        soon_s = math.inf if math.isinf(self.clock.listen_s) else self._listened_s + LISTEN_S
+        return min(soon_s, *(stream.due_s() for stream in self._streams))
+
+    def _reference_missed_s(self) -> float:
+        """How long the reference may be missed: with coils on, what two seconds leave after the ramp to zero."""
+        on = self.cage.on and not blind(self.config.reference)
+        return patience(self.cage.way_down_s) if on else math.inf
 
     def _temperature_limits(self, now_s: float) -> list[TemperatureLimit]:
         """Of the DUT and of the windings, as far as they are stated."""
@@ -296,7 +319,8 @@ class Bench:
 
     def _listen(self) -> None:
         """Take in what has come. What one stream or one watch finds wrong is raised when all have been looked at."""
-        now, faults = self.clock.now(), list[InstrumentError]()
+        self._listened_s = now = self.clock.now()
+        faults = list[InstrumentError]()
         dut, reference = (self._read(stream, now, faults) for stream in self._streams)
         readings = dut, [self._into_cage(block) for block in reference]
         self._pending += [*readings[0], *readings[1]]
@@ -305,9 +329,10 @@ class Bench:
             if block.values.shape[1] == 3:
                 self.cage.check.see(block.t_s, block.values)
                 self._field = self._field.seen(block.t_s, block.values)
-        for stream, watch, blocks in zip(self._streams, self._watches, readings, strict=True):
+        left_s = math.inf, self._reference_missed_s()
+        for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:
-                watch.see(blocks, now, stream.wrong)
+                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left)
             except InstrumentError as fault:
                 faults.append(fault)
         if faults:

@@ -120,8 +120,8 @@ def import_(
         None,
         "--from",
         metavar="FORMAT",
-        help="A recording of others: csv, ulog, dataflash, rosbag, mat or iaga; a calibration: magcal, magneto, px4 "
-        "or ardupilot.",
+        help="A recording of others: csv, ulog, dataflash, rosbag, mat, iaga or imagcdf; a calibration: magcal, "
+        "magneto, px4 or ardupilot.",
     ),
     map_: Path | None = typer.Option(
         None, "--map", metavar="MAP.toml", help="What its columns are: units, axes, clocks (docs/import.md)."

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
+import re
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
+from typing import BinaryIO, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,13 +24,16 @@ Numbered = tuple[int, list[str]]  # line (from 1) and its cells
 
 DELIMITERS = (",", ";", "\t", " ")
 MISSING = frozenset({"", "nan", "na", "n/a", "null", "none"})
+COMMA, POINT = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?"), re.compile(r"[+-]?\d*\.\d+(?:[eE][+-]?\d+)?")
+SNIFFED = 1 << 20  # bytes
+MOSTLY = 0.9  # of a column's first cells: it is one of numbers, and what is none is a fault with its line
 AT_ONCE = 20_000  # rows
 LOOKED_AT = 20  # lines, to see how the table is written
 
 
 def read(path: Path, request: ReadRequest) -> ForeignRecording:
     """The table as the stream "". Columns of a table without a header are called 1, 2, 3 and so on."""
-    with path.open("rb") as source:
+    with _as_utf8(path) as source:
         lines = _lines(line_blocks(source, str(path)), request.form)
         first = list(islice(lines, LOOKED_AT))
         if not first:
@@ -42,6 +48,30 @@ def read(path: Path, request: ReadRequest) -> ForeignRecording:
         for block in _blocks(first_row, rows, request.most_rows):
             table.take(block)
     return ForeignRecording(path, {"": table.stream()})
+
+
+def has_decimal_commas(path: Path) -> bool:
+    """Whether its first rows have numbers such as 1,5 between other delimiters, and none such as 1.5."""
+    with _as_utf8(path) as source:
+        texts = [text for _, text in islice(_lines(line_blocks(source, str(path)), CsvForm()), LOOKED_AT)]
+    delimiter = _delimiter(texts) if texts else ","
+    cells = [cell for text in texts for cell in _split(text, delimiter)] if delimiter != "," else []
+    return any(map(COMMA.fullmatch, cells)) and not any(map(POINT.fullmatch, cells))
+
+
+def _as_utf8(path: Path) -> BinaryIO:
+    """The file as UTF-8: what a spreadsheet wrote in UTF-16, or in a code page of Windows, is turned into it."""
+    source = path.open("rb")
+    head = source.read(SNIFFED)
+    source.seek(0)
+    if head[:2] in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE):
+        return cast(BinaryIO, codecs.EncodedFile(source, "utf-8", "utf-16"))
+    try:
+        codecs.getincrementaldecoder("utf-8")().decode(head)
+    except UnicodeDecodeError:
+        if b"\0" not in head:
+            return cast(BinaryIO, codecs.EncodedFile(source, "utf-8", "cp1252", errors="replace"))
+    return source
 
 
 def _lines(blocks: Iterator[tuple[int, list[str]]], form: CsvForm) -> Iterator[tuple[int, str]]:
@@ -160,7 +190,8 @@ class _Table:
             if self._wanted is not None:
                 is_text, is_number = name in self._wanted.texts, name in self._wanted.numbers
             else:
-                is_number = all(_number(cell, self._form) is not None for cell in cells)
+                fit = sum(_number(cell, self._form) is not None for cell in cells)
+                is_number = fit >= MOSTLY * len(cells) and _number(cells[0], self._form) is not None
                 is_text = not is_number
             if is_number:
                 self._numbers[name] = []
@@ -172,5 +203,7 @@ class _Table:
         if None in values:
             at = values.index(None)
             what = f"expected a number, found {shortened(cells[at], 40)!r}"
+            if COMMA.fullmatch(cells[at]):
+                what += ': where commas are decimal, the mapping says so: decimal = "," under [csv]'
             raise InputError(what, file=self._path, line=lines[at], column=shortened(name))
         return np.array(values, dtype=float)

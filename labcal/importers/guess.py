@@ -12,9 +12,10 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.importers import resemblance
+from labcal.importers.csv_table import has_decimal_commas
 from labcal.importers.mapping import FORMAT
 from labcal.importers.readers import read_recording
-from labcal.importers.recording import ForeignRecording, ReadRequest, Stream
+from labcal.importers.recording import CsvForm, ForeignRecording, ReadRequest, Stream
 from labcal.importers.resemblance import Resemblance
 from labcal.store.limits import listed
 
@@ -25,7 +26,14 @@ LATITUDE, LONGITUDE = (
     re.compile(r"^(.*\.)?(lon|lng)(gitude)?$", re.IGNORECASE),
 )
 MOST_CHANNELS = 12
-OWN_UNIT = {"ulog": "G", "dataflash": "mG", "rosbag": "T", "iaga": "nT"}  # what these formats write a field in
+OWN_UNIT = {
+    "ulog": "G",
+    "dataflash": "mG",
+    "rosbag": "T",
+    "iaga": "nT",
+    "imagcdf": "nT",
+}  # what these formats write a field in
+SURE = 2  # of what looks like a magnetometer: its size is the Earth's field in the unit that it states
 CALLED_DUT = re.compile(r"dut|test|raw", re.IGNORECASE)
 
 
@@ -38,20 +46,33 @@ class _Sensor:
 
 def guess(path: Path, format_: str) -> str:
     """The text of a mapping. Raises InputError where nothing looks like a magnetometer with a clock."""
-    recording = read_recording(path, format_, ReadRequest(None, most_rows=LOOKED_AT))
+    commas = format_ == "csv" and path.is_file() and has_decimal_commas(path)
+    form = CsvForm(decimal="," if commas else ".")
+    recording = read_recording(path, format_, ReadRequest(None, form, most_rows=LOOKED_AT))
     streams = _once(recording)
     sensors = sorted(_sensors(streams, OWN_UNIT.get(format_)), key=_preference)
     if not sensors:
         columns = [f"{s.name}/{c}".lstrip("/") for s in streams for c in (*s.numbers, *s.texts)]
-        what = "no three columns beside a clock look like a magnetometer: write the mapping by hand"
-        raise InputError(f"{what}; it has {listed(columns)}", file=path)
+        raise InputError(f"{_missing(streams)}: write the mapping by hand; it has {listed(columns)}", file=path)
     reading, reference = _chosen(sensors)
     name = _plain(path.name)
     head = (
         f"# Guessed from {name}: check every line, then",
         f"#   labcal import {name} --from {format_} --map THIS.toml",
     )
-    return "\n".join([*head, *_lines(recording, streams, reading, reference)]) + "\n"
+    end = ("", "[csv]", 'decimal = ","') if commas else ()
+    return "\n".join([*head, *_lines(recording, streams, reading, reference), *end]) + "\n"
+
+
+def _missing(streams: Sequence[Stream]) -> str:
+    """What a magnetometer with a clock lacks here."""
+    found = [looked for stream in streams for looked in resemblance.magnetometers(stream)]
+    if not found:
+        return "no three columns beside a clock look like a magnetometer"
+    return (
+        f"{listed(list(found[0].columns))} look like a magnetometer, and no column like its clock (numbers that grow, "
+        "or dates such as 2026-03-02T08:15:00; rows that come evenly need none, but rate_Hz under [time])"
+    )
 
 
 def _once(recording: ForeignRecording) -> list[Stream]:
@@ -83,12 +104,25 @@ def _chosen(sensors: Sequence[_Sensor]) -> tuple[_Sensor, _Sensor | None]:
     reading = others[0]
     if called and called[0] is not reading:
         return reading, called[0]
+    if reading.match.sure >= SURE and (unsure := _in_a_wrong_unit(reading, others)) is not None:
+        return unsure, reading
     values = reading.stream.together(reading.match.columns)
     for other in others[1:]:
         same_table = other.stream is reading.stream and other.match.columns[0].isdigit()
         if same_table and resemblance.together(values, other.stream.together(other.match.columns)):
             return other, reading  # who merges two tables puts the reference first as often as not: to be checked
     return reading, None
+
+
+def _in_a_wrong_unit(sure: _Sensor, others: Sequence[_Sensor]) -> _Sensor | None:
+    """One of the same table that follows `sure` axis by axis, and is no field in the unit that its name states."""
+    values = sure.stream.together(sure.match.columns)
+    for other in others:
+        if other is sure or other.stream is not sure.stream or other.match.sure >= SURE:
+            continue
+        if resemblance.together(values, other.stream.together(other.match.columns)):
+            return other
+    return None
 
 
 def _lines(
@@ -209,7 +243,7 @@ def _channel_name(stream: Stream, found: Resemblance, names: set[str]) -> str:
 
 
 def _quoted(text: str) -> str:
-    return json.dumps(text, ensure_ascii=True)  # of TOML's basic strings, too
+    return json.dumps(text, ensure_ascii=not text.isprintable())  # of TOML's basic strings, too
 
 
 def _list(names: Sequence[str]) -> str:

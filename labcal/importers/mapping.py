@@ -81,7 +81,7 @@ class ColumnSource(_Part):
     """Where a group's columns are, and its clock: run time = (stamp · unit) · (1 + rate) + offset."""
 
     file: Text | None = None
-    format: Literal["csv", "ulog", "dataflash", "rosbag", "mat", "iaga"] | None = None
+    format: Literal["csv", "ulog", "dataflash", "rosbag", "mat", "iaga", "imagcdf"] | None = None
     stream: Text = ""
     time: Name | None = None
     time_unit: TimeUnit | None = None

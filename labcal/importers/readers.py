@@ -31,6 +31,7 @@ READERS: Mapping[str, Reader] = {
     "rosbag": Reader("rosbag", "rosbags", "a ROS 1 or ROS 2 bag"),
     "mat": Reader("mat", None, "a MATLAB file"),
     "iaga": Reader("iaga", None, "an observatory's IAGA-2002 file"),
+    "imagcdf": Reader("imagcdf", "cdflib", "an observatory's ImagCDF file"),
 }
 
 

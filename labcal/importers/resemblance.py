@@ -32,12 +32,13 @@ MAGNETIC = re.compile(r"mag|field|^b[_.]?[xyz]|hmc|compass|dut|flux|^[xyz]$", re
 OTHER = re.compile(r"acc|gyr|vel|pos|rate|grav|bias|off|ofs|cov|torque|mo[xyz]$", re.IGNORECASE)
 AXIS = re.compile(r"(^|[_. ])[xyz]([_. ]|$)", re.IGNORECASE)  # a letter that stands alone
 IN_NAME = (
-    (r"(^|_)ga(uss)?($|[_\[])", "G"),
-    (r"(^|_)nt($|[_\[])", "nT"),
-    (r"(^|_)[uµ]t($|[_\[])", "uT"),
-    (r"(^|_)mg($|[_\[])", "mG"),
+    (r"(^|[_\[(])g(a(uss)?)?($|[_\[\])])", "G"),
+    (r"(^|[_\[( ])nt($|[_\[\])])", "nT"),
+    (r"(^|[_\[( ])[uµμ]t($|[_\[\])])", "uT"),
+    (r"(^|[_\[( ])mg($|[_\[\])])", "mG"),
 )
-REFERENCE = re.compile(r"ref|truth|true|igrf|wmm|model", re.IGNORECASE)
+REFERENCE = re.compile(r"ref|truth|true|igrf|wmm|model|fluxgate|overhauser|normal[_ .]", re.IGNORECASE)
+DATE = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:")
 OF_THREE = (("x", "y", "z"), ("0", "1", "2"), ("1", "2", "3"))
 LEAST = 8  # rows, to say anything
 
@@ -56,13 +57,13 @@ def clock(stream: Stream) -> Resemblance | None:
     """The column whose values grow, rather one that is called so; a text column of dates where none does."""
     growing = [name for name, values in stream.numbers.items() if _grows(values)]
     named = [name for name in growing if CLOCK.search(name)]
+    dated = [name for name, cells in stream.texts.items() if cells and DATE.match(cells[0])]
+    if dated and not named:  # a count of rows grows, too
+        return Resemblance((dated[0],), "iso", "dates")
     for name in [*named, *growing]:
         return Resemblance(
             (name,), _time_unit(name, stream.numbers[name]), f"grows from row to row, {_step(stream, name)}"
         )
-    for name, cells in stream.texts.items():
-        if re.match(r"\d{4}-\d\d-\d\d[T ]\d\d:", cells[0] if cells else ""):
-            return Resemblance((name,), "iso", "dates")
     return None
 
 

@@ -117,6 +117,7 @@ def on_a_line(name: str, role: str) -> Iterator[str]:
         ("genesys", "coil-x", "LAMBDA,GEN40-38"),
         ("pos-1", "reference", "POS-1 Overhauser magnetometer N 117"),
         ("gsm", "reference", "sends by itself"),
+        ("i2c-board", "dut", "sends by itself"),
         ("thorlabs-apt", "platform", "K10CR1"),
         ("trinamic-tmcl", "platform", "module"),
         ("standa-8smc5", "platform", "errc"),
@@ -131,6 +132,7 @@ def test_what_speaks_otherwise_is_known_too(name: str, role: str, said: str, mon
             monkeypatch.setattr(looking, "RTU", ())
         one = found_at(link)
     assert (one.driver, one.said[: len(said)]) == (name, said)
+    assert one.settings == ('chip = "rm3100"' if name == "i2c-board" else "")
 
 
 def test_the_draft_is_refused_until_limits_are_stated(tmp_path: Path) -> None:

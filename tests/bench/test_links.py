@@ -316,7 +316,7 @@ def test_bytes_are_stamped_when_they_come_even_while_somebody_else_waits() -> No
     assert looks[2] <= stamp <= looks[10]
 
 
-@pytest.mark.parametrize("url", ["telnet://x:1", "gpib://3"])
+@pytest.mark.parametrize("url", ["ssh://x:1", "gpib://3"])
 def test_a_scheme_that_is_not_known_is_refused(url: str) -> None:
     with pytest.raises(InputError, match="none of serial://"):
         open_link(url, RealClock())

@@ -102,3 +102,15 @@ def test_after_the_bench_every_coil_is_at_zero_and_open() -> None:
         assert np.abs(bench.cage.currents_A() - [1.0, -1.0, 0.5]).max() < 0.01
         bench.make_safe()
         np.testing.assert_array_equal(bench.cage.currents_A(), 0.0)
+
+
+def test_a_reference_that_is_asked_is_asked_at_its_rate_however_long_the_bench_waits(tmp_path: Path) -> None:
+    file = tmp_path / "bench.toml"
+    file.write_text(EXAMPLE.read_text().replace("{ rate = 20 }", '{ rate = 20, mode = "polled" }'))
+    with open_bench(file, clock=VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), seed=3) as bench:
+        bench.start()
+        blocks = [b for _ in range(2) for b in bench.stream_until(bench.clock.now() + 5.0) if b.stream == "reference"]
+        bench.stop()
+    stamps = np.concatenate([block.t_s for block in blocks])
+    assert 180 < len(stamps) <= 200  # a beat that is missed, while a supply is asked, is left out
+    assert np.diff(stamps).max() < 0.2

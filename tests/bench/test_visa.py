@@ -22,7 +22,8 @@ PATIENCE_S = 60.0
         ("GPIB::5", "GPIB0::5::INSTR"),
         ("gpib1::5::instr", "GPIB1::5::INSTR"),
         ("TCPIP::192.168.0.7", "TCPIP0::192.168.0.7::INSTR"),
-        ("USB0::0x0957::0x0807::MY51::INSTR", "USB0::0X0957::0X0807::MY51::INSTR"),
+        ("USB0::0x0957::0x0807::MY51::INSTR", "USB0::0x0957::0x0807::MY51::INSTR"),
+        ("tcpip::h::hislip0", "TCPIP0::h::hislip0::INSTR"),
     ],
 )
 def test_a_resource_is_called_by_its_whole_name(address: str, whole: str) -> None:

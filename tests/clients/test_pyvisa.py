@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from binascii import crc_hqx
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from typing import Any
@@ -16,6 +17,8 @@ from waiting import settled, until
 
 from drivers.gsm import Gsm
 from drivers.gsm import Settings as GsmSettings
+from drivers.i2c_board import I2cBoard
+from drivers.i2c_board import Settings as I2cSettings
 from drivers.pos1 import Pos1
 from labcal.bench.driver_kit.testing import scripted
 
@@ -139,6 +142,19 @@ def test_gsm_readings(line: Line) -> None:
     ours = Gsm.parse_again(GsmSettings(period_s=0.25), "\n".join([*said, ""]).encode())
     assert ours[:, 0].tolist() == [numbers[-2] for numbers in theirs]
     assert all(numbers[-1] == 99 for numbers in theirs)
+
+
+@pytest.mark.met(
+    "i2c-board", BY, "20 lines: the counts that it reads of them times the data sheet's scale in our driver's nT"
+)
+def test_i2c_board_readings(line: Line) -> None:
+    with opened(line, "\r\n") as board:
+        board.read()  # it may have begun before we came
+        said = [board.read() for _ in range(READINGS)]
+    theirs = [from_ascii_block(words.partition("*")[0], "f", lambda text: text.split()[3:6]) for words in said]
+    ours = I2cBoard.parse_again(I2cSettings(chip="lis3mdl"), "\r\n".join([*said, ""]).encode())
+    assert ours == pytest.approx(np.array(theirs) * 1e5 / 6842)
+    assert all(crc_hqx(words[:-5].encode(), 0xFFFF) == int(words[-4:], 16) for words in said)
 
 
 @pytest.mark.met("alphalab", BY, "binary requests: its lists in chunks, a reading whose magnitude fits its axes")

@@ -5,21 +5,23 @@ The questions and answers stand in wires.py; what is special to one instrument s
 
 from __future__ import annotations
 
+import re
 import socket
 import threading
 import time
 from contextlib import suppress
 from dataclasses import fields
+from datetime import UTC, datetime
 from typing import Any, get_type_hints
 
 import pytest
 from frames import rtu
 from wires import DRIVERS, WIRES
 
-from labcal.bench.clock import RealClock
+from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.config import DutLimits, PlatformConfig
 from labcal.bench.driver_kit.testing import SILENT, UNPLUGGED, Exchange, scripted
-from labcal.bench.links import open_link
+from labcal.bench.links import EmulatedLink, open_link
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.platform import BenchPlatform
 from labcal.errors import InstrumentError, LimitError
@@ -47,7 +49,7 @@ def fault_of(name: str, *replies: Any) -> str:
 
 def test_every_driver_is_here_or_only_listens() -> None:
     slow = {"pos-1", "mavlink", "twinleaf"}  # what it answers comes with a later look: test_pos1.py and their own
-    listens = {"can-dbc", "ccsds", "csv-line", "gsm", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
+    listens = {"can-dbc", "ccsds", "csv-line", "gsm", "i2c-board", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
     assert set(WIRES) | listens | slow | {"manual"} == set(DRIVERS)
 
 
@@ -143,6 +145,56 @@ def test_a_late_reply_does_not_answer_the_next_question(name: str) -> None:
         assert wire.call(driver) == pytest.approx(wire.value)
 
 
+@pytest.mark.parametrize("name", ASKING)
+def test_a_reply_that_comes_twice_does_not_answer_the_next_question(name: str) -> None:
+    wire = WIRES[name]
+    script = [*wire.before, (wire.ask(0)[0], wire.other * 2), wire.ask(1)]
+    with scripted(DRIVERS[name], script, **wire.settings) as driver:
+        wire.prepare(driver)
+        with suppress(InstrumentError):  # two at once may be no reply at all
+            assert wire.call(driver) != pytest.approx(wire.value)
+        assert wire.call(driver) == pytest.approx(wire.value)
+
+
+class Foreign:
+    """A multimeter that somebody has put on this port: it says its name to whatever it is asked."""
+
+    NAME = b"FLUKE, 45, 9080025, 2.0 D2.0\r\n"
+
+    def __init__(self) -> None:
+        self.heard, self._said = b"", list[tuple[float, bytes]]()
+
+    def take(self, t_s: float, data: bytes) -> None:
+        self.heard += data
+        self._said.append((t_s + 0.01, self.NAME))
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        due = [one for one in self._said if one[0] <= until_s]
+        self._said = self._said[len(due) :]
+        return due
+
+    def due_s(self) -> float:
+        return self._said[0][0] if self._said else float("inf")
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_a_foreign_model_on_its_port_is_refused_and_is_told_no_set_point(name: str) -> None:
+    hints, clock, other = (
+        get_type_hints(DRIVERS[name].__init__),
+        VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)),
+        Foreign(),
+    )
+    line: Any = EmulatedLink("emulated://line", other, clock)
+    link = ModbusLink(line, clock) if hints["link"] is ModbusLink else line
+    driver = DRIVERS[name]("it", link, clock, hints["settings"](**WIRES[name].settings))
+    with pytest.raises(InstrumentError) as caught:
+        driver.identify()
+    assert caught.value.fault in ("another instrument", "wrong reply", "silent", "refused", "out of step")
+    assert caught.value.remedy
+    assert clock.now() < 60.0
+    assert not re.search(rb"(CURR|ISET|VOLT|VSET|I1|V1|PC|PV|OUTP?\d?) ?[\d.]", other.heard)
+
+
 @pytest.mark.parametrize("name", MODBUS)
 def test_a_bad_checksum_is_silence_and_an_exception_is_said(name: str) -> None:
     request, reply = WIRES[name].ask(0)
@@ -172,7 +224,7 @@ def test_a_move_out_of_range_sends_nothing(name: str, angle_deg: float, rate: fl
         BenchPlatform(stage, PlatformConfig(), DutLimits()).move_to(angle_deg, rate)
 
 
-LISTENING = ("ccsds", "csv-line", "gsm", "lemi-025", "pmag", "rm3100", "text-line")
+LISTENING = ("ccsds", "csv-line", "gsm", "i2c-board", "lemi-025", "pmag", "rm3100", "text-line")
 
 
 @pytest.mark.parametrize("name", LISTENING)

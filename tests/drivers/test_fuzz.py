@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from listening import cut
 
 from drivers import ccsds as ccsds_driver
-from drivers import csv_line, lemi_025, pmag, rm3100, text_line
+from drivers import csv_line, i2c_board, lemi_025, pmag, rm3100, text_line
 from drivers.emulators.ccsds import own_time
 from drivers.framing import alphalab, ccsds, cobs, hmr2300, lemi, nmea, slip
 from drivers.framing.crc16 import crc16
@@ -131,6 +131,12 @@ TARGETS = {
     "csv-line": lines_of(csv_line, True),
     "text-line": lines_of(text_line, False, full_scale_nT=1e300),
     "rm3100": lines_of(rm3100, False),
+    "i2c-board": Target(
+        lambda k: i2c_board.sealed(f"{k} rm3100 {50 * k} {' '.join(f'{v:.0f}' for v in xyz(k))}"),
+        lambda: i2c_board.Parser("dut", i2c_board.Settings(unit="count"), Mishaps("dut")),
+        sent,
+        first=b"\n",
+    ),
     "lemi-025": Target(
         lambda k: lemi.build(b"L025", 1.7e9 + k, k % 3 > 0, np.tile(np.array(xyz(k)) / 1000, (10, 1))),
         lambda: lemi_025.Parser("dut", lemi_025.Settings(), Mishaps("dut")),

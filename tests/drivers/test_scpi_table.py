@@ -236,7 +236,7 @@ def test_a_key_that_is_missing_is_named(tmp_path: Path) -> None:
     ("lines", "told"),
     [
         ("", "state model"),
-        ('settings = { model = "acme" }', "there is no table 'acme'; there are agilent-66xx"),
+        ('settings = { model = "acme" }', "there is no table 'acme'; there are agilent-603x"),
         ('settings = { model = "siglent-spd3303x", channel = 3 }', "channel must be one of 1, 2"),
         ('settings = { model = "siglent-spd3303x", max_current_A = 3.3 }', "at most 3.2 A"),
         ('settings = { model = "agilent-e3631a", compliance_V = 12 }', "at most 6.18 V"),

@@ -143,6 +143,10 @@ WIRES: dict[str, Wire] = {
         always(b"IOUT1?", b"0.499"), current, 0.499, b"9.999", nonsense=(b"00.49", b"-.499", b"0,499"), timeout_s=0.5,
         asks=2,
     ),
+    "hp-603x": Wire(
+        always(b"IOUT?\n", b"IOUT   0.4990\r\n"), current, 0.499, b"IOUT   0.9990\r\n",
+        nonsense=(b"0.4990\r\n", b"VOUT 0.499\r\n", b"IOUT nan\r\n"), timeout_s=1.5,
+    ),
     "genesys": Wire(
         always(b"MC?\r", b"00.499\r"), current, 0.499, b"00.999\r", prepare=current,
         before=[(b"ADR 6\r", b"OK\r"), (b"MC?\r", b"00.000\r")], nonsense=(b"OK\r", b"C01\r", b"nan\r", b"ON\r"),

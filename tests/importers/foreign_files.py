@@ -129,6 +129,40 @@ def iaga(path: Path, made: Made) -> Path:
     return path
 
 
+def imagcdf(path: Path, made: Made) -> Path:
+    """ImagCDF 1.2 by NASA's layout, written with cdflib: H [nT], D [degrees] and Z; S at times of its own; a gap."""
+    from cdflib.cdfwrite import CDF
+
+    file = CDF(path, cdf_spec={"Majority": "row_major"}, delete=True)
+    file.write_globalattrs({"IagaCode": {0: "NWH"}, "ObservatoryName": {0: "Nowhere"}, "ElementsRecorded": {0: "HDZS"}})
+    tt = cdf_times(made.t_s)
+    x, y, z = made.reading.T.copy()
+    elements = {"H": np.hypot(x, y), "D": np.degrees(np.arctan2(y, x)), "Z": z.copy()}
+    for values in elements.values():
+        values[7] = 99999.0
+    elements["S"] = np.linalg.norm(made.reference, axis=1)[::2]
+    for name, stamps in (("GeomagneticVectorTimes", tt), ("GeomagneticScalarTimes", tt[::2])):
+        file.write_var({"Variable": name, "Data_Type": 33, "Num_Elements": 1, "Rec_Vary": True, "Dim_Sizes": []},
+                       var_data=stamps)  # fmt: skip
+    for name, values in elements.items():
+        times = "GeomagneticScalarTimes" if name == "S" else "GeomagneticVectorTimes"
+        file.write_var(
+            {"Variable": f"GeomagneticField{name}", "Data_Type": 45, "Num_Elements": 1, "Rec_Vary": True,
+             "Dim_Sizes": []},
+            var_attrs={"UNITS": "Degrees of arc" if name == "D" else "nT", "FILLVAL": [99999.0, "CDF_DOUBLE"],
+                       "DEPEND_0": times},
+            var_data=values,
+        )  # fmt: skip
+    file.close()
+    return path
+
+
+def cdf_times(t_s: Array) -> NDArray[np.int64]:
+    """TT2000 of times from 2024-05-10 on [ns]: 69.184 s, TT less UTC since 2017, later than UTC's own count."""
+    noon_2000, begun = 946_728_000, 1_715_299_200
+    return np.round((begun - noon_2000 + 69.184) * 1e9).astype(np.int64) + np.round(t_s * 1e9).astype(np.int64)
+
+
 def csv(path: Path, columns: Mapping[str, Array], delimiter: str = ",", header: bool = True) -> Path:
     rows = np.column_stack(list(columns.values()))
     lines = [delimiter.join(columns)] if header else []

@@ -88,10 +88,29 @@ kind = "scalar"
 column = "F"
 unit = "nT"
 """,
+    "imagcdf": """[time]
+column = "time"
+unit = "s"
+[reading]
+columns = ["X", "Y", "Z"]
+unit = "nT"
+[reference]
+kind = "scalar"
+stream = "GeomagneticScalarTimes"
+column = "S"
+unit = "nT"
+""",
 }
 MAKERS: dict[str, Callable[[Path, Made], Path]] = {name: getattr(foreign, name) for name in MAPPINGS}
-SUFFIX = {"ulog": "ulg", "dataflash": "bin", "rosbag": "ros2", "mat": "mat", "iaga": "sec"}
-SMALLEST = {"ulog": 0.01, "dataflash": 50.5, "rosbag": 0.01, "mat": 1e-6, "iaga": 3.0}  # what a file cuts off [nT]
+SUFFIX = {"ulog": "ulg", "dataflash": "bin", "rosbag": "ros2", "mat": "mat", "iaga": "sec", "imagcdf": "cdf"}
+SMALLEST = {
+    "ulog": 0.01,
+    "dataflash": 50.5,
+    "rosbag": 0.01,
+    "mat": 1e-6,
+    "iaga": 3.0,
+    "imagcdf": 1e-6,
+}  # what a file cuts off [nT]
 
 
 def made_file(folder: Path, name: str, made: Made) -> Path:
@@ -114,7 +133,7 @@ def test_readings_and_times_are_those_of_the_file(name: str, tmp_path: Path) -> 
     run = imported(tmp_path, name, made)
     missing = ~np.isfinite(run.reading).all(axis=1)
     assert len(run) == len(made.t_s)
-    assert missing.sum() == (1 if name == "iaga" else 0)
+    assert missing.sum() == (1 if name in ("iaga", "imagcdf") else 0)
     assert np.abs(run.reading - made.reading)[~missing].max() < SMALLEST[name]
     if name != "iaga":  # whose files have one row a second
         assert np.allclose(np.diff(run.t_s), 0.25, atol=1e-6)
@@ -126,6 +145,16 @@ def test_a_ulog_s_channel_start_and_on_board_calibration(tmp_path: Path) -> None
     assert run.started_utc == "2023-06-21T06:42:52Z"
     assert "CAL_MAG0_XOFF 0.25" in run.segments[0].note
     assert "SHA-256" in run.segments[0].note
+
+
+def test_an_imagcdf_s_times_are_utc_and_its_head_is_kept(tmp_path: Path) -> None:
+    made = foreign.tumble()
+    run = imported(tmp_path, "imagcdf", made)
+    assert run.started_utc == "2024-05-10T00:00:00Z"
+    assert "IagaCode: NWH" in run.segments[0].note
+    known = np.isfinite(run.reference_magnitude)
+    assert known.sum() > 0.9 * len(run)
+    assert np.abs(run.reference_magnitude - np.linalg.norm(made.reference, axis=1))[known].max() < 1.0
 
 
 def test_an_ardupilot_log_tells_what_is_applied_on_board(tmp_path: Path) -> None:

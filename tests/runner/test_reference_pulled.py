@@ -1,4 +1,4 @@
-"""An analogue reference whose box is pulled while a field is held: noticed, named, the coils at zero 2 s later."""
+"""A reference that is pulled, or falls silent, while a field is held: named, and the coils at zero 2 s later."""
 
 from __future__ import annotations
 
@@ -12,50 +12,108 @@ import numpy as np
 import pytest
 
 from labcal.bench import open_bench
-from labcal.bench.clock import VirtualClock
-from labcal.bench.streams.watch import NOTICED_S
+from labcal.bench.clock import LOOK_S, VirtualClock
 from labcal.errors import InstrumentError
 from labcal.record.stream import Item, Step
 from labcal.runner import find, run_procedure, yes_to_all
 from labcal.store import Store
 
 HMR2300 = 'driver = "hmr2300"\nlink = "emulated://"\nrole = "reference"\nsettings = { rate = 20 }'
-LABJACK = (
-    'driver = "labjack-t7"\nlink = "emulated://"\nrole = "reference"\nsettings = { uT_per_V = [10.0, 10.0, 10.0] }'
-)
-ZERO_A, ZERO_S = 0.005, 2.0
+VOLTS = {"uT_per_V": "[10.0, 10.0, 10.0]"}
+STATED: dict[str, dict[str, str]] = {
+    "alphalab": {}, "daq-inputs": VOLTS, "hmr2300": {"rate": "20"}, "labjack-t7": VOLTS,
+    "metrolab": {"timeout_s": "0.5"}, "rm3100": {}, "text-line": {}, "twinleaf": {},
+}  # fmt: skip
+ZERO_A, ZERO_S, DUT_SILENT_S = 0.005, 2.0, 30.0
+TIMED_OUT = ("labjack-t7",)  # that nobody answers is known 1.1 s later on an emulated line, which numbers no replies
 
 
-def test_a_labjack_that_is_pulled_ends_with_the_coils_at_zero(
-    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    clock, pulled_s = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), list[float]()
-    with (
-        closing(open_bench(bench_file("", (HMR2300, LABJACK)), clock=clock, seed=2)) as bench,
-        Store.open() as store,
-    ):
+class Attentive(VirtualClock):
+    """Simulated time in which streams are listened to as often as in true time."""
+
+    listen_s = LOOK_S
+
+
+def held_and_then(
+    happens: Callable[[Any], None], path: Path, seen: list[float], of: str = "reference"
+) -> tuple[BaseException | None, dict[str, Any], float]:
+    """A field is held, `happens` is done to the link of the instrument `of` and its time noted: fault, coils, end."""
+    clock = Attentive(datetime(2026, 11, 21, tzinfo=UTC))
+    with closing(open_bench(path, clock=clock, seed=2)) as bench, Store.open() as store:
         lab: Any = bench.simulated_operator._lab
 
-        def lost(*_: object) -> None:
-            raise InstrumentError("reference: the link is lost.", fault="link lost", remedy="Plug it in.")
-
         def tell(item: Item) -> None:
-            if isinstance(item, Step) and item.name == "held" and not pulled_s:
-                pulled_s.append(clock.now())
-                for call in ("send", "receive", "reopen"):
-                    if hasattr(bench._links["reference"], call):
-                        monkeypatch.setattr(bench._links["reference"], call, lost)
+            if isinstance(item, Step) and item.name == "held" and not seen:
+                seen.append(clock.now())
+                happens(bench._links[of])
 
         outcome = run_procedure(
             bench, find("field-hold"), {"duration_s": "60"}, store=store, answer=yes_to_all(True), tell=tell, run_id="R"
         )
-        assert isinstance(outcome.fault, InstrumentError), outcome.status
-        assert outcome.fault.fault in ("link lost", "silent")
-        assert outcome.fault.remedy
-        ended_s = clock.now()
-        assert max(abs(coil.at(np.array(pulled_s))[0]) for coil in lab.coils.values()) > 0.1
-        for coil in lab.coils.values():
-            times = np.arange(pulled_s[0], ended_s, 0.05)
-            flows = times[np.abs(coil.at(times)) > ZERO_A]
-            assert flows.max(initial=pulled_s[0]) < pulled_s[0] + NOTICED_S + ZERO_S
-            assert abs(coil.at(np.array([ended_s]))[0]) < ZERO_A
+        return outcome.fault, dict(lab.coils), clock.now()
+
+
+def at_zero_s(coils: dict[str, Any], since_s: float, until_s: float) -> float:
+    """How long after `since_s` the last coil was at zero for good."""
+    assert max(abs(coil.at(np.array([since_s]))[0]) for coil in coils.values()) > 0.1
+    times = np.arange(since_s, until_s, 0.01)
+    flows = [times[np.abs(coil.at(times)) > ZERO_A].max(initial=since_s) for coil in coils.values()]
+    assert all(abs(coil.at(np.array([until_s]))[0]) < ZERO_A for coil in coils.values())
+    return float(max(flows)) - since_s
+
+
+def pulled(monkeypatch: pytest.MonkeyPatch) -> Callable[[Any], None]:
+    """The computer says that the line is gone."""
+
+    def lost(*_: object) -> None:
+        raise InstrumentError("reference: the link is lost.", fault="link lost", remedy="Plug it in.")
+
+    def happens(link: Any) -> None:
+        for call in ("send", "receive", "reopen"):
+            monkeypatch.setattr(link, call, lost)
+
+    return happens
+
+
+def silenced(monkeypatch: pytest.MonkeyPatch) -> Callable[[Any], None]:
+    """The line is there, and nothing comes on it any more."""
+
+    def happens(link: Any) -> None:
+        def nothing(until_s: float) -> list[tuple[float, bytes]]:
+            link._clock.wait_until(until_s)
+            return []
+
+        monkeypatch.setattr(link, "receive", nothing)
+
+    return happens
+
+
+def reference(name: str, stated: dict[str, str]) -> tuple[str, str]:
+    """What stands in the example in place of its reference."""
+    settings = ", ".join(f"{key} = {value}" for key, value in stated.items())
+    entry = f'driver = "{name}"\nlink = "emulated://"\nrole = "reference"\nsettings = {{ {settings} }}'
+    return HMR2300, entry
+
+
+@pytest.mark.parametrize(
+    ("name", "how"), [(n, how) for n in STATED for how in (pulled, silenced) if how is pulled or n not in TIMED_OUT]
+)
+def test_a_reference_that_goes_while_a_field_is_held_ends_with_the_coils_at_zero(
+    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch, name: str, how: Any
+) -> None:
+    seen: list[float] = []
+    fault, coils, ended_s = held_and_then(how(monkeypatch), bench_file("", reference(name, STATED[name])), seen)
+    assert isinstance(fault, InstrumentError), fault
+    assert fault.fault == ("link lost" if how is pulled else "silent")
+    assert fault.remedy
+    assert at_zero_s(coils, seen[0], ended_s) < ZERO_S
+
+
+def test_a_dut_that_goes_is_waited_for_with_the_field_held(
+    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[float] = []
+    fault, coils, ended_s = held_and_then(pulled(monkeypatch), bench_file(), seen, of="dut")
+    assert isinstance(fault, InstrumentError), fault
+    assert "dut" in fault.what or fault.fault == "link lost"
+    assert 0.9 * DUT_SILENT_S < at_zero_s(coils, seen[0], ended_s) < DUT_SILENT_S + ZERO_S

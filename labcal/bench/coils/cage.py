@@ -140,6 +140,12 @@ class Cage:
         """Signed set-points (3,), read back."""
         return np.array([supply.set_point() for supply in self.supplies.values()])
 
+    @property
+    def way_down_s(self) -> float:
+        """How long the ramp to zero takes from the set-points that were told last; 0 with the outputs open."""
+        told = {axis: abs(self._read[axis].set_A or 0.0) for axis in AXES}
+        return max(told[axis] / rate for axis, rate in self._rates().items()) if self.on else 0.0
+
     def coils(self) -> tuple[CoilReading, ...]:
         """Each axis as it was last read, on the bench's clock."""
         return tuple(self._read.values())

@@ -184,6 +184,15 @@ class Magnetometer(Instrument, Protocol):
 
 
 @runtime_checkable
+class Pollable(Magnetometer, Protocol):
+    """A magnetometer that sends nothing by itself: a sample is there only if it is read when one is due."""
+
+    def due_s(self) -> float:
+        """When it is to be asked next, on the bench's clock; inf before `start` and after `stop`."""
+        ...
+
+
+@runtime_checkable
 class Paced(Magnetometer, Protocol):
     """A magnetometer that can be told how fast to sample."""
 

@@ -28,6 +28,7 @@ IDN = (  # of what answers *IDN?, by its text
 SENDS = (  # of what sends lines by itself, by the last of them
     (rb"\$PMAG.*", "pmag", "dut"),
     (rb"(\d\d-\d\d-\d{4} +)?\d{5,7}(\.\d+)? +\d{5,6}\.\d+( +\d\d)? *", "gsm", "reference"),
+    (rb"\d{1,3} (?P<chip>rm3100|mmc5983|lis3mdl|qmc5883|bmm350) \d+ [-a-z\d ]+\*[\dA-F]{4}", "i2c-board", "dut"),
     (rb".*", "csv-line", "dut or reference"),
 )
 Recognise = Callable[[str], dict[str, str] | None]
@@ -67,7 +68,10 @@ PROBES = (  # each ends first what the one before may have left in another's buf
 )
 
 
-MESSAGE = Probe((b"*IDN?\n",), PROBES[0].answer, "", "", 2.0)  # where a write is a message, it must be a whole one
+MESSAGES = (  # where a write is a message, it must be a whole one
+    Probe((b"*IDN?\n",), PROBES[0].answer, "", "", 2.0),
+    Probe((b"ID?\n",), rb"ID +HP ?60\d\d[A-Z]", "hp-603x", "coil", 2.0),  # of before SCPI
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +104,7 @@ def asked(link: str, clock: Clock, recognise: Recognise = lambda said: None) -> 
     elif scheme == "serial":
         yield from _serial(rest.partition("?")[0], clock, recognise)
     elif scheme != "emulated":
-        yield from _asked(link, clock, [MESSAGE] if scheme in ("visa", "usbtmc") else PROBES[:1], recognise)
+        yield from _asked(link, clock, MESSAGES if scheme in ("visa", "usbtmc") else PROBES[:1], recognise)
 
 
 def by_words(url: str, said: str, recognise: Recognise) -> Found:
@@ -171,8 +175,10 @@ def _talker(url: str, heard: bytes, known: Sequence[tuple[bytes, str, str]]) -> 
     if not lines or not all(re.fullmatch(rb"[ -~]+", line) for line in lines):
         return None
     for form, driver, kind in known:
-        if re.fullmatch(form, lines[-1]):
-            return Found(url, f"sends by itself: {lines[-1].decode()}", driver, kind)
+        if found := re.fullmatch(form, lines[-1]):
+            chip = found.groupdict().get("chip", b"").decode()
+            stated = f'chip = "{chip}"' if chip else ""
+            return Found(url, f"sends by itself: {lines[-1].decode()}", driver, kind, stated)
     return None
 
 

@@ -21,6 +21,7 @@ from labcal.errors import InstrumentError
 logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # all that it would say on stderr is raised as well
 T = TypeVar("T")
 REPLY_S, FRAME_GAP_S = 0.1, 0.005  # by then a healthy device has answered; and its frame has ended
+NUMBERED_QUIET_S = 0.05
 UNANSWERED = {"no_response_expected": True}
 EXCEPTIONS = {
     1: ": it does not know the function",
@@ -201,5 +202,7 @@ class _LineClient(ModbusBaseSyncClient):
 def modbus_link(line: Link, clock: Clock) -> ModbusLink:
     """The Modbus master on an open line: RTU frames, but for modbus-tcp://; `timeout_ms` in its URL, 600 if not."""
     scheme, _, options = split(line.url)
-    framer = "socket" if scheme == "modbus-tcp" else "rtu"
-    return ModbusLink(line, clock, framer=framer, timeout_s=int(options.get("timeout_ms", "600")) / 1000)
+    timeout_s = int(options.get("timeout_ms", "600")) / 1000
+    if scheme == "modbus-tcp":  # its replies are numbered: a late one is told from the next
+        return ModbusLink(line, clock, framer="socket", timeout_s=timeout_s, quiet_s=NUMBERED_QUIET_S)
+    return ModbusLink(line, clock, timeout_s=timeout_s)

@@ -180,7 +180,7 @@ def _connected(url: str) -> set[int]:
         scheme, address, _ = split(url)
     except InputError:  # whoever opens it says so, with the line in the file
         return set()
-    if scheme not in ("tcp", "modbus-tcp") and not address.startswith("socket://"):
+    if scheme not in ("tcp", "telnet", "modbus-tcp") and not address.startswith("socket://"):
         return set()
     host, port = place(url, scheme, address.removeprefix("socket://"))
     return {uid for found in hosts.addresses(host) for uid in connected(found, port)}

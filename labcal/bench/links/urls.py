@@ -9,7 +9,8 @@ from labcal.bench.links.visa import canonical
 from labcal.errors import InputError
 
 SERIAL = ("serial", "modbus-rtu")
-NETWORK = ("tcp", "udp", "modbus-tcp")
+NETWORK = ("tcp", "udp", "telnet", "modbus-tcp")
+PORTS = {"modbus-tcp": 502, "telnet": 23}  # where none is stated
 OTHERS = ("usbtmc", "visa", "can", "daq", "manual", "emulated")
 NUMBERS = {"baud": 1, "bitrate": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
 CHOICES = {
@@ -48,14 +49,14 @@ def split(url: str) -> tuple[str, str, dict[str, str]]:
 def is_connection(url: str) -> bool:
     """Whether somebody at the other end holds a TCP connection, which may be forgotten there and looks well here."""
     scheme, _, address = url.partition("://")
-    return scheme in ("tcp", "modbus-tcp") or address.partition("://")[0].lower() in OVER_NETWORK
+    return scheme in ("tcp", "telnet", "modbus-tcp") or address.partition("://")[0].lower() in OVER_NETWORK
 
 
 def place(url: str, scheme: str, address: str) -> tuple[str, int]:
     """Host and port of a network address; "" where it names none. Raises InputError where the port is none."""
     try:
         stated = urlsplit(f"//{address}")
-        port = stated.port or (502 if scheme == "modbus-tcp" else None)
+        port = stated.port or PORTS.get(scheme)
     except ValueError as error:
         raise InputError(f"link {url!r}: its port is no number from 1 to 65535") from error
     if port is None:

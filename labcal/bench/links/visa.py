@@ -5,7 +5,8 @@ from __future__ import annotations
 import errno
 import re
 import warnings
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from typing import Any
 
@@ -15,26 +16,28 @@ from labcal.errors import InputError
 OPEN_S, STATUS_S = 5.0, 0.1
 KINDS = ("GPIB", "TCPIP", "USB", "VXI")
 HOW = "visa:// needs pyvisa; install it: pip install 'labcal[visa]' (GPIB and USBTMC: docs/bench.md)"
+LOST = (errno.ENXIO, errno.ECONNRESET, errno.EPIPE, errno.ENOTCONN, errno.EBADF)
 GONE = ("VI_ERROR_CONN_LOST", "VI_ERROR_RSRC_NFOUND", "VI_ERROR_INV_OBJECT", "VI_ERROR_NLISTENERS")
 
 
 def canonical(address: str) -> str:
-    """The resource's name with what may be left out: its board, 0, and its class, INSTR.
+    """The resource's name with what may be left out: its board, 0, and its class, INSTR. What names the instrument
+    stays as it is spelt, for it may know its own name in these letters alone.
 
     Raises InputError for what is none, and for a serial line or a raw socket, which have links of their own: pyvisa-py
     waits for ever for a socket whose other end has hung up.
     """
-    kind, *parts = address.upper().split("::")
-    found = re.fullmatch(r"([A-Z]+)(\d*)", kind)
+    kind, *parts = address.split("::")
+    found = re.fullmatch(r"([A-Z]+)(\d*)", kind.upper())
     if found and found[1] == "ASRL":
         raise InputError(f"link 'visa://{address}': a serial line is serial://… (docs/bench.md)")
     if not found or found[1] not in KINDS or not parts or not all(parts):
         known = ", ".join(f"{one}…::…" for one in KINDS)
         raise InputError(f"link 'visa://{address}': is no VISA resource such as {known}")
-    if parts[-1] == "SOCKET":
+    if parts[-1].upper() == "SOCKET":
         raise InputError(f"link 'visa://{address}': a raw socket is tcp://HOST:PORT (docs/bench.md)")
-    last = [] if parts[-1] == "INSTR" else ["INSTR"]
-    return "::".join([f"{found[1]}{found[2] or 0}", *parts, *last])
+    named = parts[:-1] if parts[-1].upper() == "INSTR" else parts
+    return "::".join([f"{found[1]}{found[2] or 0}", *named, "INSTR"])
 
 
 def resources(backend: str = "py") -> list[str]:
@@ -80,38 +83,32 @@ class VisaPort:
 
     def write(self, data: bytes) -> None:
         """One message, which asks for a reply where it has a question mark."""
-        try:
+        with self._errors():
             self._port.write_raw(data)
-        except self._visa.errors.VisaIOError as error:
-            raise _as_os_error(error) from error
         self._replies.written(data)
 
     def status_byte(self) -> int | None:
         """By serial poll, or as the bus does it; None where it cannot, and where the instrument does not answer."""
         self._port.timeout = 1000 * STATUS_S
         try:
-            return int(self._port.read_stb())
-        except self._visa.errors.VisaIOError as error:
-            if error.abbreviation in GONE:
-                raise _as_os_error(error) from error
-            return None
-        except (NotImplementedError, AttributeError):  # how backends say that they lack it
+            with self._errors():
+                return int(self._port.read_stb())
+        except OSError as error:
+            if error.errno in LOST:
+                raise
             return None
         finally:
             self._port.timeout = 1000 * TIMEOUT_S
 
     def read_message(self) -> bytes:
         """One reply; b"" where none came in time."""
-        try:
-            return bytes(self._port.read_raw())
-        except self._visa.errors.VisaIOError as error:
-            if error.abbreviation != "VI_ERROR_TMO":
-                raise _as_os_error(error) from error
-            return b""
+        with self._errors(), suppress(TimeoutError):
+            return self._read_raw()
+        return b""
 
     def drop_reply(self) -> None:
         """A device clear, where the backend has one."""
-        with suppress(self._visa.errors.VisaIOError, NotImplementedError):
+        with suppress(OSError), self._errors():
             self._port.clear()
 
     def there(self) -> bool:
@@ -120,8 +117,29 @@ class VisaPort:
 
     def close(self) -> None:
         """Let go."""
-        with suppress(self._visa.errors.VisaIOError):
+        with suppress(OSError), self._errors():
             self._port.close()
+
+    def _read_raw(self) -> bytes:
+        try:
+            return bytes(self._port.read_raw())
+        except self._visa.errors.VisaIOError as error:
+            if error.abbreviation == "VI_ERROR_TMO":
+                raise TimeoutError from error
+            raise
+
+    @contextmanager
+    def _errors(self) -> Iterator[None]:
+        """What goes wrong on the bus, as OSError: pyvisa-py raises what it happens upon where a connection is gone."""
+        try:
+            yield
+        except OSError:
+            raise
+        except self._visa.errors.VisaIOError as error:
+            raise _as_os_error(error) from error
+        except Exception as error:
+            lacks = isinstance(error, NotImplementedError | AttributeError)  # how backends say that they lack it
+            raise OSError(errno.EIO if lacks else errno.ECONNRESET, f"{type(error).__name__}: {error}") from error
 
     def _opened(self, manager: Any, resource: str) -> Any:
         try:

@@ -1,4 +1,4 @@
-"""serial://, tcp://, udp://, usbtmc://, visa://, can://, daq://: real lines. A lost one stays so until opened anew."""
+"""serial, tcp, telnet, udp, usbtmc, visa, can, daq: links on real lines. A lost one stays so until opened anew."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from labcal.bench.links.echo import Echo
 from labcal.bench.links.gone import failed, is_gone, not_open, stands
 from labcal.bench.links.line import drop, read_reply
 from labcal.bench.links.ports import claim
+from labcal.bench.links.telnet import TelnetPort
 from labcal.bench.links.urls import place, split
 from labcal.bench.links.usbtmc import UsbtmcPort
 from labcal.bench.links.visa import VisaPort
@@ -336,4 +337,6 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
     if scheme == "daq":
         return DaqPort(address)
     host, port = place(url, scheme, address)
-    return UdpPort(host, port) if scheme == "udp" else TcpPort(host, port)
+    if scheme == "udp":
+        return UdpPort(host, port)
+    return TelnetPort(TcpPort(host, port)) if scheme == "telnet" else TcpPort(host, port)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from labcal.bench.clock import Clock
-from labcal.bench.driver_kit.roles import Magnetometer
+from labcal.bench.driver_kit.roles import Magnetometer, Pollable
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
@@ -43,12 +44,21 @@ def _wait_until(t_s: float, clock: Clock, look: Callable[[], None]) -> None:
 class Reconnecting:
     """Reads a sensor; while its line is lost nothing is read and it is tried again, for `patience_s` at the most.
 
-    `reopen` opens the line and raises InstrumentError where another instrument answers than before.
+    `reopen` opens the line and raises InstrumentError where another instrument answers than before. `left_s`: how long
+    the sensor may be missed now, with coils on; a line whose opening may itself take longer is then not `tried`.
     """
 
-    def __init__(self, sensor: Magnetometer, reopen: Callable[[], object], patience_s: float) -> None:
+    def __init__(
+        self,
+        sensor: Magnetometer,
+        reopen: Callable[[], object],
+        patience_s: float,
+        left_s: Callable[[], float] = lambda: math.inf,
+        tried: bool = True,
+    ) -> None:
         self.name, self.wrong = sensor.name, ""  # `wrong`: the fault that keeps it from sending, until it sends again
         self._sensor, self._reopen, self._patience_s = sensor, reopen, patience_s
+        self._left_s, self._tried = left_s, tried
         self._lost: InstrumentError | None = None
         self._since_s = self._next_s = 0.0
         self._events: list[Event] = []
@@ -70,6 +80,12 @@ class Reconnecting:
         self.wrong = "" if blocks else self.wrong
         return blocks
 
+    def due_s(self) -> float:
+        """When it is to be read next; inf where it sends by itself."""
+        if self._lost is not None:
+            return min(self._next_s, self._given_up_s())
+        return self._sensor.due_s() if isinstance(self._sensor, Pollable) else math.inf
+
     def events(self) -> list[Event]:
         """What the sensor lost since this was asked last: frames, samples."""
         return self._sensor.events()
@@ -80,7 +96,7 @@ class Reconnecting:
         return noted
 
     def _try_again(self, t_s: float, lost: InstrumentError) -> None:
-        if t_s - self._since_s > self._patience_s:
+        if t_s >= self._given_up_s():
             raise lost
         if t_s < self._next_s:
             return
@@ -94,6 +110,12 @@ class Reconnecting:
             return
         self._lost, self.wrong = None, ""
         self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was lost")
+
+    def _given_up_s(self) -> float:
+        left_s = self._left_s()
+        if left_s < self._patience_s and not self._tried:
+            return self._since_s
+        return self._since_s + min(self._patience_s, left_s)
 
     def _note(self, t_s: float, fault: str, text: str) -> None:
         self._events.append(Event(t_s, "stream", f"{self._sensor.name}: {text}", {"fault": fault}))

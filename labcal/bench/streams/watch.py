@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections import deque
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -12,7 +14,7 @@ from labcal.record.stream import Block, Event
 
 Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
-NOTICED_S, SILENCES = 2.0, 5.0
+NOTICED_S, SILENCES, PAUSES = 2.0, 5.0, 2.0
 LOOK_S = 2.0
 UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
 SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
@@ -20,6 +22,9 @@ SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to 
 
 class StreamWatch:
     """Raises InstrumentError where nothing has come for `silent_s`, or the same values for `stuck_s`.
+
+    With coils on, the sensor that watches them may be missed for less: `left_s` of `see`, but `PAUSES` times the
+    longest of the last pauses between two looks that found something.
 
     A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
     While something else that was told keeps the stream from sending, it is none; it counts from the end of that.
@@ -29,6 +34,8 @@ class StreamWatch:
         self.name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
         self._last_s = self._changed_s = self._excused_s = now_s
         self._longest_s: float | None = None  # between two samples; None before there were two
+        self._came_s: float | None = None  # when a look found samples last
+        self._pauses_s = deque[float](maxlen=20)  # between two such looks
         self._quiet = False
         self._pending: list[Event] = []
         self._value: Array | None = None
@@ -48,14 +55,15 @@ class StreamWatch:
         pending, self._pending = self._pending, []
         return pending
 
-    def see(self, blocks: list[Block], now_s: float, wrong: str = "") -> None:
+    def see(self, blocks: list[Block], now_s: float, wrong: str = "", left_s: float = math.inf) -> None:
         """Look at what has come up to `now_s`; `wrong` is what is known to keep it from sending."""
         for block in blocks:
             if block.stream in ("dut", "reference") and len(block):
                 self._note(block)
+                self._came(now_s)
         self._excused_s = now_s if wrong else self._excused_s
         self._notice(now_s)
-        if now_s - self._last_s > self._silent_s:
+        if now_s - self._last_s > self._silent_s or self._missed(now_s, left_s):
             raise InstrumentError(
                 f"{self.name}: no sample for {now_s - self._last_s:.1f} s.",
                 fault="silent",
@@ -67,6 +75,16 @@ class StreamWatch:
                 fault="stuck",
                 remedy="Switch the sensor off and on, and look at its range.",
             )
+
+    def _came(self, now_s: float) -> None:
+        if self._came_s is not None and self._excused_s < self._came_s:
+            self._pauses_s.append(now_s - self._came_s)
+        self._came_s = now_s
+
+    def _missed(self, now_s: float, left_s: float) -> bool:
+        """Whether it is missed for too long; of a stream whose pauses are not known, `silent_s` alone tells."""
+        known = self._came_s is not None and self._pauses_s
+        return bool(known) and now_s - (self._came_s or 0.0) > max(left_s, PAUSES * max(self._pauses_s))
 
     def _notice(self, now_s: float) -> None:
         """Say so once where it has fallen silent; a stream of which no two samples are known is given its time."""
