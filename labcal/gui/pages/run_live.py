@@ -31,6 +31,7 @@ from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
@@ -226,6 +227,10 @@ class Live(QWidget):
             self._run.pause()
 
     def _show(self) -> None:
+        with focus_kept_in(self, self.fit, self.close_run, self.note):
+            self._show_run()
+
+    def _show_run(self) -> None:
         run = self._run
         ended = run.state == "ended"
         self.title.setText(procedure_title(run.order.procedure) if run.order else "")
@@ -275,10 +280,10 @@ class Live(QWidget):
         self.fault.show_fault(fault)
         if fault is None:
             return self.fault.hide()
-        if fault.kind != "stopped":
-            return self.fault.say_coils(self._coils_left(fault))
         self.fault.say_coils(self._coils_left(fault))
-        kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
+        if fault.kind != "stopped":
+            return None
+        kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
         goes_on = self.tr(
             "Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew."
         )
