@@ -68,10 +68,11 @@ class Greeting:
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """A zero that the reference did not see, measured again."""
+    """A zero that the reference did not see, measured again; `coils` as they were read back then."""
 
     words: str
     lifted: bool
+    coils: tuple[CoilEnd, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

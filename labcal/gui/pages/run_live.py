@@ -26,6 +26,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.lab_now import alarm_of
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, clock_time, format_duration, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
@@ -221,10 +222,7 @@ class Live(QWidget):
         self.note.clear()
 
     def _pause_or_go_on(self) -> None:
-        if self._run.state == "paused":
-            self._run.go_on()
-        else:
-            self._run.pause()
+        self._run.go_on() if self._run.state == "paused" else self._run.pause()
 
     def _show(self) -> None:
         with focus_kept_in(self, self.fit, self.close_run, self.note):
@@ -367,6 +365,8 @@ class Live(QWidget):
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]
+        if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
+            return alarm
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
         wait = "" if left is None else f"{left:.0f} s"
@@ -376,7 +376,7 @@ class Live(QWidget):
         """When it is done and when a person is needed before that, by the clock on the wall; "" while one is."""
         run, now = self._run, datetime.now()
         done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
-        if done_s is None:
+        if done_s is None or alarm_of(self._app_state.lab.state.now.coil_words):
             return ""
         done = self.tr("Done at about {0}").format(clock_time(now, done_s))
         if needed_s is None or run.step is None:

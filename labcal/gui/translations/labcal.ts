@@ -697,6 +697,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>NOT at zero by the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>coils not read back in this session</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3440,6 +3444,14 @@
     </message>
     <message>
         <source>Answer the question</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See to the coils</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See to {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

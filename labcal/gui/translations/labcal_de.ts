@@ -697,6 +697,10 @@
         <translation>Nach der Referenz NICHT auf null: {0}. {1}</translation>
     </message>
     <message>
+        <source>NOT at zero by the reference</source>
+        <translation>Nach der Referenz NICHT auf null</translation>
+    </message>
+    <message>
         <source>coils not read back in this session</source>
         <translation>Spulen in dieser Sitzung nicht zurückgelesen</translation>
     </message>
@@ -3441,6 +3445,14 @@
     <message>
         <source>Answer the question</source>
         <translation>Die Frage beantworten</translation>
+    </message>
+    <message>
+        <source>See to the coils</source>
+        <translation>Nach den Spulen sehen</translation>
+    </message>
+    <message>
+        <source>See to {0}</source>
+        <translation>Nach {0} sehen</translation>
     </message>
     <message>
         <source>Say who and what</source>

@@ -697,6 +697,10 @@
         <translation>PAS à zéro selon la référence : {0}. {1}</translation>
     </message>
     <message>
+        <source>NOT at zero by the reference</source>
+        <translation>PAS à zéro selon la référence</translation>
+    </message>
+    <message>
         <source>coils not read back in this session</source>
         <translation>bobines non relues dans cette session</translation>
     </message>
@@ -3441,6 +3445,14 @@
     <message>
         <source>Answer the question</source>
         <translation>Répondre à la question</translation>
+    </message>
+    <message>
+        <source>See to the coils</source>
+        <translation>S&apos;occuper des bobines</translation>
+    </message>
+    <message>
+        <source>See to {0}</source>
+        <translation>S&apos;occuper de {0}</translation>
     </message>
     <message>
         <source>Say who and what</source>

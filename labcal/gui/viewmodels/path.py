@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.signing import NO_LONGER, awaited
@@ -93,6 +94,10 @@ class PathViewModel(QObject):
         if self._run.alive:
             asked = self._run.state == "asking"
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"))
+        if mark_of(state.now.coil_words)[1] == "bad":
+            return Next("Bench", self.tr("See to the coils"))
+        if failed := [name for name, light, _ in state.now.lights if light == "fault"]:
+            return Next("Bench", self.tr("See to {0}").format(failed[0]))
         if not state.dut_serial or state.dut_objection or not state.operator:
             return Next("Start", self.tr("Say who and what"))
         if last is not None and last.status == "interrupted":
