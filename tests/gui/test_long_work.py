@@ -96,7 +96,7 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
     ],
 )
 def test_a_fit_says_whether_it_is_good(still, studied, left_nT, stated_nT, words, state):
-    words = words and f"{words}\nThis run states no specification to judge it by."
+    words = words and f"{words} This run states no specification to judge it by."
     assert said_of("ml", fitted(left_nT, stated_nT)) == (words, state)
     still.open_page("Fit")
     page = still.page("Fit")

@@ -74,6 +74,15 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
     path.take_runs(())
 
 
+def test_a_name_that_no_record_takes_is_refused_before_a_run(still):
+    still.app_state.set_identity(operator="J" * 101)
+    choose = still.page("Run").choose
+    assert "at most 100 letters" in choose.objection.text()
+    assert not choose.start.isEnabled()
+    still.app_state.set_identity(operator="J. Doe")
+    assert choose.start.isEnabled()
+
+
 def test_how_long_a_procedure_takes_is_said_of_its_own_settings_alone(still):
     choose = still.page("Run").choose
     assert "min of measuring" in choose.needs.text()

@@ -1121,6 +1121,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: this user may not open it ({1}).</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1121,6 +1121,10 @@
         <translation>{0}: ein Etikett hat einen QR-Code: pip install &apos;labcal[paper]&apos;</translation>
     </message>
     <message>
+        <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation>der Name der Bedienperson muss eine druckbare Zeile von höchstens {0} Zeichen sein</translation>
+    </message>
+    <message>
         <source>{0}: this user may not open it ({1}).</source>
         <translation>{0}: Dieser Benutzer darf es nicht öffnen ({1}).</translation>
     </message>

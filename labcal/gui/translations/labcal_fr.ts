@@ -1121,6 +1121,10 @@
         <translation>{0} : une étiquette a un code QR : pip install &apos;labcal[paper]&apos;</translation>
     </message>
     <message>
+        <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation>le nom de l&apos;opérateur doit être une ligne imprimable d&apos;au plus {0} lettres</translation>
+    </message>
+    <message>
         <source>{0}: this user may not open it ({1}).</source>
         <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir ({1}).</translation>
     </message>

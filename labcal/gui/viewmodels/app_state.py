@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench import serials
 from labcal.bench.coils import state
+from labcal.errors import InputError
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
@@ -30,6 +31,7 @@ from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.record.person import check_operator
 
 R = TypeVar("R")
 AGES_MS = 250  # what was read grows old
@@ -219,7 +221,13 @@ class AppState(QObject):
             return said
         if said := self.login.objection():
             return said
-        return "" if state.operator else self.tr("Type the operator's name at the top.")
+        if not state.operator:
+            return self.tr("Type the operator's name at the top.")
+        try:
+            check_operator(state.operator)
+        except InputError as error:
+            return in_words(str(error))
+        return ""
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
         """Run a procedure for the DUT and the operator above."""

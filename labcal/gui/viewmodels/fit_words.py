@@ -33,7 +33,8 @@ def said_of(method: str, fitted: Fitted | None) -> tuple[str, str]:
     if fitted is None or left is None:
         return "", ""
     said = (_by_the_noise(left, fitted.stated_nT), _by_the_specification(fitted.specification))
-    return f"{method}: " + "\n".join(words for words, _ in said), max((state for _, state in said), key=STATES.index)
+    between = "\n" if fitted.specification else " "
+    return f"{method}: " + between.join(words for words, _ in said), max((state for _, state in said), key=STATES.index)
 
 
 def _by_the_noise(left_nT: float, stated_nT: float | None) -> tuple[str, str]:
