@@ -44,7 +44,6 @@ from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.stated_fields import StatedFields
 
 R = TypeVar("R")
-TABLE_PX = 17 * GRID  # its heading and three rows
 
 
 class CertificatePage(QWidget):
@@ -115,7 +114,6 @@ class CertificatePage(QWidget):
         card = Card(self.tr("Chosen calibration"), self.tr("U: k=2"))
         self.heading, self.standing = card.heading, label("", wrap=True)
         self.table = Table(PARAMETERS)
-        self.table.setMinimumHeight(TABLE_PX)
         self.views = CalibrationViews(self.table, theme)
         card.body.addWidget(self.standing)
         card.body.addWidget(self.views)

@@ -24,7 +24,6 @@ from labcal.gui.widgets.work_bar import WorkBar
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
 GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
-TABLE_PX = 17 * GRID  # its heading, three rows, and what scrolls it
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
 
@@ -96,7 +95,6 @@ class FitPage(QWidget):
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
-        self.table.setMinimumHeight(TABLE_PX)
         self.to_run = go_to_run_button(self._app_state)
         self.verdict = label("", wrap=True)
         self.verdict.setAccessibleName(self.tr("Whether the fit is good"))
