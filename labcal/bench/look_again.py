@@ -28,10 +28,11 @@ LISTEN_S = 3.0
 
 @dataclass(frozen=True, slots=True)
 class Looked:
-    """What was measured, in words, and whether the coils may be energised again."""
+    """What was measured, in words, and whether the coils may be energised again; `ended`: each coil as read back."""
 
     words: str
     lifted: bool
+    ended: tuple[AtZero, ...] = ()
 
 
 def look_again(path: Path, clear_as: str = "", clock: Clock | None = None) -> Looked | None:
@@ -52,8 +53,8 @@ def look_again(path: Path, clear_as: str = "", clock: Clock | None = None) -> Lo
     if agree or clear_as.strip():
         by = "supplies and reference agree again" if agree else f"{clear_as.strip()} answers for it"
         latch.lift(f"{by}, {reading}")
-        return Looked(f"{by}: the coils may be energised again. {reading}", True)
-    return Looked(f"{NOT_BY_REFERENCE}, {reading}. {doubt.advice}, then look again.", False)
+        return Looked(f"{by}: the coils may be energised again. {reading}", True, tuple(ended))
+    return Looked(f"{NOT_BY_REFERENCE}, {reading}. {doubt.advice}, then look again.", False, tuple(ended))
 
 
 def _agree(ended: list[AtZero], seen_nT: Vector | None, doubt: Doubt) -> bool:

@@ -10,7 +10,7 @@ from threading import Thread
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
-from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
 from labcal import plugin_loading
 from labcal.errors import InputError
@@ -123,6 +123,7 @@ class Window(Frame):
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         self._show_path()
+        self.stack.currentChanged.connect(self._show_next)
         app_state.fault.connect(self._show_fault)
         app_state.fault_over.connect(self._fault_is_over)
         app_state.lab.changed.connect(self._say_coils)
@@ -231,16 +232,30 @@ class Window(Frame):
     def _show_path(self) -> None:
         path = self.app_state.path
         self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()}, path.next().words)
+        self._show_next()
+
+    def _show_next(self) -> None:
+        """Who sees the run already, and is not asked, has nothing to do but to wait."""
+        run = self.app_state.run
+        self.next.setDisabled(run.alive and run.state != "asking" and self.page_shown() == "Run")
 
     def _go_on(self) -> None:
         """To what is next; where it is to say who and what, into the field that is wanted."""
         to, state = self.app_state.path.next(), self.app_state.lab.state
         self.app_state.go(to)
+        wanted: list[QWidget] = []
         if to.page == "Start" and state.bench:
-            wanted = [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
+            wanted += [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
             wanted += [self.top.operator] * (not state.operator)
-            for entry in wanted[:1]:
-                entry.setFocus()
+        for widget in [*wanted, *self._begins_at(to.page)][:1]:
+            widget.setFocus(Qt.FocusReason.TabFocusReason)
+
+    def _begins_at(self, name: str) -> list[QWidget]:
+        """The one thing to do on a page, else where that begins; a click on Next shows it where the page is open."""
+        lazy_page = self.lazy_pages[name]
+        buttons = lazy_page.findChildren(QPushButton, "primary")
+        begins_at = getattr(lazy_page.page, "begins_at", None)
+        return [one for one in (*buttons, begins_at) if one is not None and one.isVisible() and one.isEnabled()]
 
     def _scanned(self, text: str) -> None:
         """A serial; on the locked screen a badge."""

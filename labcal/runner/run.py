@@ -23,7 +23,7 @@ from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
-from labcal.record.stream import NOT_KEPT, REMARK, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, Event, Item, Measurement, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
@@ -146,13 +146,15 @@ def resume_run(
 ) -> Outcome:
     """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
 
+    What was measured before is told first, and counts in the outcome.
     Raises InputError where the run was not interrupted, the procedure cannot be resumed, is another or has changed
     since, or another DUT (`dut_serial` where it is stated) or another bench's instruments stand there.
     """
     header = store.header(run_id)
     refuse_overdue(bench)
     _refuse_another(bench, procedure, header, dut_serial)
-    done, at_s = resume_state(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
+    before = list(store.items(run_id, but="block"))
+    done, at_s = resume_state(before), store.end_s(run_id) + GAP_S
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id, lambda: iso(bench.clock.utc()))
     offset = at_s - bench.clock.now()
@@ -160,9 +162,8 @@ def resume_run(
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
     _report_lifted(bench, writer, at_s)
     _remark(remark, writer, at_s, tell)
-    return _drive(
-        bench, procedure, values | {"resume": done}, header.dut.serial, writer, answer, control, tell, show, offset
-    )
+    values["resume"] = done
+    return _drive(bench, procedure, values, header.dut.serial, writer, answer, control, tell, show, offset, before)
 
 
 def _report_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
@@ -206,8 +207,11 @@ def _drive(
     tell: Tell,
     show: Show,
     offset_s: float,
+    before: Iterable[Item] = (),
 ) -> Outcome:
     seen = _Seen(tell)
+    for item in filter(_still_counts, before):  # else a limit that was not met before the interruption is forgotten
+        seen.notice(item)
     if isinstance(bench.clock, VirtualClock):
         writer.repeats = True
     else:
@@ -227,6 +231,11 @@ def _drive(
     if status == INTERRUPTED and not procedure.resumable:
         words = f"{words}; {procedure.name} cannot be gone on with: start it anew"
     return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, words, resumable)
+
+
+def _still_counts(item: Item) -> bool:
+    """Whether it says something of a run that goes on: what was measured, and what of it is not used."""
+    return isinstance(item, Measurement) or (isinstance(item, Event) and item.kind == NOT_USED)
 
 
 def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:

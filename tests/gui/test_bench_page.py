@@ -10,10 +10,10 @@ from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel
 
-from labcal.bench.coils.state import FieldReading
-from labcal.gui.ipc.answers import Doubt, Greeting, Identified
+from labcal.bench.coils.state import FieldReading, Heard, LabState, unread
+from labcal.gui.ipc.answers import CoilEnd, Doubt, Greeting, Identified, SwitchedOff
 from labcal.gui.ipc.bench_commands import read_bench
-from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure
+from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.bench import reading_text
 from labcal.record.stream import Block
@@ -96,8 +96,30 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
     assert bench.fault.text.text() == "NOT at zero by the reference"
     assert "--clear-as NAME" in bench.fault.remedy.text()
     bench.check_all()
-    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", lifted=True)))
+    zero = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic()) for axis in "xyz")
+    said = SwitchedOff(zero, "it sees 20567 1260 12860 nT, 20366 1132 -43695 nT expected")
+    still.app_state.coils_off()
+    still.app_state.off_worker.answer(SwitchOff, said)
+    assert (still.fault.isVisible(), still.next.text()) == (True, "Next: See to the coils")
+    bench.check_all()
+    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, zero)))
     assert still.app_state.lab.state.message == "they agree again"
+    assert still.side._zero.text() == "✓ coils at zero"
+    assert not still.fault.isVisible()
+    assert still.next.text() != "Next: See to the coils"
+
+
+def test_a_supply_that_was_read_back_after_coils_off_has_not_failed_any_more(still, bench):
+    names = {one.role: name for name, one in still.app_state.facts.instruments.items()}
+    heard = (Heard(names["coil-z"], None, "the link is lost"), Heard(names["dut"], None, "silent"))
+    still.app_state._know(LabState(unread(), instruments=heard))
+    assert still.next.text() == f"Next: See to {names['coil-z']}"
+    still.app_state.coils_off()
+    zero = tuple(CoilEnd(axis, 0.0, "zero, open", True, time.monotonic()) for axis in "xyz")
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(zero, ""))
+    lights = {name: light for name, light, _ in still.app_state.lab.state.now.lights}
+    assert (lights[names["coil-z"]], lights[names["dut"]]) == ("ok", "fault")
+    assert still.next.text() == f"Next: See to {names['dut']}"
 
 
 def test_what_the_earth_s_field_is_at_the_bench_s_place_stands_beside_the_ambient_field(still, bench, tmp_path):

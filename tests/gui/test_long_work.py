@@ -1,9 +1,11 @@
 """Long work shows a bar and can be stopped; a fit says in words whether it is good."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import Qt
+from test_calibration_views import LINES
 
 from labcal.gui.ipc.answers import FitFigures, Fitted
 from labcal.gui.ipc.messages import FitRun, Rehearse
@@ -61,20 +63,40 @@ def test_a_rehearsal_shows_a_bar_and_is_given_up_by_a_click(still, qtbot):
 
 
 @pytest.mark.parametrize(
+    ("left_nT", "lines", "words", "state"),
+    [
+        (10.0, LINES[:1], "✓ In specification.", "good"),
+        (10.0, LINES[:2], "▲ In specification, conditionally: scale y +0.490 ± 0.020 % (± 0.5)", "warning"),
+        (
+            10.0,
+            LINES,
+            "✕ Not in specification: scale y +0.490 ± 0.020 % (± 0.5); noise +20.30 ± 0.50 nT (± 20) (+ 1)",
+            "bad",
+        ),
+        (20.0, LINES[:1], "✓ In specification.", "warning"),
+    ],
+)
+def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, state):
+    said, colour = said_of("ml", replace(fitted(left_nT, 10.0), specification=lines))
+    assert (said.splitlines()[1], colour) == (words, state)
+
+
+@pytest.mark.parametrize(
     ("left_nT", "stated_nT", "words", "state"),
     [
-        (11.0, 10.0, "ml: ✓ Good: 11.0 nT are left over, no more than the stated noise, 10.0 nT.", "good"),
+        (11.0, 10.0, "ml: ✓ Good: 11.0 nT of |b| are left over, no more than the stated noise, 10.0 nT.", "good"),
         (
             11.6,
             10.0,
-            "ml: ▲ Not good yet: 11.6 nT are left over, the stated noise is 10.0 nT. Trace the residual.",
+            "ml: ▲ Not good yet: 11.6 nT of |b| are left over, the stated noise is 10.0 nT. Trace the residual.",
             "warning",
         ),
-        (11.0, None, "ml: 11.0 nT are left over; no noise is stated to compare it with.", ""),
+        (11.0, None, "ml: 11.0 nT of |b| are left over; no noise is stated to compare it with.", ""),
         (None, 10.0, "", ""),
     ],
 )
 def test_a_fit_says_whether_it_is_good(still, studied, left_nT, stated_nT, words, state):
+    words = words and f"{words} This run states no specification to judge it by."
     assert said_of("ml", fitted(left_nT, stated_nT)) == (words, state)
     still.open_page("Fit")
     page = still.page("Fit")

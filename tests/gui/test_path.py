@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.answers import CalibrationFile, Ended, FitFigures, Fitted, RunLine, Signature, Standing
 from labcal.gui.ipc.messages import CloseLoop, FitRun, ListRuns, RunProcedure
@@ -23,6 +24,10 @@ def calibration(*, valid=True, provisional=False, signed=True):
     standing = Standing("c.json", valid, provisional, ("jdoe@lab",), signatures, ())
     K, k_nT = ((1.0,) * 3,) * 3, (0.0,) * 3
     return CalibrationFile("c.json", "r1", Dut("EM-07"), K, k_nT, "", None, (), (), (), "J. Doe", (), standing)
+
+
+def expired(one):
+    return replace(one, standing=replace(one.standing, status="expired"))
 
 
 DONE = replace(RUN, verdict="explained")
@@ -46,11 +51,25 @@ HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, 
         (replace(RUN, verdict="unexplained"),),
         (calibration(provisional=True),),
         "✓✓▲▲",
-        "Sign",
+        "Hand it out, as PROVISIONAL",
         "Certificate",
     ),
-    "provisional": ((DONE,), (calibration(provisional=True),), "✓✓✓▲", "Sign", "Certificate"),
-    "not valid": ((DONE,), (calibration(valid=False),), "✓✓✓✕", "Sign", "Certificate"),
+    "provisional": (
+        (DONE,),
+        (calibration(provisional=True),),
+        "✓✓✓▲",
+        "Hand it out, as PROVISIONAL",
+        "Certificate",
+    ),
+    "approved, one signature": (
+        (DONE,),
+        (replace(calibration(provisional=True), approvers=("a.smith",)),),
+        "✓✓✓▲",
+        "The second signature",
+        "Certificate",
+    ),
+    "expired": ((DONE,), (expired(calibration()),), "✓✓✓✓", "Calibrate EM-07", "Run"),
+    "not valid": ((DONE,), (calibration(valid=False),), "✓✓✓✕", "Make a new draft", "Fit"),
     "signed": ((DONE,), (calibration(),), "✓✓✓✓", "Hand it out", "Certificate"),
 }
 
@@ -163,6 +182,67 @@ def test_next_begins_what_it_says(still, path, qtbot):
     path.take_calibrations((calibration(signed=False),))
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.commands(CloseLoop) == [CloseLoop("r1")]
+
+
+@pytest.mark.parametrize(
+    ("lights", "mark"),
+    [
+        (("ok", "old"), "✓"),
+        (("ok", "absent"), "○"),
+        (("ok", "waiting"), "○"),
+        (("absent", "fault"), "✕"),
+        ((), "○"),
+    ],
+)
+def test_the_bench_is_done_where_every_instrument_has_answered(still, path, lights, mark):
+    lab = still.app_state.lab
+    lab.update(now=replace(lab.state.now, lights=tuple((f"supply_{n}", one, "") for n, one in enumerate(lights))))
+    assert still._sidebar_buttons.button(1).text() == f"{mark} Bench"
+
+
+def test_without_a_bench_next_leads_to_where_one_is_opened_and_points_at_the_button(new_window, qtbot):
+    new_window.page("Bench")
+    new_window.app_state.lab.update(bench="")
+    new_window.app_state.facts = None
+    new_window.app_state.bench_changed.emit()
+    assert new_window.next.text() == "Next: Open a bench"
+    qtbot.mouseClick(new_window.next, Qt.MouseButton.LeftButton)
+    assert (new_window.page_shown(), QApplication.focusWidget().text()) == ("Bench", "Open a bench file …")
+
+
+def test_next_points_at_the_one_thing_to_do_where_the_page_stands_already(still, path, qtbot):
+    start = still.page("Run").choose.start
+    still.sidebar.setFocus()
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert (still.page_shown(), start.hasFocus(), start.text()) == ("Run", True, "Begin")
+    page = still.page("Certificate")
+    path.take_runs((DONE,))
+    path.take_calibrations((calibration(signed=False),))
+    page._known((calibration(signed=False),))
+    page._keys_known(("jdoe@lab",))
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert (still.page_shown(), page.passphrase.hasFocus()) == ("Certificate", True)
+
+
+def test_who_sees_the_run_and_is_not_asked_has_nothing_to_click_on(still, path):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert not still.next.isEnabled()
+    still.open_page("Start")
+    assert still.next.isEnabled()
+    still.open_page("Run")
+    assert not still.next.isEnabled()
+    still.app_state.bench_worker.items.emit((Prompt(1.0, "ready", "Hands off?", acts=True),))
+    assert still.next.isEnabled()
+
+
+def test_fit_is_done_while_its_residual_is_traced(still, path):
+    path.take_runs((RUN,))
+    study = still.app_state.study_vm
+    study.open("r1")
+    study.fits["ml"] = Fitted(FitFigures(True))
+    study.waiting = []
+    study.close_loop()
+    assert marks(still)[1:3] == "✓●"
 
 
 def test_next_leads_into_the_field_that_is_wanted(still, path, qtbot):

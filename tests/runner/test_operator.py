@@ -21,8 +21,8 @@ from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import BY_WORD
-from labcal.errors import InputError, InstrumentError
-from labcal.record.stream import Event, Item, Prompt, Step
+from labcal.errors import InputError, InstrumentError, LimitNotMet
+from labcal.record.stream import Event, Item, Measurement, Prompt, Step
 from labcal.runner import Control, Outcome, find, run_procedure
 from labcal.store import Store
 
@@ -158,8 +158,20 @@ def test_a_resumed_run_goes_on_after_its_last_finished_turn_in_a_mounting_of_its
     assert run.t_s[rows[0][-1]] < before < run.t_s[rows[1][0]]
 
 
-def break_off(bench: Path, at: str) -> float:
-    """A run R whose program died when the step `at` had begun; returns when that was."""
+def test_a_limit_that_was_not_met_before_the_interruption_still_counts_after_it(bench_file: BenchFile) -> None:
+    bench, told = bench_file(), list[Item]()
+    break_off(bench, "z+30uT-nominal", Measurement(1.0, "z+20uT-nominal: noise", 90.0, 1.0, "nT", 20.0))
+    outcome = session.resume("R", bench, seed=2, tell=told.append)
+    assert outcome.status == "finished", outcome.fault
+    assert [one.name for one in outcome.failed] == ["z+20uT-nominal: noise"]
+    measured = [one.name for one in told if isinstance(one, Measurement)]
+    assert measured.index("z+20uT-nominal: noise") < measured.index("zero since the interruption")
+    with pytest.raises(LimitNotMet, match="z\\+20uT-nominal: noise: 90 nT"):
+        outcome.raise_fault()
+
+
+def break_off(bench: Path, at: str, *more: Item) -> float:
+    """A run R whose program died when the step `at` had begun and `more` was recorded; returns when that was."""
     control, seen = Control(), list[Item]()
 
     def tell(item: Item) -> None:
@@ -173,6 +185,8 @@ def break_off(bench: Path, at: str) -> float:
         writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))
         for item in seen[: seen.index(last) + 1]:
             writer.write(item)
+        for item in more:
+            writer.write(replace(item, t_s=last.t_s))
         writer.finish("interrupted")
     return last.t_s
 

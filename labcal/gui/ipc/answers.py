@@ -68,10 +68,11 @@ class Greeting:
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """A zero that the reference did not see, measured again."""
+    """A zero that the reference did not see, measured again; `coils` as they were read back then."""
 
     words: str
     lifted: bool
+    coils: tuple[CoilEnd, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +173,8 @@ class Fitted:
     """One method's answer; where it has a map also the residual (n,) and the calibrated readings (n, 3) [nT].
 
     `noise_nT` is what the method makes of its own residual, `stated_nT` what the run states of its sensors.
-    `shells` where the run was at rest in fields all round at one magnitude, or at several.
+    `shells` where the run was at rest in fields all round at one magnitude, or at several. `specification`: the lines
+    that the run's specification comes to for this map.
     """
 
     fit: FitFigures
@@ -181,6 +183,7 @@ class Fitted:
     after: Array | None = None
     shells: tuple[ShellLeft, ...] = ()
     stated_nT: float | None = None
+    specification: tuple[Judged, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -44,6 +44,7 @@ from labcal.gui.ipc.wire import fault_of
 from labcal.record import Dut
 
 if TYPE_CHECKING:
+    from labcal.bench.coils.zero import AtZero
     from labcal.bench.config import BenchConfig, CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
     from labcal.runner import FoundProcedure, Outcome
@@ -106,7 +107,9 @@ def identify(channel: Channel, asked: Identify) -> Identified:
 
     greetings = tuple(_greeting(one) for one in session.greetings(Path(asked.bench)))
     looked = session.look_again(Path(asked.bench))
-    return Identified(greetings, None if looked is None else Doubt(looked.words, looked.lifted))
+    if looked is None:
+        return Identified(greetings, None)
+    return Identified(greetings, Doubt(looked.words, looked.lifted, tuple(map(_coil_end, looked.ended))))
 
 
 def _greeting(one: Answered) -> Greeting:
@@ -122,7 +125,11 @@ def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
     with channel.on_the_way_to_zero():
         ended = session.coils_off(Path(asked.bench))
     doubt = doubt_of(Path(asked.bench))
-    return SwitchedOff(tuple(CoilEnd(a.axis, a.current_A, a.words, a.fault is None, a.read_s) for a in ended), doubt)
+    return SwitchedOff(tuple(map(_coil_end, ended)), doubt)
+
+
+def _coil_end(one: AtZero) -> CoilEnd:
+    return CoilEnd(one.axis, one.current_A, one.words, one.fault is None, one.read_s)
 
 
 def run(channel: Channel, asked: RunProcedure) -> Ended:

@@ -85,6 +85,7 @@ def look(channel: Channel, asked: LookAt) -> Look:
 def fit(channel: Channel, asked: FitRun) -> Fitted:
     """One method's answer, its residual and its loci."""
     from labcal.fit.metrics import scalar_residual
+    from labcal.session.conformity import fit_conformity
 
     measured, found = loaded_run(asked.run), loaded_fit(asked.run, asked.method)
     if found.affine is None:
@@ -92,7 +93,9 @@ def fit(channel: Channel, asked: FitRun) -> Fitted:
     rows = thinned(len(measured))
     residual, after = scalar_residual(measured, found)[rows], found.affine.apply(measured.reading[rows])
     shells = _shells(measured, found)
-    return Fitted(figures(found), found.noise_nT, residual, after, shells, stated_noise(measured))
+    judged = fit_conformity(measured, found)
+    lines = () if judged is None else judged.lines
+    return Fitted(figures(found), found.noise_nT, residual, after, shells, stated_noise(measured), lines)
 
 
 def stated_noise(measured: Run) -> float | None:

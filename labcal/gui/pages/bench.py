@@ -21,7 +21,7 @@ from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
-from labcal.gui.widgets.common import Card, button, label, shrinkable
+from labcal.gui.widgets.common import Card, button, label, set_primary, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 
@@ -91,8 +91,10 @@ class BenchPage(QWidget):
             self.tr("Let go of every link, read the bench file again and ask every instrument who it is"),
         )
         self.reconnect.clicked.connect(self._reconnect)
-        choose = button(self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines"))
-        choose.clicked.connect(self._choose)
+        self.choose = button(
+            self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines")
+        )
+        self.choose.clicked.connect(self._choose)
         simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
         simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
         self.edit = button(self.tr("Edit …"), self.tr("Settings of this bench file, limits first"))
@@ -107,7 +109,7 @@ class BenchPage(QWidget):
         for widget in (self.edit, self.make):
             above.addWidget(widget)
         row.addStretch()
-        for widget in (simulated, choose, self.reconnect, self.check):
+        for widget in (simulated, self.choose, self.reconnect, self.check):
             row.addWidget(widget)
         self.table = Table(HEADINGS, 3, 5)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
@@ -222,6 +224,8 @@ class BenchPage(QWidget):
         self.table.setVisible(bool(there))
         for widget in (self.check, self.reconnect, self.edit):
             widget.setEnabled(bool(there))
+        set_primary(self.choose, not there)
+        set_primary(self.check, bool(there))
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):
             self._show_row(row, name, one, simulated=facts is not None and facts.simulated)

@@ -131,7 +131,7 @@ class CertificatePage(QWidget):
     def _approve_row(self) -> QHBoxLayout:
         self.approver = QComboBox()
         self.approver.setEditable(True)
-        say_wanted(self.approver, self.tr("Approver: their key's name"))
+        say_wanted(self.approver, self.tr("Who approves"))
         self.approver.setToolTip(
             self.tr("Another person than the operator, by the name that they sign under; written before anybody signs")
         )
@@ -245,9 +245,11 @@ class CertificatePage(QWidget):
         for widget, shown in ((self.again, new), (self.new_key, new), (self.sign, not new)):
             widget.setVisible(shown)
         draft = one is not None and not one.standing.signatures
+        self.approver.setEnabled(draft)  # nobody can be added after the first signature
         self.approve.setEnabled(draft and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
         self.new_key.setEnabled(new and bool(name) and words and twice)
+        self.begins_at = self.passphrase if name else self.signer
         self.paper.setEnabled(one is not None)
         step = next_step(one, self._app_state.lab.state.operator) if one else ""
         if new and self.again.text() and not twice:
@@ -295,7 +297,14 @@ class CertificatePage(QWidget):
     def _new_key(self) -> None:
         name = self.signer.currentText().strip()
         made = self.tr("{0} has a key now, under this passphrase.").format(name)
-        self._ask(NewKey(name, self.passphrase.text()), self.signer, lambda: self.said.setText(made))
+
+        def known() -> None:
+            if self.signer.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive) < 0:
+                self.signer.addItem(name)  # nobody waits for the new list
+            self._enable()
+            self.said.setText(made)
+
+        self._ask(NewKey(name, self.passphrase.text()), self.signer, known)
         self.again.clear()
 
     def verify(self, path: str) -> None:

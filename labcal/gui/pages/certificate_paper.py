@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
@@ -89,7 +90,7 @@ class Paper(QWidget):
 
     def _label(self) -> None:
         if (one := self._chosen()) is not None:
-            start = str(Path.home() / f"{Path(one.path).stem}-label.pdf")
+            start = str(Path.home() / f"{_file_name(one)}-label.pdf")
             out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the label"), start, LABELS)
             if out:
                 self._send(WriteLabel(one.path, out), self._written)
@@ -103,7 +104,7 @@ class Paper(QWidget):
 
     def _report(self) -> None:
         if (one := self._chosen()) is not None:
-            start = str(Path.home() / f"{Path(one.path).stem}.html")
+            start = str(Path.home() / f"{_file_name(one)}.html")
             out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, REPORTS)
             if out:
                 self.write_report(one.path, out)
@@ -151,3 +152,8 @@ class Paper(QWidget):
         self._fault.show_fault(None)
         self.folder.show_folder("")
         self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)
+
+
+def _file_name(one: CalibrationFile) -> str:
+    """By serial and run, as it is found again in a folder."""
+    return re.sub(r"[^\w.-]", "-", f"{one.dut.serial}_{Path(one.path).stem}")

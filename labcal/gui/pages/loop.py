@@ -14,6 +14,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.loop_words import said_plainly
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, set_primary, set_state, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
@@ -151,6 +152,7 @@ class LoopPage(QWidget):
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)
+        self.others.setTextElideMode(Qt.TextElideMode.ElideNone)  # Qt would cut what is of several lines
         self.others.setResizeMode(QListWidget.ResizeMode.Adjust)
         self.others.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.others.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
@@ -184,7 +186,9 @@ class LoopPage(QWidget):
         self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
         self.next = button(
-            "", self.tr("Its plan is shown on the Run page before anything moves; Start is pressed there"), primary=True
+            "",
+            self.tr("Its plan is shown on the Run page before anything moves, and the run is started there"),
+            primary=True,
         )
         self.next.clicked.connect(self._measure)
         card.body.addWidget(self.unknown, 1)
@@ -221,7 +225,7 @@ class LoopPage(QWidget):
         self.close_loop.setEnabled(bool(study.run) and not study.busy and not refused)
         self.sign.setEnabled(study.loop is not None)
         set_primary(self.close_loop, study.loop is None)
-        set_primary(self.sign, study.loop is not None)
+        set_primary(self.sign, study.loop is not None and study.loop.verdict in EXPLAINED)
         self.story.setVisible(study.loop is not None)
         self.empty.setVisible(study.loop is None)
         self._say_empty()
@@ -258,7 +262,9 @@ class LoopPage(QWidget):
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
         floor = format_number(loop.noise_floor_nT, signed=False)
-        self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop.noise_floor_source))
+        self.noise.setText(
+            self.tr("held-out rms of the vector; noise alone: {0} nT, {1}").format(floor, loop.noise_floor_source)
+        )
         self._show_unknown(loop)
         self._fill_against(loop)
         self._name_change()

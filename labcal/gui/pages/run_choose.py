@@ -95,7 +95,7 @@ class Choose(QWidget):
             lambda _: self._app_state.settings.setValue("pace", self.pace.currentData())
         )
         tip = self.tr("Asks every instrument who it is, then begins. Nothing is energised before you are asked.")
-        self.start = button(self.tr("Start"), tip, primary=True)
+        self.start = button(self.tr("Begin"), tip, primary=True)
         self.start.clicked.connect(self._start)
         self.show_plan = button(
             self.tr("The plan"),
@@ -166,7 +166,7 @@ class Choose(QWidget):
             self._rehearsed = self._planned = None
             self.plan.clear()
             self.plan.hide()
-            self.needs.setText(needs_text(self._procedures[self.list.currentItem().text()]))
+            self.needs.setText(needs_text(self._as_set(self._procedures[self.list.currentItem().text()])))
         self._check()
 
     def show_procedures(self, there: Procedures) -> None:
@@ -237,6 +237,10 @@ class Choose(QWidget):
         self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
+
+    def _as_set(self, one: Procedure) -> Procedure:
+        """How long a procedure takes is known of its own settings alone; of others the plan says it."""
+        return replace(one, lasts_min=None) if self.form is not None and self.form.given() else one
 
     def _keep_typed(self) -> None:
         """Whoever comes back to a procedure finds its settings as they were typed."""

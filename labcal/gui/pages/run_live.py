@@ -25,11 +25,13 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.lab_now import alarm_of
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, clock_time, format_duration, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
@@ -219,12 +221,13 @@ class Live(QWidget):
         self.note.clear()
 
     def _pause_or_go_on(self) -> None:
-        if self._run.state == "paused":
-            self._run.go_on()
-        else:
-            self._run.pause()
+        self._run.go_on() if self._run.state == "paused" else self._run.pause()
 
     def _show(self) -> None:
+        with focus_kept_in(self, self.fit, self.close_run, self.note):
+            self._show_run()
+
+    def _show_run(self) -> None:
         run = self._run
         ended = run.state == "ended"
         self.title.setText(procedure_title(run.order.procedure) if run.order else "")
@@ -274,10 +277,10 @@ class Live(QWidget):
         self.fault.show_fault(fault)
         if fault is None:
             return self.fault.hide()
-        if fault.kind != "stopped":
-            return self.fault.say_coils(self._coils_left(fault))
         self.fault.say_coils(self._coils_left(fault))
-        kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
+        if fault.kind != "stopped":
+            return None
+        kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
         goes_on = self.tr(
             "Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew."
         )
@@ -361,6 +364,8 @@ class Live(QWidget):
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]
+        if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
+            return alarm
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
         wait = "" if left is None else f"{left:.0f} s"
@@ -370,7 +375,7 @@ class Live(QWidget):
         """When it is done and when a person is needed before that, by the clock on the wall; "" while one is."""
         run, now = self._run, datetime.now()
         done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
-        if done_s is None:
+        if done_s is None or alarm_of(self._app_state.lab.state.now.coil_words):
             return ""
         done = self.tr("Done at about {0}").format(clock_time(now, done_s))
         if needed_s is None or run.step is None:

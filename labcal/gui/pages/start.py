@@ -6,7 +6,7 @@ import re
 from datetime import UTC, date, datetime
 
 from PySide6.QtCore import QDate, QLocale
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Checked, RunLine
 from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
@@ -15,7 +15,7 @@ from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translate
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.widgets.common import Card, button, flat, label, set_state
+from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.run_chooser import run_title
 
@@ -33,6 +33,7 @@ class StartPage(QWidget):
         super().__init__()
         self._app_state = app_state
         self._cage_check: Checked | None = None
+        self._to_go_on_with: list[tuple[str, QPushButton]] = []  # serial, button
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -127,10 +128,11 @@ class StartPage(QWidget):
         self.question.setText(
             (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
             or self._not_ready()
-            or self.tr("Ready. {0} stands on {1}.").format(
+            or self.tr("Ready. {0} is to be measured on {1}.").format(
                 self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
             )
         )
+        self._point()
         known = facts is not None
         for widget in (self.simulated, self.open):
             widget.setVisible(not known)
@@ -224,7 +226,7 @@ class StartPage(QWidget):
             if (widget := old.widget()) is not None:
                 widget.hide()
                 widget.deleteLater()
-        broken = to_be_resumed(runs)
+        broken, self._to_go_on_with = to_be_resumed(runs), []
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
 
@@ -242,6 +244,15 @@ class StartPage(QWidget):
             again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
             again.setEnabled(self._app_state.facts is not None)
             self.interrupted.body.addWidget(again)
+            self._to_go_on_with.append((one.dut_serial, again))
+        self._point()
+
+    def _point(self) -> None:
+        """The run of this DUT that broke off is the one thing to do, where there is one."""
+        mine = [serial == self._app_state.lab.state.dut_serial for serial, _ in self._to_go_on_with]
+        for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
+            set_primary(again, first)
+        set_primary(self.morning, not any(mine))
 
 
 def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:

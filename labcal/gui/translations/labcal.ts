@@ -287,6 +287,14 @@
         <source>As found, as left</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The bench file stated no specification when the run was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no earlier calibration of this DUT to compare it with</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CameraView</name>
@@ -343,6 +351,10 @@
     </message>
     <message>
         <source>U: k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who approves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -414,10 +426,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Approver: their key&apos;s name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Once more</source>
         <translation type="unfinished"></translation>
     </message>
@@ -477,7 +485,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start</source>
+        <source>Begin</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -686,6 +694,10 @@
     </message>
     <message>
         <source>NOT at zero by the reference: {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT at zero by the reference</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1106,6 +1118,10 @@
     </message>
     <message>
         <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2971,7 +2987,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
+        <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3151,6 +3167,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>held-out rms of the vector; noise alone: {0} nT, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3180,10 +3200,6 @@
     </message>
     <message>
         <source>What the residual is drawn against; the named cause first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its plan is shown on the Run page before anything moves; Start is pressed there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3227,11 +3243,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Trace the residual of this run to its cause.</source>
+        <source>Its plan is shown on the Run page before anything moves, and the run is started there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>held-out rms; noise alone: {0} nT, {1}</source>
+        <source>Trace the residual of this run to its cause.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3435,6 +3451,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>See to the coils</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Say who and what</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3459,7 +3483,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Make a new draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second signature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hand it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand it out, as PROVISIONAL</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3735,10 +3771,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready. {0} stands on {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The bench file states no calibration of the reference with a date.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3768,6 +3800,10 @@
     </message>
     <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready. {0} is to be measured on {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4719,10 +4755,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>U is more than half the limit: measure longer, or with less noise.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Look at what was measured, mend the cause, and measure again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4731,7 +4763,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was measured is kept. To measure again: Close, then Start.</source>
+        <source>What was measured is kept. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4739,7 +4771,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mend what is said above, then measure again: Close, then Start.</source>
+        <source>Mend what is said above, then measure again: Close, then Begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4795,15 +4831,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
+        <source>✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} nT are left over; no noise is stated to compare it with.</source>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run states no specification to judge it by.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -287,6 +287,14 @@
         <source>As found, as left</source>
         <translation>Vorgefunden, hinterlassen</translation>
     </message>
+    <message>
+        <source>The bench file stated no specification when the run was measured</source>
+        <translation>Die Bench-Datei gab keine Spezifikation an, als gemessen wurde</translation>
+    </message>
+    <message>
+        <source>There is no earlier calibration of this DUT to compare it with</source>
+        <translation>Es gibt keine frühere Kalibrierung dieses Prüflings zum Vergleich</translation>
+    </message>
 </context>
 <context>
     <name>CameraView</name>
@@ -346,8 +354,8 @@
         <translation>U: k=2</translation>
     </message>
     <message>
-        <source>Approver: their key&apos;s name</source>
-        <translation>Genehmigt: Name des Schlüssels</translation>
+        <source>Who approves</source>
+        <translation>Wer genehmigt</translation>
     </message>
     <message>
         <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
@@ -477,8 +485,8 @@
         <translation>Fragt jedes Gerät, wer es ist, und beginnt. Nichts wird bestromt, bevor Sie gefragt werden.</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
     </message>
     <message>
         <source>Rehearse this on the simulated lab: field, rate, angles, temperature, time, and what you are asked</source>
@@ -687,6 +695,10 @@
     <message>
         <source>NOT at zero by the reference: {0}. {1}</source>
         <translation>Nach der Referenz NICHT auf null: {0}. {1}</translation>
+    </message>
+    <message>
+        <source>NOT at zero by the reference</source>
+        <translation>Nach der Referenz NICHT auf null</translation>
     </message>
     <message>
         <source>coils not read back in this session</source>
@@ -1107,6 +1119,10 @@
     <message>
         <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
         <translation>{0}: ein Etikett hat einen QR-Code: pip install &apos;labcal[paper]&apos;</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation>der Name der Bedienperson muss eine druckbare Zeile von höchstens {0} Zeichen sein</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -3027,8 +3043,8 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Start.</translation>
+        <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
@@ -3187,8 +3203,12 @@
         <translation>4  Noch nicht bekannt</translation>
     </message>
     <message>
-        <source>Its plan is shown on the Run page before anything moves; Start is pressed there</source>
-        <translation>Sein Plan steht auf der Seite Messen, bevor sich etwas bewegt; dort wird Start gedrückt</translation>
+        <source>Its plan is shown on the Run page before anything moves, and the run is started there</source>
+        <translation>Sein Plan steht auf der Seite Messen, bevor sich etwas bewegt; dort wird der Lauf gestartet</translation>
+    </message>
+    <message>
+        <source>held-out rms of the vector; noise alone: {0} nT, {1}</source>
+        <translation>zurückgehaltene rms des Vektors; Rauschen allein: {0} nT, {1}</translation>
     </message>
     <message>
         <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
@@ -3209,10 +3229,6 @@
     <message>
         <source>tracing … {0}</source>
         <translation>sucht … {0}</translation>
-    </message>
-    <message>
-        <source>held-out rms; noise alone: {0} nT, {1}</source>
-        <translation>zurückgehaltene rms; Rauschen allein: {0} nT, {1}</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -3435,6 +3451,14 @@
         <translation>Die Frage beantworten</translation>
     </message>
     <message>
+        <source>See to the coils</source>
+        <translation>Nach den Spulen sehen</translation>
+    </message>
+    <message>
+        <source>See to {0}</source>
+        <translation>Nach {0} sehen</translation>
+    </message>
+    <message>
         <source>Say who and what</source>
         <translation>Sagen, wer und was</translation>
     </message>
@@ -3459,8 +3483,20 @@
         <translation>Sehen, was offen ist</translation>
     </message>
     <message>
+        <source>Make a new draft</source>
+        <translation>Neuen Entwurf machen</translation>
+    </message>
+    <message>
+        <source>The second signature</source>
+        <translation>Die zweite Signatur</translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Hand it out, as PROVISIONAL</source>
+        <translation>Ausgeben, als VORLÄUFIG</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -3743,8 +3779,8 @@
         <translation>Eine Messung läuft: {0}, Prüfling {1}. Siehe Seite Messen.</translation>
     </message>
     <message>
-        <source>Ready. {0} stands on {1}.</source>
-        <translation>Bereit. {0} steht auf {1}.</translation>
+        <source>Ready. {0} is to be measured on {1}.</source>
+        <translation>Bereit. {0} wird auf {1} gemessen.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -4719,10 +4755,6 @@
         <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder anpassen und sehen.</translation>
     </message>
     <message>
-        <source>U is more than half the limit: measure longer, or with less noise.</source>
-        <translation>U ist mehr als die halbe Grenze: länger messen oder mit weniger Rauschen.</translation>
-    </message>
-    <message>
         <source>Look at what was measured, mend the cause, and measure again.</source>
         <translation>Gemessenes ansehen, Ursache beheben, neu messen.</translation>
     </message>
@@ -4731,16 +4763,20 @@
         <translation>Nichts davon hatte eine Grenze: Gemessenes ansehen.</translation>
     </message>
     <message>
-        <source>What was measured is kept. To measure again: Close, then Start.</source>
-        <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Start.</translation>
+        <source>What was measured is kept. To measure again: Close, then Begin.</source>
+        <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
         <translation>Nichts Gemessenes ist verloren: auf der Seite Start fortsetzen.</translation>
     </message>
     <message>
-        <source>Mend what is said above, then measure again: Close, then Start.</source>
-        <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Start.</translation>
+        <source>Mend what is said above, then measure again: Close, then Begin.</source>
+        <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
+    </message>
+    <message>
+        <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
+        <translation>Anpassen und den Rest erklären. Dann noch offen? Länger messen oder mit weniger Rauschen.</translation>
     </message>
     <message>
         <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
@@ -4795,16 +4831,20 @@
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
-        <translation>✓ Gut: {0} nT bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT.</translation>
+        <source>✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.</source>
+        <translation>✓ Gut: {0} nT von |b| bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT.</translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Noch nicht gut: {0} nT bleiben übrig, das angegebene Rauschen ist {1} nT. Weiter mit »Rest erklären«.</translation>
+        <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Noch nicht gut: {0} nT von |b| bleiben übrig, das angegebene Rauschen ist {1} nT. Weiter mit »Rest erklären«.</translation>
     </message>
     <message>
-        <source>{0} nT are left over; no noise is stated to compare it with.</source>
-        <translation>{0} nT bleiben übrig; es ist kein Rauschen angegeben, mit dem das verglichen werden könnte.</translation>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen angegeben, mit dem das verglichen werden könnte.</translation>
+    </message>
+    <message>
+        <source>This run states no specification to judge it by.</source>
+        <translation>Dieser Lauf gibt keine Spezifikation an, an der es zu messen wäre.</translation>
     </message>
 </context>
 <context>

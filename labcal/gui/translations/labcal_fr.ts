@@ -287,6 +287,14 @@
         <source>As found, as left</source>
         <translation>Avant, après</translation>
     </message>
+    <message>
+        <source>The bench file stated no specification when the run was measured</source>
+        <translation>Le fichier du banc n&apos;indiquait aucune spécification lors de la mesure</translation>
+    </message>
+    <message>
+        <source>There is no earlier calibration of this DUT to compare it with</source>
+        <translation>Il n&apos;y a pas d&apos;étalonnage antérieur de ce DUT à comparer</translation>
+    </message>
 </context>
 <context>
     <name>CameraView</name>
@@ -346,8 +354,8 @@
         <translation>U : k=2</translation>
     </message>
     <message>
-        <source>Approver: their key&apos;s name</source>
-        <translation>Approbateur : nom de sa clé</translation>
+        <source>Who approves</source>
+        <translation>Qui approuve</translation>
     </message>
     <message>
         <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
@@ -477,7 +485,7 @@
         <translation>Demande à chaque instrument qui il est, puis commence. Rien n&apos;est alimenté avant qu&apos;on vous le demande.</translation>
     </message>
     <message>
-        <source>Start</source>
+        <source>Begin</source>
         <translation>Démarrer</translation>
     </message>
     <message>
@@ -687,6 +695,10 @@
     <message>
         <source>NOT at zero by the reference: {0}. {1}</source>
         <translation>PAS à zéro selon la référence : {0}. {1}</translation>
+    </message>
+    <message>
+        <source>NOT at zero by the reference</source>
+        <translation>PAS à zéro selon la référence</translation>
     </message>
     <message>
         <source>coils not read back in this session</source>
@@ -1107,6 +1119,10 @@
     <message>
         <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
         <translation>{0} : une étiquette a un code QR : pip install &apos;labcal[paper]&apos;</translation>
+    </message>
+    <message>
+        <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation>le nom de l&apos;opérateur doit être une ligne imprimable d&apos;au plus {0} lettres</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -3027,7 +3043,7 @@
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
+        <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
@@ -3187,8 +3203,12 @@
         <translation>4  Encore inconnu</translation>
     </message>
     <message>
-        <source>Its plan is shown on the Run page before anything moves; Start is pressed there</source>
+        <source>Its plan is shown on the Run page before anything moves, and the run is started there</source>
         <translation>Son plan est montré à la page Mesure avant tout mouvement ; c&apos;est là qu&apos;on démarre</translation>
+    </message>
+    <message>
+        <source>held-out rms of the vector; noise alone: {0} nT, {1}</source>
+        <translation>rms du vecteur, mis de côté ; bruit seul : {0} nT, {1}</translation>
     </message>
     <message>
         <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
@@ -3209,10 +3229,6 @@
     <message>
         <source>tracing … {0}</source>
         <translation>recherche … {0}</translation>
-    </message>
-    <message>
-        <source>held-out rms; noise alone: {0} nT, {1}</source>
-        <translation>rms mis de côté ; bruit seul : {0} nT, {1}</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -3435,6 +3451,14 @@
         <translation>Répondre à la question</translation>
     </message>
     <message>
+        <source>See to the coils</source>
+        <translation>S&apos;occuper des bobines</translation>
+    </message>
+    <message>
+        <source>See to {0}</source>
+        <translation>S&apos;occuper de {0}</translation>
+    </message>
+    <message>
         <source>Say who and what</source>
         <translation>Dire qui et quoi</translation>
     </message>
@@ -3459,8 +3483,20 @@
         <translation>Voir ce qui reste inconnu</translation>
     </message>
     <message>
+        <source>Make a new draft</source>
+        <translation>Faire un nouveau projet</translation>
+    </message>
+    <message>
+        <source>The second signature</source>
+        <translation>La seconde signature</translation>
+    </message>
+    <message>
         <source>Hand it out</source>
         <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Hand it out, as PROVISIONAL</source>
+        <translation>Remettre, comme PROVISOIRE</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -3743,8 +3779,8 @@
         <translation>Une mesure est en cours : {0}, DUT {1}. Voir la page Mesure.</translation>
     </message>
     <message>
-        <source>Ready. {0} stands on {1}.</source>
-        <translation>Prêt. {0} est sur {1}.</translation>
+        <source>Ready. {0} is to be measured on {1}.</source>
+        <translation>Prêt. {0} sera mesuré sur {1}.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -4719,10 +4755,6 @@
         <translation>À moins de U de sa limite : remesurez cette partie, ou ajustez pour voir.</translation>
     </message>
     <message>
-        <source>U is more than half the limit: measure longer, or with less noise.</source>
-        <translation>U dépasse la moitié de la limite : mesurez plus longtemps, ou avec moins de bruit.</translation>
-    </message>
-    <message>
         <source>Look at what was measured, mend the cause, and measure again.</source>
         <translation>Regardez ce qui a été mesuré, réparez la cause, et remesurez.</translation>
     </message>
@@ -4731,7 +4763,7 @@
         <translation>Rien n&apos;avait de limite : regardez ce qui a été mesuré.</translation>
     </message>
     <message>
-        <source>What was measured is kept. To measure again: Close, then Start.</source>
+        <source>What was measured is kept. To measure again: Close, then Begin.</source>
         <translation>Le mesuré est gardé. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
@@ -4739,8 +4771,12 @@
         <translation>Rien de mesuré n&apos;est perdu : reprenez à la page Accueil.</translation>
     </message>
     <message>
-        <source>Mend what is said above, then measure again: Close, then Start.</source>
+        <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
+        <translation>Ajustez, puis expliquez le résidu. Toujours indécis ? Mesurez plus longtemps, ou avec moins de bruit.</translation>
     </message>
     <message>
         <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
@@ -4795,16 +4831,20 @@
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.</source>
-        <translation>✓ Bon : il reste {0} nT, pas plus que le bruit indiqué, {1} nT.</translation>
+        <source>✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.</source>
+        <translation>✓ Bon : il reste {0} nT de |b|, pas plus que le bruit indiqué, {1} nT.</translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Pas encore bon : il reste {0} nT, le bruit indiqué est de {1} nT. Ensuite « Expliquer le résidu ».</translation>
+        <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Pas encore bon : il reste {0} nT de |b|, le bruit indiqué est de {1} nT. Ensuite « Expliquer le résidu ».</translation>
     </message>
     <message>
-        <source>{0} nT are left over; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+    </message>
+    <message>
+        <source>This run states no specification to judge it by.</source>
+        <translation>Cette mesure n&apos;indique aucune spécification pour en juger.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero; {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero"),
     QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference: {0}. {1}"),
+    QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference"),
     QT_TRANSLATE_NOOP("Data", "coils not read back in this session"),
     QT_TRANSLATE_NOOP("Data", "coils not read back since another process was asked to switch them off"),
     QT_TRANSLATE_NOOP("Data", "coils on: {0}, read back {1} s ago"),

@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench import serials
 from labcal.bench.coils import state
+from labcal.errors import InputError
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
@@ -30,6 +31,7 @@ from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.record.person import check_operator
 
 R = TypeVar("R")
 AGES_MS = 250  # what was read grows old
@@ -144,8 +146,11 @@ class AppState(QObject):
             state.Heard(one.name, None if one.fault else now, one.fault.text if one.fault else "")
             for one in said.greetings
         )
-        before = self.known or state.LabState(state.unread())
-        self.take_lab(replace(before, instruments=heard, guardian=None))
+        before = replace(self.known or state.LabState(state.unread()), instruments=heard, guardian=None)
+        if said.doubt is not None and said.doubt.lifted:  # by the reference, which was looked at after the coils
+            agrees = state.Witness("agrees", "", read_s=now)
+            before = replace(before, coils=tuple(map(_coil, said.doubt.coils)) or before.coils, reference=agrees)
+        self.take_lab(before)
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -216,7 +221,13 @@ class AppState(QObject):
             return said
         if said := self.login.objection():
             return said
-        return "" if state.operator else self.tr("Type the operator's name at the top.")
+        if not state.operator:
+            return self.tr("Type the operator's name at the top.")
+        try:
+            check_operator(state.operator)
+        except InputError as error:
+            return in_words(str(error))
+        return ""
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
         """Run a procedure for the DUT and the operator above."""
@@ -281,9 +292,19 @@ class AppState(QObject):
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
         before = self.known or state.LabState(())
         self._asked_off = False
-        self.take_lab(replace(before, coils=tuple(map(_coil, said.coils)), reference=witness, guardian=None))
+        coils, heard = tuple(map(_coil, said.coils)), self._heard_from(before.instruments, said.coils)
+        self.take_lab(replace(before, coils=coils, reference=witness, guardian=None, instruments=heard))
         if said.doubt or not all(axis.ok for axis in said.coils):
             self._off_failed(Fault("instrument", words))
+
+    def _heard_from(self, before: tuple[state.Heard, ...], said: tuple[CoilEnd, ...]) -> tuple[state.Heard, ...]:
+        """Supplies that were read back answer, whatever was wrong with them before."""
+        roles = {} if self.facts is None else {one.role: name for name, one in self.facts.instruments.items()}
+        heard = {one.name: one for one in before}
+        for one in said:
+            if one.ok and one.read_s is not None and (name := roles.get(f"coil-{one.axis}")):
+                heard[name] = state.Heard(name, one.read_s)
+        return tuple(heard.values())
 
     def _off_failed(self, fault: Fault) -> None:
         remedy = self.tr("Switch the supplies off at their mains switches.")

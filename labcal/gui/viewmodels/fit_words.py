@@ -1,32 +1,62 @@
-"""Whether a fit is good, in words: what it leaves over, held out, beside the noise that the run states.
+"""Whether a fit is good, in words: what it leaves over beside the noise that the run states, and its map beside the
+specification.
 
-Not beside that of the method, which makes it of what is left over.
+Not beside the noise of the method, which makes it of what is left over.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Fitted
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.conformity import RESULTS, verdict
+from labcal.gui.viewmodels.number_format import decimals_for, format_number
+from labcal.uncertainty.conformity import Judged
 
+STATES = ("", "good", "warning", "bad")
+LISTED = 2  # lines of the specification that are not within their limits; the others are counted
 REACHED = 1.15  # of the noise: as the loop calls a run clean
-GOOD = QT_TRANSLATE_NOOP("Words", "✓ Good: {0} nT are left over, no more than the stated noise, {1} nT.")
+GOOD = QT_TRANSLATE_NOOP("Words", "✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.")
 DOUBT = QT_TRANSLATE_NOOP(
-    "Words", "▲ Not good yet: {0} nT are left over, the stated noise is {1} nT. Trace the residual."
+    "Words", "▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual."
 )
-NO_NOISE = QT_TRANSLATE_NOOP("Words", "{0} nT are left over; no noise is stated to compare it with.")
+NO_NOISE = QT_TRANSLATE_NOOP("Words", "{0} nT of |b| are left over; no noise is stated to compare it with.")
+NO_LIMITS = QT_TRANSLATE_NOOP("Words", "This run states no specification to judge it by.")
 
 
 def said_of(method: str, fitted: Fitted | None) -> tuple[str, str]:
-    """A sentence about the fit by `method`, and its state: good, warning, or "" where nothing is known."""
+    """What there is to say of the fit by `method`, and the worst of its states; "" where nothing is known."""
     left = None if fitted is None else fitted.fit.holdout_rms_scalar_nT
     if fitted is None or left is None:
         return "", ""
-    shown = format_number(left, signed=False)
-    if fitted.stated_nT is None:
-        return f"{method}: {translated(str(NO_NOISE)).format(shown)}", ""
-    good = left <= REACHED * fitted.stated_nT
-    words = translated(str(GOOD if good else DOUBT)).format(shown, format_number(fitted.stated_nT, signed=False))
-    return f"{method}: {words}", "good" if good else "warning"
+    said = (_by_the_noise(left, fitted.stated_nT), _by_the_specification(fitted.specification))
+    between = "\n" if fitted.specification else " "
+    return f"{method}: " + between.join(words for words, _ in said), max((state for _, state in said), key=STATES.index)
+
+
+def _by_the_noise(left_nT: float, stated_nT: float | None) -> tuple[str, str]:
+    shown = format_number(left_nT, signed=False)
+    if stated_nT is None:
+        return translated(str(NO_NOISE)).format(shown), ""
+    good = left_nT <= REACHED * stated_nT
+    words = translated(str(GOOD if good else DOUBT)).format(shown, format_number(stated_nT, signed=False))
+    return words, "good" if good else "warning"
+
+
+def _by_the_specification(lines: Sequence[Judged]) -> tuple[str, str]:
+    """The worst line's result for all of them, and which lines are not within their limits."""
+    if not lines:
+        return translated(str(NO_LIMITS)), ""
+    worst = max((line.result for line in lines), key=list(RESULTS).index)
+    beyond = [one for one in lines if one.result != "pass"]
+    words = "; ".join(map(_line, beyond[:LISTED])) + (f" (+ {len(beyond) - LISTED})" if len(beyond) > LISTED else "")
+    return f"{verdict(lines)}{': ' if words else '.'}{words}", RESULTS[worst][2]
+
+
+def _line(line: Judged) -> str:
+    decimals = decimals_for(line.U, line.value)
+    value, U = format_number(line.value, decimals), format_number(line.U, decimals, signed=False)
+    return f"{line.quantity} {value} ± {U} {line.unit} (± {line.limit:g})"

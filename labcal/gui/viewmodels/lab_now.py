@@ -91,6 +91,12 @@ def mark_of(coil_words: str) -> tuple[str, str]:
     return ("✕", "bad") if bad else ("●", "warning")
 
 
+def alarm_of(coil_words: str) -> str:
+    """Short, where the coils are not at zero though they were to be: nothing goes on as it was planned; else ""."""
+    shape, mark = mark_of(coil_words)
+    return f"{shape} {in_words(coil_words.partition(';')[0].partition(':')[0])}" if mark == "bad" else ""
+
+
 def _old_s(read_s: float | None, now_s: float) -> int | None:
     old = read_s is not None and now_s - read_s > state.FRESH_S
     return int(now_s - read_s) if old and read_s is not None else None

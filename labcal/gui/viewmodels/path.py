@@ -9,8 +9,10 @@ from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.signing import NO_LONGER, awaited
 from labcal.gui.viewmodels.study import StudyViewModel
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
@@ -77,7 +79,7 @@ class PathViewModel(QObject):
         last = self.last()
         whole = last is not None and last.status in WHOLE
         return {
-            "Bench": "done" if self._lab.state.bench else "open",
+            "Bench": self._of_the_bench(),
             "Run": self._of_the_run(last),
             "Fit": self._of_the_fit(last) if last is not None and whole else "open",
             "Loop": self._of_the_loop(last) if last is not None and whole else "open",
@@ -88,10 +90,14 @@ class PathViewModel(QObject):
         """The one thing to do now."""
         state, last, marks = self._lab.state, self.last(), self.marks()
         if not state.bench:
-            return Next("Start", self.tr("Open a bench"))
+            return Next("Bench", self.tr("Open a bench"))
         if self._run.alive:
             asked = self._run.state == "asking"
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"))
+        if mark_of(state.now.coil_words)[1] == "bad":
+            return Next("Bench", self.tr("See to the coils"))
+        if failed := [name for name, light, _ in state.now.lights if light == "fault"]:
+            return Next("Bench", self.tr("See to {0}").format(failed[0]))
         if not state.dut_serial or state.dut_objection or not state.operator:
             return Next("Start", self.tr("Say who and what"))
         if last is not None and last.status == "interrupted":
@@ -105,7 +111,29 @@ class PathViewModel(QObject):
         if marks["Loop"] == "doubt" and marks["Certificate"] == "open":  # the loop says what to do before signing
             shown = self._study.run == last.run_id and self._study.loop is not None
             return Next("Loop", self.tr("See what is not known"), "" if shown else last.run_id)
-        return Next("Certificate", self.tr("Hand it out") if marks["Certificate"] == "done" else self.tr("Sign"))
+        return self._of_the_signatures(last)
+
+    def _of_the_signatures(self, last: RunLine) -> Next:
+        """Sign, as long as somebody is still to; what is provisional for good may be handed out as that."""
+        file = self._file(last)
+        if file is None or not file.standing.signatures:
+            return Next("Certificate", self.tr("Sign"))
+        standing = file.standing
+        if not standing.valid:
+            return Next("Fit", self.tr("Make a new draft"), last.run_id)
+        if standing.status in NO_LONGER:
+            return Next("Run", self.tr("Calibrate {0}").format(last.dut_serial))
+        if awaited(file):
+            return Next("Certificate", self.tr("The second signature"))
+        words = self.tr("Hand it out, as PROVISIONAL") if standing.provisional else self.tr("Hand it out")
+        return Next("Certificate", words)
+
+    def _of_the_bench(self) -> Mark:
+        """It is done where every instrument has answered."""
+        lights = {light for _, light, _ in self._lab.state.now.lights}
+        if "fault" in lights:
+            return "broken"
+        return "done" if lights and not lights & {"absent", "waiting"} else "open"
 
     def _of_the_run(self, last: RunLine | None) -> Mark:
         if self._run.alive:
@@ -117,12 +145,14 @@ class PathViewModel(QObject):
 
     def _of_the_fit(self, last: RunLine) -> Mark:
         studied = self._study.run == last.run_id
-        if studied and self._study.busy:
+        if studied and self._study.busy and not self._study.traces:
             return "now"
         fitted = (studied and self._study.best() is not None) or self._file(last) is not None
         return "done" if fitted else "open"
 
     def _of_the_loop(self, last: RunLine) -> Mark:
+        if self._study.run == last.run_id and self._study.traces:
+            return "now"
         loop = self._study.loop if self._study.run == last.run_id else None
         verdict = loop.verdict if loop is not None else last.verdict
         return "open" if not verdict else "done" if verdict in EXPLAINED else "doubt"

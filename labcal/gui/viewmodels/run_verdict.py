@@ -17,12 +17,14 @@ ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "faile
 NEXT = {
     "PASS": QT_TRANSLATE_NOOP("Words", "Next: Fit."),
     "MARGINAL": QT_TRANSLATE_NOOP("Words", "Within U of its limit: measure that part again, or Fit and see."),
-    "CANNOT DECIDE": QT_TRANSLATE_NOOP("Words", "U is more than half the limit: measure longer, or with less noise."),
+    "CANNOT DECIDE": QT_TRANSLATE_NOOP(
+        "Words", "Fit, and trace what is left over. Still open then? Measure longer, or with less noise."
+    ),
     "FAIL": QT_TRANSLATE_NOOP("Words", "Look at what was measured, mend the cause, and measure again."),
     "": QT_TRANSLATE_NOOP("Words", "Nothing of it had a limit: look at what was measured."),
-    "stopped": QT_TRANSLATE_NOOP("Words", "What was measured is kept. To measure again: Close, then Start."),
+    "stopped": QT_TRANSLATE_NOOP("Words", "What was measured is kept. To measure again: Close, then Begin."),
     "interrupted": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost: go on with it on the Start page."),
-    "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Start."),
+    "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
 }
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "PASS where |value| + U (k=2) is within the limit ({0} of {0})."),
@@ -48,11 +50,13 @@ class RunVerdict:
 def run_verdict(run: RunViewModel) -> RunVerdict:
     """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish."""
     status = run.status.partition(":")[0]
-    if status == "failed" and run.fault is not None and run.fault.kind == "stopped":
-        status = "stopped"  # by COILS OFF: nothing failed
+    wanted = run.fault is not None and run.fault.kind == "stopped"  # by Stop or COILS OFF: nothing failed
+    if wanted and status == "failed":
+        status = "stopped"
     if status != "finished":
-        shape, state = ENDS.get(status, ENDS["failed"])
-        return RunVerdict(f"{shape} {translated(status).upper()}", state, translated(str(TEXTS[4])), _next(status))
+        word = "stopped" if wanted else status
+        shape, state = ENDS.get(word, ENDS["failed"])
+        return RunVerdict(f"{shape} {translated(word).upper()}", state, translated(str(TEXTS[4])), _next(status))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     if not worst:
         return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))

@@ -33,6 +33,11 @@ def state_of(one: Standing) -> str:
     return "warning" if one.provisional or one.status in NO_LONGER else "good"
 
 
+def awaited(one: CalibrationFile) -> list[str]:
+    """Who approved it and has not signed it yet."""
+    return [name for name in one.approvers if name not in one.standing.signers]
+
+
 def next_step(one: CalibrationFile, operator: str) -> str:
     """What is to be done with a calibration now, in one sentence."""
     signatures = one.standing.signatures
@@ -42,7 +47,7 @@ def next_step(one: CalibrationFile, operator: str) -> str:
         return translated(
             "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
         ).format(one.operator or operator or translated("the operator"))
-    waiting = [name for name in one.approvers if name not in one.standing.signers]
+    waiting = awaited(one)
     if not signatures:
         return translated("Approved by {0}. Now both sign, each under their own name.").format(", ".join(one.approvers))
     if waiting:

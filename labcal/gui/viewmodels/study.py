@@ -61,6 +61,11 @@ class StudyViewModel(QObject):
         """Whether the worker has something to do."""
         return bool(self.waiting)
 
+    @property
+    def traces(self) -> bool:
+        """Whether it is the loop that is worked at."""
+        return "loop" in self.waiting
+
     def prepare(self) -> None:
         """Have the worker loaded before a run is opened: what it computes with takes a second to import."""
         self._worker.request(ListMethods(), self._methods_known, lambda _: None)  # opening a run asks again

@@ -57,7 +57,10 @@ class CalibrationViews(QWidget):
         if another:
             self.show_changes(one.path, None)
         self.tabs.setTabText(SPECIFIED, verdict(one.specification))
-        self.tabs.setTabEnabled(SPECIFIED, bool(one.specification or one.left_open))
+        specified = bool(one.specification or one.left_open)
+        self.tabs.setTabEnabled(SPECIFIED, specified)
+        none = self.tr("The bench file stated no specification when the run was measured")
+        self.tabs.setTabToolTip(SPECIFIED, "" if specified else none)
         self.show_view()
 
     def show_changes(self, path: str, found: Changes | None) -> None:
@@ -66,6 +69,8 @@ class CalibrationViews(QWidget):
             return
         self._changes = found
         self.tabs.setTabEnabled(CHANGED, found is not None)
+        first = self.tr("There is no earlier calibration of this DUT to compare it with")
+        self.tabs.setTabToolTip(CHANGED, first if found is None else "")
         moved = 0 if found is None else sum(row.changed for row in found.rows)
         name = self.tr("As found, as left")
         self.tabs.setTabText(CHANGED, f"▲ {name}: {translated('{0} changed').format(moved)}" if moved else name)

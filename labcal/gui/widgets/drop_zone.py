@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout
 
+from labcal.files.home import home
 from labcal.gui.theming.theme import GRID
 from labcal.gui.widgets.common import Surface, button, label
 
@@ -27,7 +28,9 @@ class Drop(Surface):
         row.addWidget(choose)
 
     def _choose(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("Verify a calibration"), "", "*.json")
+        path, _ = QFileDialog.getOpenFileName(
+            self, self.tr("Verify a calibration"), str(home() / "calibrations"), "*.json"
+        )
         if path:
             self.dropped.emit(path)
 

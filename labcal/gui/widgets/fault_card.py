@@ -63,6 +63,7 @@ class FaultCard(Card):
         if fault is self.fault:
             return None
         self.fault = fault
+        self.coils.hide()
         if fault is None:
             return self.hide()
         self.heading.setText(translated(TITLES[fault.kind]))
@@ -71,7 +72,6 @@ class FaultCard(Card):
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
         self.save.setVisible(not stopped)
         self.text.setText(in_words(fault.text))
-        self.coils.hide()
         self.remedy.setText(in_words(fault.remedy))
         self.remedy.setVisible(bool(fault.remedy))
         self.details.setPlainText(fault.details)

@@ -119,7 +119,7 @@ class Measurements(Table):
         self.right_heading(1, 2, 4)
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
         self._theme = theme
-        self._shown: tuple[int, int] = (0, 0)
+        self._shown: tuple[Theme, list[Measurement]] | None = None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Where there is no room for all columns, names keep some of it and the verdict is scrolled to."""
@@ -138,6 +138,9 @@ class Measurements(Table):
     def show_measurements(self, measurements: Iterable[Measurement]) -> None:
         """Write them all."""
         newest = list(measurements)[::-1]
+        if (self._theme, newest) == self._shown:
+            return  # it is asked at every word of a run
+        self._shown = self._theme, newest
         self.setRowCount(len(newest))
         for row, one in enumerate(newest):
             self._show(row, one)

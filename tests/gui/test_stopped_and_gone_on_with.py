@@ -1,0 +1,90 @@
+"""After Stop: one word for it in all places, the focus where the work is, and the run to go on with in front."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+from test_path import RUN
+
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import ListRuns, RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.run_verdict import run_verdict
+from labcal.record.stream import Measurement, Step
+
+FIRST = Step(0.0, 1, 2, "x+20uT-nominal", 60.0, ("x+20uT-nominal", "closing"))
+STOPPED = Fault("stopped", "stopped by the operator")
+
+
+@pytest.fixture
+def running(still):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.bench_worker.items.emit((FIRST,))
+    return still
+
+
+@pytest.mark.parametrize(("status", "fit"), [("interrupted", False), ("finished", True)])
+def test_at_the_end_the_focus_is_at_what_is_next_and_never_in_the_serial(running, qtbot, status, fit):
+    live = running.page("Run").live
+    qtbot.mouseClick(live.stop, Qt.MouseButton.LeftButton)
+    assert not live.stop.isEnabled()
+    assert live.isAncestorOf(QApplication.focusWidget())
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", status, None if fit else STOPPED))
+    assert QApplication.focusWidget() is (live.fit if fit else live.close_run)
+
+
+def test_who_works_elsewhere_keeps_the_focus_when_a_run_ends(running):
+    running.open_page("History")
+    search = running.page("History").search
+    search.setFocus()
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    assert QApplication.focusWidget() is search
+
+
+def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_on_with(running):
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
+    verdict = run_verdict(running.app_state.run)
+    assert verdict.word == "■ STOPPED"
+    assert "go on with it on the Start page" in verdict.next
+
+
+def test_what_was_measured_before_an_interruption_counts_in_the_verdict_after_it(running):
+    run, worker = running.app_state.run, running.app_state.bench_worker
+    worker.items.emit((Measurement(1.0, "x+20uT-nominal: noise", 90.0, 1.0, "nT", 20.0),))
+    worker.items.emit((replace(FIRST, t_s=2.0, number=2, name="closing"),))
+    assert running.page("Run").live.lights.worst["x"].text() == "X  ✕ FAIL"
+    worker.answer(RunProcedure, Ended("r1", "finished"))
+    assert run_verdict(run).word == "✕ FAIL"
+
+
+def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, patience):
+    start, path = still.page("Start"), still.app_state.path
+    broken = (replace(RUN, status="interrupted"), replace(RUN, run_id="r2", dut_serial="EM-08", status="interrupted"))
+    still.open_page("Start")
+    still.app_state.quick_worker.answer(ListRuns, broken)
+    mine, other = [start.interrupted.body.itemAt(n).widget() for n in (1, 2)]
+    assert [one.objectName() for one in (mine, other, start.morning)] == ["primary", "", ""]
+    qtbot.waitUntil(mine.isVisible, timeout=patience)
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert mine.hasFocus()
+    start.refresh()
+    still.app_state.quick_worker.answer(ListRuns, ())
+    assert start.morning.objectName() == "primary"
+    path.take_runs(())
+
+
+def test_a_name_that_no_record_takes_is_refused_before_a_run(still):
+    still.app_state.set_identity(operator="J" * 101)
+    choose = still.page("Run").choose
+    assert "at most 100 letters" in choose.objection.text()
+    assert not choose.start.isEnabled()
+    still.app_state.set_identity(operator="J. Doe")
+    assert choose.start.isEnabled()
+
+
+def test_how_long_a_procedure_takes_is_said_of_its_own_settings_alone(still):
+    choose = still.page("Run").choose
+    assert "min of measuring" in choose.needs.text()
+    choose.form.set_text("magnitudes_nT", "20000")
+    assert "min of measuring" not in choose.needs.text()
