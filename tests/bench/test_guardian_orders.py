@@ -19,7 +19,8 @@ from labcal.bench.config import read_config
 from labcal.bench.guardian import duty, wire
 from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import patience
-from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
+from labcal.bench.guardian.limits import CoilLimit
+from labcal.bench.guardian.limits_together import TogetherLimit
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError, LimitError

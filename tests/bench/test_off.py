@@ -53,9 +53,9 @@ import os, signal, sys
 from labcal.bench import shutdown
 from labcal.cli import execute
 sought = shutdown.guarding
-def interrupted(path):
+def interrupted(path, asked):
     os.kill(os.getpid(), getattr(signal, sys.argv[1]))
-    return sought(path)
+    return sought(path, asked)
 shutdown.guarding = interrupted
 sys.exit(execute(["bench", "off", sys.argv[2]]))
 """

@@ -17,8 +17,10 @@ from pathlib import Path
 
 from labcal.bench.coils.cage_file import calibrated
 from labcal.bench.config import read_config
+from labcal.bench.essentials import as_table
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.briefing import BRIEFED, Briefing, briefing_of
+from labcal.bench.guardian.client import DRIVEN
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
 from labcal.bench.guardian.logbook import note, written
@@ -49,12 +51,15 @@ class Watch:
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
-        named = os.path.abspath(self._bench.named)
-        ports.announce(card | {"bench": str(self._path), "named": named, "supplies": supplies_of(self._bench.config)})
+        config, named = self._bench.config, os.path.abspath(self._bench.named)
+        ports.announce(
+            card | {"bench": str(self._path), "named": named, "supplies": supplies_of(config), DRIVEN: as_table(config)}
+        )
         signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
         self._guardian.zero("the one before is gone, its successor begins" if self._succeeds else "a session begins")
+        self._guardian.load()
         server.ready.set()
         self._standbys.start()
         self._guardian.heartbeats.start()

@@ -1,0 +1,121 @@
+"""A guardian that hangs, or was stopped, and whoever stands by it too: `labcal bench off` brings the coils to zero."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from served_lab import EXAMPLE, LABCAL, LONG_S, Served, Sessions, at_zero, children_of, example, guardians, log, until
+
+from labcal.bench.guardian import hung
+from labcal.bench.guardian.standbys import HOW_MANY
+from labcal.bench.shutdown import coils_off
+from labcal.errors import InstrumentError
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs SIGSTOP, Unix sockets and who is at their end")
+HANGS = """
+import os, sys, time
+from labcal.bench.guardian import wire
+from labcal.bench.links import ports
+assert ports.hold([sys.argv[2]])
+listener, card = wire.listen()
+ports.announce(card | {"bench": sys.argv[1]})
+print("ready", flush=True)
+time.sleep(600)
+"""
+
+
+def stopped_of(guardian: int) -> list[int]:
+    """Stops a guardian and all that stand by it; returns those."""
+    until(lambda: len(children_of(guardian)) == HOW_MANY)
+    standing_by = children_of(guardian)
+    for pid in (*standing_by, guardian):
+        os.kill(pid, signal.SIGSTOP)
+    return standing_by
+
+
+@pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
+def test_off_takes_the_place_of_a_guardian_that_was_stopped(lab: Served, session: Sessions) -> None:
+    session("idle")
+    (first,) = guardians()
+    standing_by = stopped_of(first)
+    said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
+    assert at_zero(lab), said
+    assert (said.returncode, said.stdout.count("zero, open")) == (0, 3), said
+    assert f"guardian {first} did not hear that zero was ordered, and was killed" in log()
+    for pid in standing_by:
+        os.kill(pid, signal.SIGCONT)
+    until(lambda: not guardians())
+    assert at_zero(lab)
+
+
+@pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
+def test_a_session_that_ends_takes_the_place_of_a_guardian_that_was_stopped(lab: Served, session: Sessions) -> None:
+    child = session("idle")
+    (first,) = guardians()
+    standing_by = stopped_of(first)
+    os.kill(child.pid, signal.SIGINT)
+    until(lambda: at_zero(lab))
+    assert f"guardian {first} did not hear that zero was ordered, and was killed by process {child.pid}" in log()
+    child.communicate(timeout=LONG_S)
+    for pid in standing_by:
+        os.kill(pid, signal.SIGCONT)
+
+
+@pytest.fixture
+def hangs(tmp_path: Path) -> Iterator[Callable[[], subprocess.Popen[str]]]:
+    """Begins a guardian that listens and never answers."""
+    begun = list[subprocess.Popen[str]]()
+
+    def begin() -> subprocess.Popen[str]:
+        words = [sys.executable, "-c", HANGS, str(bench_of(tmp_path)), f"tcp://{tmp_path.name}:1"]
+        begun.append(subprocess.Popen(words, stdout=subprocess.PIPE, text=True))
+        out = begun[-1].stdout
+        assert out is not None
+        assert out.readline() == "ready\n"
+        return begun[-1]
+
+    yield begin
+    for process in begun:
+        process.kill()
+        process.communicate()
+
+
+def bench_of(folder: Path) -> Path:
+    file = folder / "bench.toml"
+    file.write_text(EXAMPLE.read_text())
+    return file.resolve()
+
+
+def test_one_that_never_answers_is_ended_and_the_coils_are_reached_from_here(
+    hangs: Callable[[], subprocess.Popen[str]], tmp_path: Path
+) -> None:
+    guardian = hangs()
+    assert [end.words for end in coils_off(tmp_path / "bench.toml")] == ["zero, open"] * 3
+    assert guardian.wait(LONG_S) == -signal.SIGKILL
+
+
+def test_one_that_may_not_be_ended_is_named_and_nothing_is_claimed(
+    hangs: Callable[[], subprocess.Popen[str]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def not_permitted(pid: int, number: int) -> None:
+        raise PermissionError(1, "Operation not permitted")
+
+    guardian = hangs()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "kill", not_permitted)
+        with pytest.raises(InstrumentError) as raised:
+            coils_off(tmp_path / "bench.toml")
+    assert str(raised.value).startswith(f"guardian {guardian.pid} of user ")
+    assert "How the coils are is not known" in str(raised.value)
+    assert f"kill -9 {guardian.pid}" in raised.value.remedy
+
+
+def test_who_is_traced_for_a_moment_does_not_stand_still() -> None:
+    assert not hung.stands_still(os.getpid())
+    assert not hung.stands_still(None)
