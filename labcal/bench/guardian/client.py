@@ -179,6 +179,7 @@ class GuardianClient:
                 self.look()
             elif connection.hangs:
                 connection.end_who_hangs()
+                self._lose(stood_by=False)
                 raise ConnectionError("the guardian hung")
             if self._connection is None or time.monotonic() > deadline:
                 raise ConnectionError("no reply")
@@ -204,14 +205,17 @@ class GuardianClient:
         except OSError:
             self._lose()
 
-    def _lose(self) -> None:
-        """The guardian is gone. Its standby is at it already; where that is too, another one is started soon."""
+    def _lose(self, *, stood_by: bool = True) -> None:
+        """The guardian is gone. Its standby is at it already; where that is too, another one is started soon.
+
+        At once, where those who `stood_by` had let it hang.
+        """
         if self._connection is not None:
             self._connection.close()
             self._connection, self._lost, self._started = None, True, None
             self._untold = set(self.facts)
             self.zero_is_ordered = False
-            self._start_after_s = time.monotonic() + STANDBY_S
+            self._start_after_s = time.monotonic() + STANDBY_S * stood_by
 
     def _start_another(self) -> None:
         """Start a guardian, unless there is one that has the ports or is about to take them."""
