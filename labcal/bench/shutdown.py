@@ -91,7 +91,7 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
             for guardian in connections(_links(benches), asked):
                 told |= {supply: end for supply, end in _told_by(guardian, asked, meanwhile).items() if supply in ours}
             left = _left(benches, told)
-            if not any(axes for _, axes in left):
+            if not left:
                 return _in_order(told, stated)
             free = _free(_links(benches), asked, late=late)
             if free is not None and ports.hold(free):
@@ -126,7 +126,7 @@ def _left(benches: Sequence[Bench], told: Mapping[str, AtZero]) -> list[tuple[Be
         supplies = _supplies(bench)
         left.append((bench, [axis for axis, supply in supplies.items() if supply not in known]))
         known |= {*supplies.values()}
-    return left
+    return [(bench, axes) for bench, axes in left if axes]
 
 
 def _supplies(bench: Bench) -> dict[str, str]:
