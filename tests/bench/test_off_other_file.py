@@ -19,6 +19,7 @@ from served_lab import (
     children_of,
     example,
     guardians,
+    log,
     of_bench,
     until,
 )
@@ -52,6 +53,10 @@ def deleted(file: Path) -> None:
     file.unlink()
 
 
+def untouched(file: Path) -> None:
+    """As it was."""
+
+
 SPOILT = [another_lab, cut_off, garbage, deleted]
 
 
@@ -79,7 +84,7 @@ def test_who_takes_the_guardian_s_place_knows_the_coils(lab: Served, session: Se
     until(lambda: at_zero(lab))
 
 
-@pytest.mark.parametrize("spoil", SPOILT, ids=lambda spoil: spoil.__name__)
+@pytest.mark.parametrize("spoil", [*SPOILT, untouched], ids=lambda spoil: spoil.__name__)
 def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: Sessions, spoil) -> None:
     child = session("idle")
     (first,) = guardians()
@@ -92,6 +97,7 @@ def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: 
     said = said_off(lab.file)
     assert at_zero(lab), said
     assert said.stdout.count("zero, open") == 3, said
+    assert log().count("to zero: labcal bench off") == (2 if spoil is another_lab else 1)
     if spoil is another_lab:  # which was asked for as well, and does not answer
         assert said.stdout.count("coil x: unknown") == 1
         assert said.stdout.count("coil x at 127.0.0.1:") == 1
