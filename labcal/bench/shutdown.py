@@ -214,6 +214,15 @@ def _readable(path: Path) -> Bench:
         raise InputError(f"cannot be read ({error.strerror}); {_untouched()}", file=path) from error
 
 
+def unread(path: Path) -> str:
+    """Why the file says nothing of its supplies now; "" where it does."""
+    try:
+        essentials(path)
+    except (InputError, OSError) as error:
+        return str(error)
+    return ""
+
+
 def _untouched() -> str:
     """That nothing was done, and what may be: somebody may have meant the file of another guardian that lives."""
     benches = guarded_benches()

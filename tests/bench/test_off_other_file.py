@@ -98,6 +98,9 @@ def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: 
     assert at_zero(lab), said
     assert said.stdout.count("zero, open") == 3, said
     assert log().count("to zero: labcal bench off") == (2 if spoil is another_lab else 1)
+    assert ("Reported above is what was driven under this name" in said.stderr) == (
+        spoil in (garbage, cut_off, deleted)
+    )
     if spoil is another_lab:  # which was asked for as well, and does not answer
         assert said.stdout.count("coil x: unknown") == 1
         assert said.stdout.count("coil x at 127.0.0.1:") == 1
