@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import signal
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
 Meanwhile = Callable[[str], AbstractContextManager[object]]  # given what may be said where it takes long
 FREE_S = 5.0
-ENDS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+ENDS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGTSTP") if hasattr(signal, name))
 UNTOUCHED = (
     "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "
     "off by hand"
@@ -62,7 +63,7 @@ def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
 
 @contextmanager
 def _unbroken() -> Iterator[None]:
-    """Neither Ctrl-C nor a terminal that closes breaks off the way to zero: nobody else might be left to go on."""
+    """Neither Ctrl-C, Ctrl-Z nor a terminal that closes breaks off the way to zero: nobody else might be left."""
     if threading.current_thread() is not threading.main_thread():  # a thread beside it hears no signals
         yield
         return
@@ -77,16 +78,16 @@ def _unbroken() -> Iterator[None]:
 def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
     """`told`: how each supply ended that somebody has told of; `asked`: the addresses of the guardians that did."""
     deadline, told, asked = time.monotonic() + FREE_S, dict[str, AtZero](), list[object]()
-    before = list[Essentials]()
+    before, wanting = list[Essentials](), list[OSError]()
     while True:
         late = time.monotonic() > deadline
-        with suppress(OSError):
+        with _noting(wanting):
             for guardian in guarding(path, asked):
                 told |= _told_by(guardian, asked, meanwhile)
         before += [bench for bench in driven_before(path) if bench not in before]
         stated = _stated(path, needed=not asked and not before)
         benches = [*([] if stated is None else [stated]), *before]
-        with suppress(OSError):
+        with _noting(wanting):
             ours = {supply for bench in benches for supply in _supplies(bench).values()}
             for guardian in connections(_links(benches), asked):
                 told |= {supply: end for supply, end in _told_by(guardian, asked, meanwhile).items() if supply in ours}
@@ -96,9 +97,24 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
             free = _free(_links(benches), asked, late=late)
             if free is not None and ports.hold(free):
                 return _in_order(told | _the_rest(path, left, meanwhile), stated)
+        if late and wanting:
+            raise InstrumentError(
+                f"the system gives this process no more ({wanting[-1].strerror}); how the coils are is not known.",
+                remedy="Switch the supplies off by hand, or say off again in a new terminal.",
+            )
         if late:
             raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
         time.sleep(0.02)  # a guardian that comes or goes
+
+
+@contextmanager
+def _noting(wanting: list[OSError]) -> Iterator[None]:
+    """A guardian that is gone is no matter; that the system has no handle or no memory left is kept in `wanting`."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in (errno.EMFILE, errno.ENFILE, errno.ENOMEM):
+            wanting.append(error)
 
 
 def _stated(path: Path, *, needed: bool) -> Bench | None:

@@ -85,12 +85,13 @@ def off(file: Path = FILE) -> None:
     from labcal.early_off import coils_off
 
     ended = coils_off(file)
-    from labcal.bench.coils.doubt import left_so  # when it is done: this takes a moment to load
     from labcal.bench.shutdown import unread
 
     for end in ended:
         current = "unknown " if end.current_A is None else f"{end.current_A:+.4f} A  {BY_WORD}:"
         say(f"coil {end.axis}: {current} {end.words}")
+    from labcal.bench.coils.doubt import left_so  # when all that was read back is said: this takes a moment to load
+
     if why := unread(file):
         say(f"! {why}. Reported above is what was driven under this name.", err=True)
     say(left_so(file, ended))

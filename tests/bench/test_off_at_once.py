@@ -139,3 +139,24 @@ def test_settings_are_read_as_a_session_reads_them(tmp_path: Path, settings: str
             return str(error)
 
     assert read(essentials(file)) == read(read_config(file))
+
+
+@POSIX
+@pytest.mark.parametrize("bench_text", [UNLOCKED], ids=["unlocked"])
+def test_where_there_are_no_handles_that_is_said_and_nothing_of_a_guardian(lab: Served) -> None:
+    few = "import resource, sys; resource.setrlimit(resource.RLIMIT_NOFILE, (8, 8)); "
+    words = [sys.executable, "-c", f"{few}from labcal.start import main; main()", "bench", "off", str(lab.file)]
+    said = subprocess.run(words, capture_output=True, text=True, timeout=LONG_S)
+    assert said.returncode == 3, said
+    assert "Too many open files" in said.stderr
+    assert "how the coils are is not known" in said.stderr
+    assert "guardian" not in said.stderr
+
+
+@POSIX
+@pytest.mark.parametrize("bench_text", [UNLOCKED], ids=["unlocked"])
+def test_what_was_read_back_is_said_before_anything_more_is_loaded(lab: Served) -> None:
+    ends = "import sys; sys.modules['labcal.bench.coils.doubt'] = None; "  # as where there is no memory for it
+    words = [sys.executable, "-c", f"{ends}from labcal.start import main; main()", "bench", "off", str(lab.file)]
+    said = subprocess.run(words, capture_output=True, text=True, timeout=LONG_S)
+    assert said.stdout.count("zero, open") == 3, said
