@@ -8,7 +8,7 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, closing, contextmanager, nullcontext, suppress
 from dataclasses import replace
 from functools import partial
@@ -19,7 +19,7 @@ from labcal.bench.coils.at_zero import FROM_HERE, ORDERED, AtZero
 from labcal.bench.essentials import AXES, Essentials, essentials
 from labcal.bench.guardian.client import (
     Connection,
-    ask_once,
+    answered,
     connections,
     driven_before,
     guarded_benches,
@@ -82,15 +82,16 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
     while True:
         late = time.monotonic() > deadline
         with _noting(wanting):
-            for guardian in guarding(path, asked):
-                told |= _told_by(guardian, asked, meanwhile)
+            for guardian, number in _ordered(guarding(path, asked)):
+                told |= _told_by(guardian, number, asked, meanwhile)
         before += [bench for bench in driven_before(path) if bench not in before]
         stated = _stated(path, needed=not asked and not before)
         benches = [*([] if stated is None else [stated]), *before]
         with _noting(wanting):
             ours = {supply for bench in benches for supply in _supplies(bench).values()}
-            for guardian in connections(_links(benches), asked):
-                told |= {supply: end for supply, end in _told_by(guardian, asked, meanwhile).items() if supply in ours}
+            for guardian, number in _ordered(connections(_links(benches), asked)):
+                ended = _told_by(guardian, number, asked, meanwhile)
+                told |= {supply: end for supply, end in ended.items() if supply in ours}
             left = _left(benches, told)
             if not left:
                 return _in_order(told, stated)
@@ -156,7 +157,16 @@ def _supplies(bench: Bench) -> dict[str, str]:
     return {axis: f"{axis} of {id(bench)}" for axis in AXES} | named
 
 
-def _told_by(guardian: Connection, asked: list[object], meanwhile: Meanwhile) -> dict[str, AtZero]:
+def _ordered(guardians: Iterable[Connection]) -> list[tuple[Connection, int]]:
+    """Each with the number of its order: all of them have it before any is waited for."""
+    ordered = list[tuple[Connection, int]]()
+    for guardian in guardians:
+        with suppress(ConnectionError):  # it is gone; who comes after it is looked for again
+            ordered.append((guardian, guardian.order("zero", why=f"labcal bench off, process {os.getpid()}")))
+    return ordered
+
+
+def _told_by(guardian: Connection, number: int, asked: list[object], meanwhile: Meanwhile) -> dict[str, AtZero]:
     """How those coils ended that a living guardian holds, by supply.
 
     The guardian of another bench file may hold only some of these supplies, and know them as other axes. One that does
@@ -165,7 +175,8 @@ def _told_by(guardian: Connection, asked: list[object], meanwhile: Meanwhile) ->
     asked.append(guardian.card["address"])
     theirs = {str(axis): str(supply) for axis, supply in dict(guardian.card.get("supplies") or {}).items()}
     try:
-        ended = _asked(guardian, meanwhile)
+        with closing(guardian), meanwhile(ORDERED):
+            ended = [zero_of(end) for end in answered(guardian, number)]
     except OSError:
         asked.pop()
         raise
@@ -212,11 +223,6 @@ def _the_rest(path: Path, left: Sequence[tuple[Bench, list[str]]], meanwhile: Me
         ports.let_go()
 
 
-def _asked(guardian: Connection, meanwhile: Meanwhile) -> list[AtZero]:
-    with closing(guardian), meanwhile(ORDERED):
-        return [zero_of(end) for end in ask_once(guardian, "zero", why=f"labcal bench off, process {os.getpid()}")]
-
-
 def _readable(path: Path) -> Bench:
     try:
         if (found := essentials(path)) is not None:
@@ -234,8 +240,10 @@ def unread(path: Path) -> str:
     """Why the file says nothing of its supplies now; "" where it does."""
     try:
         essentials(path)
-    except (InputError, OSError) as error:
+    except InputError as error:
         return str(error)
+    except OSError as error:
+        return f"{path}: cannot be read ({error.strerror})"
     return ""
 
 

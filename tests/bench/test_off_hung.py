@@ -28,6 +28,28 @@ print("ready", flush=True)
 time.sleep(600)
 """
 
+TWO = """
+import sys, time
+from pathlib import Path
+sys.path.insert(0, sys.argv[3])
+from test_guardian_ear import Ear
+from labcal.bench.coils.at_zero import AtZero
+from labcal.bench.links import ports
+folder, name = Path(sys.argv[1]).parent, sys.argv[2]
+assert ports.hold([f"tcp://{folder.name}-{name}:1"])
+ear = Ear()
+ear.coils.order_zero = lambda *_, **__: (folder / f"{name}.heard").touch()
+def zero(why, **_):
+    deadline = time.monotonic() + 15
+    while len(list(folder.glob("*.heard"))) < 2 and time.monotonic() < deadline:
+        time.sleep(0.01)
+    return [AtZero(name, 0.0, len(list(folder.glob("*.heard"))) == 2, read_s=time.monotonic())]
+ear.coils.zero = zero
+ports.announce(ear.card | {"bench": sys.argv[1], "supplies": {name: f"supply {name}"}})
+print("ready", flush=True)
+time.sleep(600)
+"""
+
 
 def stopped_of(guardian: int) -> list[int]:
     """Stops a guardian and all that stand by it; returns those."""
@@ -83,6 +105,21 @@ def hangs(tmp_path: Path) -> Iterator[Callable[[], subprocess.Popen[str]]]:
     for process in begun:
         process.kill()
         process.communicate()
+
+
+def test_two_guardians_of_one_name_are_both_ordered_before_either_is_waited_for(tmp_path: Path) -> None:
+    file = tmp_path.resolve() / "gone.toml"
+    words = [sys.executable, "-c", TWO, str(file)]
+    both = [subprocess.Popen([*words, name, str(Path(__file__).parent)], stdout=subprocess.PIPE) for name in "xy"]
+    try:
+        for one in both:
+            assert one.stdout is not None
+            assert one.stdout.readline() == b"ready\n"
+        assert [(end.axis, end.opened) for end in coils_off(file)] == [("x", True), ("y", True)]
+    finally:
+        for one in both:
+            one.kill()
+            one.communicate()
 
 
 def bench_of(folder: Path) -> Path:

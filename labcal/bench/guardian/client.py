@@ -265,7 +265,12 @@ def ask_once(connection: Connection, order: str, **what: Any) -> Any:
 
     A guardian that does not hear an order of zero is ended; that raises ConnectionError.
     """
-    number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
+    return answered(connection, connection.order(order, **what))
+
+
+def answered(connection: Connection, number: int) -> Any:
+    """What is replied to the order of this number; as `ask_once`."""
+    deadline = time.monotonic() + REPLY_S
     while (reply := connection.reply(number, 0.05)) is None:
         if connection.hangs:
             connection.end_who_hangs()
