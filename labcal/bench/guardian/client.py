@@ -35,6 +35,7 @@ START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 UNHEARD_S, STOPPED_S = 1.0, 0.1  # so long zero goes unheard by one that hangs; by one that was stopped
 CLOSE_S = 5.0
+FREED_S = 0.2  # until the kernel has freed the ports of a process that was killed
 
 NOT_OURS = InstrumentError(
     "another user's process answers as the guardian of this bench; it is not believed.",
@@ -178,8 +179,7 @@ class GuardianClient:
             if order != "zero":
                 self.look()
             elif connection.hangs:
-                connection.end_who_hangs()
-                self._lose(stood_by=False)
+                self._replace(connection)
                 raise ConnectionError("the guardian hung")
             if self._connection is None or time.monotonic() > deadline:
                 raise ConnectionError("no reply")
@@ -204,6 +204,15 @@ class GuardianClient:
             self._connection.beat()
         except OSError:
             self._lose()
+
+    def _replace(self, who_hangs: Connection) -> None:
+        """End it and start another at once: those who stand by have let it hang, or would be done by now."""
+        who_hangs.end_who_hangs()
+        self._lose(stood_by=False)
+        deadline = time.monotonic() + FREED_S
+        while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
+            time.sleep(0.005)
+        self._start_another()
 
     def _lose(self, *, stood_by: bool = True) -> None:
         """The guardian is gone. Its standby is at it already; where that is too, another one is started soon.
