@@ -68,7 +68,7 @@ def test_off_takes_the_place_of_a_guardian_that_was_stopped(lab: Served, session
     said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
     assert at_zero(lab), said
     assert (said.returncode, said.stdout.count("zero, open")) == (0, 3), said
-    assert f"guardian {first} did not hear that zero was ordered, and was killed" in log()
+    assert f"guardian {first} was ordered zero and hangs, or was stopped: it was killed" in log()
     for pid in standing_by:
         os.kill(pid, signal.SIGCONT)
     until(lambda: not guardians())
@@ -82,7 +82,7 @@ def test_a_session_that_ends_takes_the_place_of_a_guardian_that_was_stopped(lab:
     standing_by = stopped_of(first)
     os.kill(child.pid, signal.SIGINT)
     until(lambda: at_zero(lab))
-    assert f"guardian {first} did not hear that zero was ordered, and was killed by process {child.pid}" in log()
+    assert f"guardian {first} was ordered zero and hangs, or was stopped: it was killed by process {child.pid}" in log()
     child.communicate(timeout=LONG_S)
     for pid in standing_by:
         os.kill(pid, signal.SIGCONT)
@@ -134,6 +134,19 @@ def test_one_that_never_answers_is_ended_and_the_coils_are_reached_from_here(
     guardian = hangs()
     assert [end.words for end in coils_off(tmp_path / "bench.toml")] == ["zero, open"] * 3
     assert guardian.wait(LONG_S) == -signal.SIGKILL
+
+
+def test_one_that_was_stopped_after_it_had_heard_is_ended(tmp_path: Path) -> None:
+    file = tmp_path.resolve() / "gone.toml"
+    words = [sys.executable, "-c", TWO, str(file), "x", str(Path(__file__).parent)]
+    with subprocess.Popen(words, stdout=subprocess.PIPE) as guardian:
+        assert guardian.stdout is not None
+        assert guardian.stdout.readline() == b"ready\n"
+        off = subprocess.Popen([*LABCAL, "bench", "off", str(file)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        until(lambda: (tmp_path / "x.heard").exists())
+        os.kill(guardian.pid, signal.SIGSTOP)
+        assert guardian.wait(10.0) == -signal.SIGKILL  # an order that was heard is waited for twice as long
+        off.communicate(timeout=LONG_S)
 
 
 def test_one_that_may_not_be_ended_is_named_and_nothing_is_claimed(

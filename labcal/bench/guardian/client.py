@@ -33,6 +33,7 @@ NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, Perm
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
+LOOK_S = 0.04
 UNHEARD_S, STOPPED_S = 1.0, 0.1  # so long zero goes unheard by one that hangs; by one that was stopped
 CLOSE_S = 5.0
 FREED_S = 0.2  # until the kernel has freed the ports of a process that was killed
@@ -53,6 +54,8 @@ class Connection:
         self.uid = wire.peer(self._socket)  # whose guardian it is
         self.pid = wire.peer_process(self._socket)
         self._unheard_since_s: float | None = None  # an order of zero that was not acknowledged yet
+        self._still_since_s: float | None = None  # it was stopped, and has not gone on since
+        self._next_look_s = 0.0
         self._socket.settimeout(None)
         self._received, self._number = b"", 0
         self._socket.sendall(wire.packed({"token": card.get("token", "")}))
@@ -78,11 +81,15 @@ class Connection:
 
     @property
     def hangs(self) -> bool:
-        """Whether an order of zero was not heard: for longer than whoever runs needs, or by one that stands still."""
-        if self._unheard_since_s is None:
-            return False
-        silent_s = time.monotonic() - self._unheard_since_s
-        return silent_s > UNHEARD_S or (silent_s > STOPPED_S and hung.stands_still(self.pid))
+        """Whether who was ordered zero does not hear it, for longer than one that runs needs, or was stopped meanwhile."""
+        now = time.monotonic()
+        if self._unheard_since_s is not None and now - self._unheard_since_s > UNHEARD_S:
+            return True
+        if now >= self._next_look_s:
+            self._next_look_s = now + LOOK_S
+            stands_still = hung.stands_still(self.pid)
+            self._still_since_s = (self._still_since_s or now) if stands_still else None
+        return self._still_since_s is not None and now - self._still_since_s >= STOPPED_S
 
     def end_who_hangs(self) -> None:
         """Kill it, so that another can take its place. Raises InstrumentError where this process may not."""

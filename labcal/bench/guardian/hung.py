@@ -27,15 +27,15 @@ def ended(pid: int | None, uid: int | None) -> None:
     """Kill the guardian `pid`, whose user is `uid`. Raises InstrumentError where this process cannot."""
     whose = "" if uid is None else f" of user {user_name(uid)}"
     if pid is None or pid == os.getpid():
-        raise _lost("a guardian holds the ports and does not hear.", "End it, then say off again.")
+        raise _lost("a guardian holds the ports and hangs, or was stopped.", "End it, then say off again.")
     try:
         os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
     except ProcessLookupError:
         return
     except OSError as error:
-        what = f"guardian {pid}{whose} does not hear, and may not be ended from here ({error.strerror})."
+        what = f"guardian {pid}{whose} hangs, or was stopped, and may not be ended from here ({error.strerror})."
         raise _lost(what, f"Have it ended (kill -9 {pid}), then say off again.") from error
-    note(f"guardian {pid} did not hear that zero was ordered, and was killed by process {os.getpid()}")
+    note(f"guardian {pid} was ordered zero and hangs, or was stopped: it was killed by process {os.getpid()}")
 
 
 def _lost(what: str, remedy: str) -> InstrumentError:
