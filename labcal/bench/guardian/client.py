@@ -81,7 +81,7 @@ class Connection:
 
     @property
     def hangs(self) -> bool:
-        """Whether who was ordered zero does not hear it, for longer than one that runs needs, or was stopped meanwhile."""
+        """Whether who was ordered zero does not hear it for longer than one that runs needs, or was stopped."""
         now = time.monotonic()
         if self._unheard_since_s is not None and now - self._unheard_since_s > UNHEARD_S:
             return True
