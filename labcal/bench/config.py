@@ -14,12 +14,13 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 
 from labcal.bench import serials
 from labcal.bench.check_standard import CheckStandardConfig
+from labcal.bench.essentials import AXES as AXES
+from labcal.bench.essentials import OWNED
 from labcal.errors import InputError
 from labcal.files.toml_file import read_toml
 from labcal.record.administrative import Address, Equipment, Item, Laboratory
 from labcal.record.physical import LARGEST_CURRENT_A, LARGEST_FIELD_nT
 
-AXES = ("x", "y", "z")
 SERVED_AT = ("emulated://", "//127.0.0.1:", "//localhost:", "//localhost.:", "///dev/pts/", "///dev/ttys")
 RUNTIME_LONGEST = 60  # of the 107 bytes that the name of a socket may have
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
@@ -323,8 +324,7 @@ class BenchConfig(_Table):
     @property
     def guarded(self) -> list[str]:
         """The instruments that can hurt, or keep from it, by name: supplies, polarity relays and the interlock."""
-        heads = ("coil-", "polarity", "interlock")
-        return [name for name, entry in self.instruments.items() if entry.role.startswith(heads)]
+        return [name for name, entry in self.instruments.items() if entry.role.startswith(OWNED)]
 
     @property
     def guarded_links(self) -> list[str]:

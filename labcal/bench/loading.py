@@ -12,12 +12,10 @@ from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
-from pydantic import TypeAdapter, ValidationError
-
 from labcal import plugin_loading
 from labcal.bench.clock import Clock, RealClock
-from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, sentence
 from labcal.bench.driver_kit.roles import Instrument
+from labcal.bench.essentials import AXES, Essentials
 from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link, ports
 from labcal.bench.links.urls import split
 from labcal.errors import InputError
@@ -28,6 +26,7 @@ ZERO_IS = 0.25  # of the current limit, at most: what is read back below it coun
 T = TypeVar("T")
 
 if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig, InstrumentConfig
     from labcal.bench.links.modbus import ModbusLink
 
 
@@ -85,9 +84,15 @@ class Loader:
         for key in stated:
             if key not in known:
                 self.refuse(f"{key} is no setting of this driver; it knows {', '.join(known)}", (*where, key))
+        if isinstance(cast(object, self.config), Essentials) and (plain := _plain_settings(kind, stated)) is not None:
+            return plain
+        from pydantic import TypeAdapter, ValidationError
+
         try:
             return TypeAdapter(kind).validate_python(stated)
         except ValidationError as error:
+            from labcal.bench.config import sentence
+
             first = error.errors()[0]
             self.refuse(sentence(first), (*where, *map(str, first["loc"])))
 
@@ -191,8 +196,10 @@ class Loader:
 
     def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
         """Raise InputError for the key `keys` of this file."""
+        from labcal.bench.config import line_of  # to say where: who is not refused waits for none of it
+
         line = None
-        with suppress(OSError):  # it may be gone since it was read
+        with suppress(OSError, ValueError):  # it may be gone since it was read, or another file
             line = line_of(self.path.read_text(encoding="utf-8"), keys)
         raise InputError(f"{'.'.join(keys)}: {what}", file=self.path, line=line)
 
@@ -217,6 +224,10 @@ class Loader:
     def _twin(self) -> Any:
         table = dict(self.config.twin)
         kind = table.pop("kind", "cage")
+        from pydantic import ValidationError
+
+        from labcal.bench.config import sentence
+
         try:
             return self._load(TWINS, kind, ("twin", "kind"))(table, self.seed)
         except ValidationError as error:
@@ -257,3 +268,24 @@ def drivers_of(path: Path, config: BenchConfig) -> None:
 def speaks_modbus(hints: Mapping[str, Any]) -> bool:
     """Whether a driver with these type hints of `__init__` wants registers instead of bytes."""
     return bool(hints["link"].__name__ == "ModbusLink")
+
+
+def _plain_settings(kind: type[T], stated: Mapping[str, Any]) -> T | None:
+    """Settings of values that need no look at a driver's types; None where any is not of its default's, or not above 0.
+
+    For who only switches off and has no time to load what reads types: a session has read the same ones wholly.
+    """
+    defaults = {f.name: f.default for f in fields(kind)}  # type: ignore[arg-type]
+    given = {}
+    for key, value in stated.items():
+        of = type(defaults[key])
+        number = of is float and type(value) is int
+        if not (number or (type(value) is of and of in (bool, int, float, str))) or not (value or of is bool):
+            return None
+        if of in (int, float) and not 0 < value < math.inf:
+            return None
+        given[key] = float(value) if number else value
+    try:
+        return kind(**given)
+    except (TypeError, ValueError):  # one that has to be stated is not, or its own check refuses it
+        return None

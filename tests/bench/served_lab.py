@@ -30,7 +30,7 @@ from labcal.bench.loading import Loader
 from labcal.files.home import home
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
-LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
+LABCAL = [sys.executable, "-m", "labcal"]
 ZERO_A = 0.005
 LONG_S = 90.0  # a busy machine gets there, a broken one does not
 PATIENT_S = 15.0  # of a supply's driver: less than an order's, more than this process may be kept from answering

@@ -17,9 +17,10 @@ import pytest
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
 from labcal.bench.guardian import duty, wire
-from labcal.bench.guardian.coil_limits import CoilLimit, TogetherLimit
+from labcal.bench.guardian.coil_limits import CoilLimit
 from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import patience
+from labcal.bench.guardian.limits_together import TogetherLimit
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError, LimitError

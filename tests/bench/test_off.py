@@ -53,19 +53,19 @@ import os, signal, sys
 from labcal.bench import shutdown
 from labcal.cli import execute
 sought = shutdown.guarding
-def interrupted(path):
+def interrupted(path, asked):
     os.kill(os.getpid(), getattr(signal, sys.argv[1]))
-    return sought(path)
+    return sought(path, asked)
 shutdown.guarding = interrupted
 sys.exit(execute(["bench", "off", sys.argv[2]]))
 """
 
 
 @POSIX
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGTSTP"])
 def test_neither_ctrl_c_nor_a_closed_terminal_breaks_off_the_way_to_zero(name: str) -> None:
     words = [sys.executable, "-c", OFF_AND_A_SIGNAL, name, str(EXAMPLE)]
-    told = subprocess.run(words, capture_output=True, text=True, check=False)
+    told = subprocess.run(words, capture_output=True, text=True, check=False, timeout=LONG_S)
     assert told.returncode == 0, told
     assert told.stdout.count("zero, open") == 3
 

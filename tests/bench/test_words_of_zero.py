@@ -14,6 +14,7 @@ from test_guardian_handover import Pair, handed_over
 from test_guardian_handover import pair as pair
 from test_latch import Bench, one_tti
 
+from labcal import early_off
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.at_zero import FROM_HERE
 from labcal.bench.guardian.handover import Handover, Held
@@ -72,6 +73,21 @@ def test_a_coil_in_doubt_that_was_at_zero_came_to_it_by_no_step(bench: Bench) ->
     assert not any(end.abrupt for end in ended.values())
 
 
+def test_an_instrument_that_took_the_coils_to_zero_is_no_doubt_about_them(bench: Bench) -> None:
+    bench.energise({"x": 1.0})
+    opened = InstrumentError("interlock: the link is lost.", fault="link lost")
+    bench.guardian.zero("the interlock is out", fault=opened)
+    for ask in (
+        bench.guardian.measure_current,
+        bench.guardian.set_point,
+        lambda axis: bench.guardian.output(axis, True),
+    ):
+        with pytest.raises(InstrumentError, match="interlock: the link is lost"):
+            ask("x")
+    ended = bench.guardian.zero("the session", by_session=True)
+    assert [end.words for end in ended] == ["zero, open"] * 3
+
+
 def test_a_successor_tells_what_it_knows_of_the_one_before(pair: Pair) -> None:
     handed = handed_over(pair)
     coils = {**handed.coils, "y": Held(0.7, True, handed.coils["y"].who, falling=True)}
@@ -102,12 +118,11 @@ def test_a_connection_that_is_gone_tells_what_was_read_last_and_when() -> None:
 def off(monkeypatch: pytest.MonkeyPatch, slow_s: float) -> threading.Event:
     """`labcal bench off` without a guardian; whether it said that it is at it, before anything was ordered."""
     from labcal.bench.guardian.controller import Guardian
-    from labcal.cli import bench as commands
 
-    said, zero, say = threading.Event(), Guardian.zero, commands.say
+    said, zero, aloud = threading.Event(), Guardian.zero, early_off.aloud
 
-    def heard(text: object, **options: Any) -> None:
-        say(text, **options)
+    def heard(text: str) -> None:
+        aloud(text)
         if text == FROM_HERE:
             said.set()
 
@@ -115,8 +130,8 @@ def off(monkeypatch: pytest.MonkeyPatch, slow_s: float) -> threading.Event:
         assert said.wait(WAIT_S) or slow_s
         return zero(guardian, why)
 
-    monkeypatch.setattr("labcal.bench.coils.at_zero.SLOW_S", slow_s)
-    monkeypatch.setattr(commands, "say", heard)
+    monkeypatch.setattr(early_off, "SLOW_S", slow_s)
+    monkeypatch.setattr(early_off, "aloud", heard)
     if not slow_s:
         monkeypatch.setattr(Guardian, "zero", late)
     assert execute(["bench", "off", str(EXAMPLE)]) == 0

@@ -6,6 +6,7 @@ import resource
 import signal
 import sqlite3
 import subprocess
+import sys
 import threading
 import time
 from collections.abc import Sequence
@@ -14,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from benches import until
-from technician import LABCAL, Technician
+from technician import Technician
 from trial import Trial
 
 CALLS = {
@@ -24,6 +25,7 @@ CALLS = {
     "recv": ("recvfrom,recvmsg", "ECONNRESET"),
 }
 ATTACHED_S = 15.0
+FALLEN_A = 0.02
 
 
 # processes
@@ -115,9 +117,9 @@ def bench_off(trial: Trial) -> None:
 
 
 def _off_begun(trial: Trial) -> Technician:
-
+    """With all that it has to load: a person waits for that too."""
     trial.zero_is_due()
-    command = [*LABCAL, "bench", "off", str(trial.bench.file)]
+    command = [sys.executable, "-m", "labcal", "bench", "off", str(trial.bench.file)]
     trial.others.append(Technician(command, trial.bench.env(trial.home)))
     return trial.others[-1]
 
@@ -133,10 +135,43 @@ def all_killed_and_off_too(trial: Trial) -> None:
     """Nobody is left; somebody says off, and that is killed while the coils come down."""
     killed(trial, ("session", "guardian", "standbys"), False)
     trial.wait(0.5, 2.0)
-    before = trial.bench.ask("currents")
+    before = trial.bench.ask("currents")  # a ramp that was cut by the kill has settled
     off = _off_begun(trial)
-    until(lambda: trial.bench.ask("currents") != before, ATTACHED_S)
+    until(lambda: _has_fallen(trial, before), ATTACHED_S)
     trial.signal(signal.SIGKILL, off.pid)
+
+
+def _has_fallen(trial: Trial, before: dict[str, float]) -> bool:
+    """Whether the coils are on their way down: what a coil does by itself, or noise, is less."""
+    now = trial.bench.ask("currents")
+    return any(now[axis] < before[axis] - FALLEN_A for axis in before)
+
+
+def all_stopped_then_off(trial: Trial) -> None:
+    """Nobody hears anything any more; somebody says off."""
+    stopped(trial, ("session", "guardian", "standbys"), False)
+    trial.wait(0.5, 2.0)
+    bench_off(trial)
+
+
+def guardian_stopped_then_off(trial: Trial) -> None:
+    """Guardian and all that stand by it stand still, the session goes on; somebody says off."""
+    stopped(trial, ("guardian", "standbys"), False)
+    trial.wait(0.5, 2.0)
+    bench_off(trial)
+
+
+def all_killed_file_lost_then_off(trial: Trial) -> None:
+    """Nobody is left, and the file is not what it was; somebody says off."""
+    killed(trial, ("session", "guardian", "standbys"), False)
+    trial.wait(0.5, 2.0)
+    text = trial.bench.file.read_bytes()
+    trial.undo.append(lambda: trial.bench.file.write_bytes(text))
+    if trial.chance.random() < 0.5:
+        trial.bench.file.write_bytes(text[: trial.chance.randrange(len(text) // 2)])
+    else:
+        trial.bench.file.unlink()
+    bench_off(trial)
 
 
 def second_labcal(trial: Trial) -> None:

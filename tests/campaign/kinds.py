@@ -121,6 +121,10 @@ def _all_killed(trial: Trial) -> None:
     deeds.killed(trial, WHO["all of them"], True)
 
 
+def _guardians_stopped(trial: Trial) -> None:
+    deeds.stopped(trial, ("guardian", "standbys"), False)
+
+
 def _nobody_left() -> list[Kind]:
     """What opens by itself where nobody beats, and what comes of it when it fails."""
     kinds = [
@@ -158,6 +162,21 @@ def _machine() -> list[Kind]:
         Kind("bench off from elsewhere", "people", deeds.bench_off),
         Kind("all of them killed, then bench off", "people", deeds.all_killed_then_off),
         Kind("all of them killed, bench off too", "people", deeds.all_killed_and_off_too),
+        Kind(
+            "all of them stopped, then bench off",
+            "people",
+            deeds.all_stopped_then_off,
+            standby_ready=True,
+            session_stopped=True,
+        ),
+        Kind(
+            "guardian and standbys stopped, then bench off",
+            "people",
+            deeds.guardian_stopped_then_off,
+            standby_ready=True,
+        ),
+        Kind("guardian and standbys stopped", "processes", _guardians_stopped, stops=True, standby_ready=True),
+        Kind("all of them killed, the file lost, then bench off", "people", deeds.all_killed_file_lost_then_off),
         _else("two labcals on one bench", "people", deeds.second_labcal),
         _else("two benches on one pair", "people", deeds.second_bench, benches=("riden-pair",)),
         _else("clock set back", "machine", lambda trial: deeds.clock_set(trial, -3600.0)),

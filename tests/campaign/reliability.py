@@ -1,6 +1,7 @@
 """The table of docs/reliability.md from a campaign's results, and its sentences for people to read.
 
-`python tests/campaign/reliability.py table campaign-out docs/reliability.md` writes the table between its two marks;
+`python tests/campaign/reliability.py table campaign-out docs/reliability.md` writes the table between its two marks.
+Rows of kinds that these results do not have stay as they are, with what was said below the table of earlier ones.
 `… words campaign-out 20` prints twenty trials of each kind word for word, with what flowed when each was said.
 """
 
@@ -27,12 +28,19 @@ HEAD = (
 Read = Mapping[tuple[str, int], bool]
 
 
-def table(records: Sequence[dict[str, Any]], read: Read) -> str:
-    """A row for each kind that was tried; `read`: whether people found all words of a trial true."""
+def table(records: Sequence[dict[str, Any]], read: Read, before: str = "") -> str:
+    """A row for each kind that was tried; `read`: whether people found all words of a trial true.
+
+    `before`: a table whose rows, and words below it, stay where these results have none of their own.
+    """
     tried = [record for record in records if "not_tried" not in record]
     of_kind = {name: [r for r in tried if r["kind"] == name] for name in kinds()}
-    rows = [_row(kinds()[name], found, read) for name, found in of_kind.items() if found]
-    return HEAD + "".join(rows) + "\n" + _in_all(tried)
+    rows = {name: _row(kinds()[name], found, read) for name, found in of_kind.items() if found}
+    kept = {line.split("|")[1].strip(): f"{line}\n" for line in before.splitlines() if line.startswith("| ")}
+    rows = {name: row for name in kinds() if (row := rows.get(name, kept.get(name)))}
+    last = _in_all(tried)
+    words = [line for line in before.splitlines() if line and not line.startswith("|") and line != last.strip()]
+    return HEAD + "".join(rows.values()) + "\n" + "\n\n".join([*words, last])
 
 
 def _row(kind: Kind, found: Sequence[dict[str, Any]], read: Read) -> str:
@@ -77,9 +85,10 @@ def _in_all(tried: Sequence[dict[str, Any]]) -> str:
     untold = sum(not in_time_can_be_told(record) for record in tried)
     at = f"load {load[0]:.1f} to {load[-1]:.1f}, median {load[len(load) // 2]:.1f}, on two cores"
     of = ", ".join(sorted({record.get("of") or "unknown" for record in tried}))
+    which = ", ".join(f"`{name}`" for name in kinds() if any(record["kind"] == name for record in tried))
     return (
-        f"{len(tried)} faults of the code {of} ({at}). In {untold} of them the machine kept a process that hardly "
-        "works waiting for more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
+        f"{which}: {len(tried)} faults of the code {of} ({at}). In {untold} of them the machine kept a process that "
+        "hardly works waiting for more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
     )
 
 
@@ -97,6 +106,11 @@ def words(records: Sequence[dict[str, Any]], of_each: int) -> str:
     return "\n".join(text)
 
 
+def between_marks(report: Path) -> str:
+    """What stands between the marks of the report now."""
+    return report.read_text(encoding="utf-8").partition(BEGINS)[2].partition(ENDS)[0]
+
+
 def put(report: Path, between: str) -> None:
     """Replace what stands between the marks of the report."""
     before, _, rest = report.read_text(encoding="utf-8").partition(BEGINS)
@@ -107,6 +121,7 @@ def put(report: Path, between: str) -> None:
 if __name__ == "__main__":
     found = results(Path(sys.argv[2]) / "results.jsonl")
     if sys.argv[1] == "table":
-        put(Path(sys.argv[3]), table(found, read_by_people(Path(sys.argv[2]) / "read.tsv")))
+        report = Path(sys.argv[3])
+        put(report, table(found, read_by_people(Path(sys.argv[2]) / "read.tsv"), between_marks(report)))
     else:
         print(words(found, int(sys.argv[3])))

@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
-from labcal.record.header import ChannelSpec as ChannelSpec  # drivers declare theirs with the roles
-from labcal.record.stream import Block, Event
+if TYPE_CHECKING:
+    from labcal.record.header import ChannelSpec as ChannelSpec  # drivers declare theirs with the roles
+    from labcal.record.stream import Block, Event
+
+
+def __getattr__(name: str) -> Any:
+    """`ChannelSpec`, when it is asked for: a supply that is to be switched off waits for no record."""
+    if name != "ChannelSpec":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from labcal.record.header import ChannelSpec
+
+    return ChannelSpec
 
 
 @dataclass(frozen=True, slots=True)

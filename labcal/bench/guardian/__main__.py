@@ -6,6 +6,7 @@ replaced. What they need for that they have read and loaded before; who has the 
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import sys
@@ -15,15 +16,15 @@ import traceback
 from contextlib import suppress
 from pathlib import Path
 
-from labcal.bench.coils.cage_file import calibrated
-from labcal.bench.config import read_config
+from labcal.bench.essentials import as_table, of_table
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.briefing import BRIEFED, Briefing, briefing_of
+from labcal.bench.guardian.client import DRIVEN
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.server import Server
-from labcal.bench.guardian.spawn import STANDBY
+from labcal.bench.guardian.spawn import STANDBY, SUCCESSOR
 from labcal.bench.guardian.standbys import Standbys
 from labcal.bench.guardian.supplies import supplies_of
 from labcal.bench.links import ports
@@ -49,12 +50,15 @@ class Watch:
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
-        named = os.path.abspath(self._bench.named)
-        ports.announce(card | {"bench": str(self._path), "named": named, "supplies": supplies_of(self._bench.config)})
+        config, named = self._bench.config, os.path.abspath(self._bench.named)
+        ports.announce(
+            card | {"bench": str(self._path), "named": named, "supplies": supplies_of(config), DRIVEN: as_table(config)}
+        )
         signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
         self._guardian.zero("the one before is gone, its successor begins" if self._succeeds else "a session begins")
+        self._guardian.load()
         server.ready.set()
         self._standbys.start()
         self._guardian.heartbeats.start()
@@ -131,10 +135,36 @@ def briefed(path: Path, line: str) -> Briefing:
     """What whoever started this process has read of the bench; else what its file says now. Raises InputError."""
     if (found := briefing_of(line)) is not None:
         return found
+    from labcal.bench.coils.cage_file import calibrated
+    from labcal.bench.config import read_config
+
     config, fingerprint = read_config(path), wire.fingerprint(path)
     with suppress(InputError, OSError):  # without its matrix zero is brought all the same, and nothing else
         config, _ = calibrated(config, path)
     return Briefing(path, config, fingerprint)
+
+
+def zero_first(path: Path, line: str) -> Handover | None:
+    """Bring the coils down by the essentials of a briefing, before the rest of it is loaded; what was found then.
+
+    None where another has the ports, or the briefing says too little.
+    """
+    try:
+        some = of_table(json.loads(line)["config"])
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return None
+    if some is None:
+        return None
+    with suppress(InputError):
+        ports.meet(some.safety.group, some.safety.runtime)
+    if not ports.hold(some.guarded_links):
+        return None
+    guardian = Guardian(path, some, note, unknown())
+    try:
+        guardian.zero("the one before is gone, its successor begins")
+    finally:
+        guardian.close()
+    return guardian.handover()
 
 
 def main(path: Path, how: str, line: str) -> None:
@@ -142,7 +172,8 @@ def main(path: Path, how: str, line: str) -> None:
     for name in ("SIGHUP", "SIGINT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
-    bench, handed = briefed(path, line), Handover()
+    handed = (zero_first(path, line) if how == SUCCESSOR else None) or Handover()
+    bench = briefed(path, line)
     config = bench.config
     with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
         ports.meet(config.safety.group, config.safety.runtime)

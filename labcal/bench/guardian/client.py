@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from labcal.bench.coils.at_zero import AtZero
-from labcal.bench.guardian import wire
+from labcal.bench.essentials import Essentials, of_table
+from labcal.bench.guardian import hung, wire
 from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.last_read import LastRead
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
@@ -27,11 +28,15 @@ if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
 
 BEAT_S = 0.05
+DRIVEN = "driven"  # in a guardian's card: the essentials of its bench, for who finds it dead
 NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, PermissionError, socket.timeout)
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
+LOOK_S = 0.04
+UNHEARD_S, STOPPED_S = 1.0, 0.1  # so long zero goes unheard by one that hangs; by one that was stopped
 CLOSE_S = 5.0
+FREED_S = 0.2  # until the kernel has freed the ports of a process that was killed
 
 NOT_OURS = InstrumentError(
     "another user's process answers as the guardian of this bench; it is not believed.",
@@ -47,6 +52,10 @@ class Connection:
         self.card = card
         self._socket = wire.connect(card, 2.0)
         self.uid = wire.peer(self._socket)  # whose guardian it is
+        self.pid = wire.peer_process(self._socket)
+        self._unheard_since_s: float | None = None  # an order of zero that was not acknowledged yet
+        self._still_since_s: float | None = None  # it was stopped, and has not gone on since
+        self._next_look_s = 0.0
         self._socket.settimeout(None)
         self._received, self._number = b"", 0
         self._socket.sendall(wire.packed({"token": card.get("token", "")}))
@@ -62,10 +71,29 @@ class Connection:
             self._socket.setblocking(True)
 
     def order(self, order: str, **what: Any) -> int:
-        """Send an order; returns its number."""
+        """Send an order; returns its number. That zero was heard is to be acknowledged."""
         self._number += 1
-        self._socket.sendall(wire.packed({"id": self._number, "order": order, "with": what}))
+        message = {"id": self._number, "order": order, "with": what}
+        if order == "zero" and self.card.get(wire.ACKNOWLEDGES):
+            message["acknowledge"], self._unheard_since_s = True, time.monotonic()
+        self._socket.sendall(wire.packed(message))
         return self._number
+
+    @property
+    def hangs(self) -> bool:
+        """Whether who was ordered zero does not hear it for longer than one that runs needs, or was stopped."""
+        now = time.monotonic()
+        if self._unheard_since_s is not None and now - self._unheard_since_s > UNHEARD_S:
+            return True
+        if now >= self._next_look_s:
+            self._next_look_s = now + LOOK_S
+            stands_still = hung.stands_still(self.pid)
+            self._still_since_s = (self._still_since_s or now) if stands_still else None
+        return self._still_since_s is not None and now - self._still_since_s >= STOPPED_S
+
+    def end_who_hangs(self) -> None:
+        """Kill it, so that another can take its place. Raises InstrumentError where this process may not."""
+        hung.ended(self.pid, self.uid)
 
     def reply(self, number: int, wait_s: float) -> wire.Message | None:
         """The reply to that order, if it comes within `wait_s`."""
@@ -75,7 +103,9 @@ class Connection:
             self._received += data
         *lines, self._received = self._received.split(b"\n")
         replies = [json.loads(line) for line in lines]
-        return next((dict(reply) for reply in replies if reply.get("id") == number), None)
+        if replies:
+            self._unheard_since_s = None
+        return next((dict(reply) for reply in replies if reply.get("id") == number and "heard" not in reply), None)
 
     def close(self) -> None:
         """Let go."""
@@ -155,6 +185,9 @@ class GuardianClient:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
             if order != "zero":
                 self.look()
+            elif connection.hangs:
+                self._replace(connection)
+                raise ConnectionError("the guardian hung")
             if self._connection is None or time.monotonic() > deadline:
                 raise ConnectionError("no reply")
         if "error" in reply:
@@ -179,14 +212,26 @@ class GuardianClient:
         except OSError:
             self._lose()
 
-    def _lose(self) -> None:
-        """The guardian is gone. Its standby is at it already; where that is too, another one is started soon."""
+    def _replace(self, who_hangs: Connection) -> None:
+        """End it and start another at once: those who stand by have let it hang, or would be done by now."""
+        who_hangs.end_who_hangs()
+        self._lose(stood_by=False)
+        deadline = time.monotonic() + FREED_S
+        while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
+            time.sleep(0.005)
+        self._start_another()
+
+    def _lose(self, *, stood_by: bool = True) -> None:
+        """The guardian is gone. Its standby is at it already; where that is too, another one is started soon.
+
+        At once, where those who `stood_by` had let it hang.
+        """
         if self._connection is not None:
             self._connection.close()
             self._connection, self._lost, self._started = None, True, None
             self._untold = set(self.facts)
             self.zero_is_ordered = False
-            self._start_after_s = time.monotonic() + STANDBY_S
+            self._start_after_s = time.monotonic() + STANDBY_S * stood_by
 
     def _start_another(self) -> None:
         """Start a guardian, unless there is one that has the ports or is about to take them."""
@@ -232,9 +277,20 @@ class GuardianClient:
 
 
 def ask_once(connection: Connection, order: str, **what: Any) -> Any:
-    """Give one order and wait for its reply, outside a session. Raises InstrumentError as the guardian says."""
-    number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
-    while (reply := connection.reply(number, 0.1)) is None:
+    """Give one order and wait for its reply, outside a session. Raises InstrumentError as the guardian says.
+
+    A guardian that does not hear an order of zero is ended; that raises ConnectionError.
+    """
+    return answered(connection, connection.order(order, **what))
+
+
+def answered(connection: Connection, number: int) -> Any:
+    """What is replied to the order of this number; as `ask_once`."""
+    deadline = time.monotonic() + REPLY_S
+    while (reply := connection.reply(number, 0.05)) is None:
+        if connection.hangs:
+            connection.end_who_hangs()
+            raise ConnectionError("the guardian hung")
         if time.monotonic() > deadline:
             raise InstrumentError(
                 f"the guardian has not answered for {REPLY_S:g} s: it hangs, or was stopped; how the coils are is not "
@@ -263,14 +319,29 @@ def connections(urls: Iterable[str], known: Sequence[object] = ()) -> Iterator[C
                 yield Connection(card)
 
 
-def guarding(bench: Path) -> Connection | None:
-    """A connection to the guardian that was started for this bench file, whatever the file, or a link, says now."""
-    names = {str(absolute(bench)), os.path.abspath(bench)}
+def guarding(bench: Path, known: Sequence[object] = ()) -> list[Connection]:
+    """One to each guardian that was started for this bench file, whatever the file, or a link, says now.
+
+    Those at the `known` addresses are left out. There are two where the file was replaced and a second session begun.
+    """
+    addresses, there = list(known), list[Connection]()
     for card in ports.announced():
-        if names & {card.get("bench"), card.get("named")} and "address" in card:
+        if _is_of(bench, card) and "address" in card and card["address"] not in addresses:
+            addresses.append(card["address"])
             with suppress(*NOBODY_THERE):
-                return Connection(card)
-    return None
+                there.append(Connection(card))
+    return there
+
+
+def driven_before(bench: Path) -> list[Essentials]:
+    """What guardians drove that were started for this bench file and died without bringing it to an end."""
+    tables = (card.get(DRIVEN) for card in ports.left_behind() if _is_of(bench, card))
+    benches = [of_table(table) for table in tables if isinstance(table, dict)]
+    return [one for k, one in enumerate(benches) if one is not None and one not in benches[:k]]
+
+
+def _is_of(bench: Path, card: dict[str, Any]) -> bool:
+    return bool({str(absolute(bench)), os.path.abspath(bench)} & {card.get("bench"), card.get("named")})
 
 
 def guarded_benches() -> list[str]:

@@ -7,42 +7,52 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
+from functools import cached_property
 from pathlib import Path
 from threading import Barrier, Event, RLock
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.coils.at_zero import BY_WORD, AtZero
 from labcal.bench.coils.polarity import ReversedSupply
-from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.driver_kit.roles import CoilSupply, Identity
+from labcal.bench.essentials import AXES
 from labcal.bench.guardian.coil import GuardedCoil
-from labcal.bench.guardian.coil_limits import TogetherLimit
 from labcal.bench.guardian.descent import line_down
-from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
+from labcal.bench.guardian.limits_together import TogetherLimit
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
+
+if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig
+    from labcal.bench.essentials import Essentials
+    from labcal.bench.guardian.limits_together import TogetherLimit
 
 Note = Callable[[str], None]
 MODBUS_CALLS = ("read_coils", "read_holding", "read_input", "write_coil", "write_register", "write_registers")
 
 
 class Guardian:
-    """All coils of a bench. Orders come from any thread; each line is used by one at a time."""
+    """All coils of a bench. Orders come from any thread; each line is used by one at a time.
 
-    def __init__(self, path: Path, config: BenchConfig, note: Note, handed: Handover | None = None) -> None:
+    The essentials of a bench are enough to bring its coils to zero, and for nothing else.
+    """
+
+    def __init__(
+        self, path: Path, config: BenchConfig | Essentials, note: Note, handed: Handover | None = None
+    ) -> None:
+        self._config = config
         self._lines = open_lines(path, config)
         self._note = note
-        self.heartbeats = Heartbeats(config, self._lines, note)
         relay = relay_of(config, self._lines)
         names = {str(entry.role): name for name, entry in config.instruments.items()}
         limits = config.cage.limits
         self.coils: dict[str, GuardedCoil] = {
             axis: GuardedCoil(axis, name := names[f"coil-{axis}"], self._lines[name], relay, most, rate)
             for axis, most, rate in zip(AXES, limits.current_A, limits.ramp_A_per_s, strict=True)
+            if f"coil-{axis}" in names
         }
-        self._together = TogetherLimit(config, DutyRecord(config.guarded_links))
         self._zeroing = RLock()
         self._workers = _ready_threads(len({coil.line.url for coil in self.coils.values()}))
         self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
@@ -50,6 +60,23 @@ class Guardian:
         self.changed = Event()  # what is handed over to a successor
         self.notify: Callable[[], None] = self.changed.set  # it, before anything else is done
         self._inherit(handed or Handover())
+
+    @cached_property
+    def heartbeats(self) -> Heartbeats:
+        """What instruments wait for."""
+        return Heartbeats(self._config, self._lines, self._note)
+
+    @cached_property
+    def _together(self) -> TogetherLimit:
+        """Field and duty: nothing that a way to zero asks for, and slow to load."""
+        from labcal.bench.guardian.duty import DutyRecord
+        from labcal.bench.guardian.limits_together import TogetherLimit
+
+        return TogetherLimit(cast("BenchConfig", self._config), DutyRecord(self._config.guarded_links))
+
+    def load(self) -> None:
+        """What a session needs and a zero does not: loaded by one thread, before the first order."""
+        _ = self._together, self.heartbeats
 
     def facts(self) -> dict[str, dict[str, float | bool | str]]:
         """What the session must know of each axis. Raises InstrumentError where a link does not open."""
@@ -118,7 +145,7 @@ class Guardian:
         coil = self.coils[axis]
         if on:
             self.heartbeats.refuse()
-        with coil.line.lock, coil.doubting():
+        with coil.line.lock:
             if on:
                 self._refuse(coil)
                 if coil.unresolved is not None:
@@ -126,13 +153,14 @@ class Guardian:
                 coil.release()
                 coil.energised = True
                 self.changed.set()
-            elif abs(left := coil.bare.measure_current()) >= coil.bare.zero_current_A:
-                raise InstrumentError(
-                    f"coil {axis}: {left:.4g} A still flows; its output is not opened under current.",
-                    fault="not zero",
-                    remedy="Ramp it to zero first; or `labcal bench off`.",
-                )
-            coil.signed.output(on)
+            with coil.doubting():
+                if not on and abs(left := coil.bare.measure_current()) >= coil.bare.zero_current_A:
+                    raise InstrumentError(
+                        f"coil {axis}: {left:.4g} A still flows; its output is not opened under current.",
+                        fault="not zero",
+                        remedy="Ramp it to zero first; or `labcal bench off`.",
+                    )
+                coil.signed.output(on)
 
     def order_zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> None:
         """Stop whatever is under way on any line, and let nothing up again; waits for nobody.
@@ -245,11 +273,12 @@ class Guardian:
 
     def _asked(self, axis: str, ask: Callable[[CoilSupply], float]) -> float:
         coil = self.coils[axis]
-        with coil.line.lock, coil.doubting():
+        with coil.line.lock:
             self._refuse(coil)
             if coil.unresolved is not None:  # it is asked again and again; who waits for it here would wait in vain
                 raise coil.unresolved
-            return ask(coil.signed)
+            with coil.doubting():
+                return ask(coil.signed)
 
     def _down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:
         """Each line its own way, so that a silent instrument delays no other line."""

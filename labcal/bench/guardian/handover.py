@@ -13,8 +13,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from labcal.bench.config import AXES
 from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.essentials import AXES
 
 TO_ZERO_S = 2.0  # from the last sign of life to zero
 READ_BACK_S = 0.35  # of that, for the read-back

@@ -10,12 +10,15 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Mapping
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
-from labcal.bench.config import BenchConfig
 from labcal.bench.driver_kit.roles import Interlock, Watched
 from labcal.bench.guardian.owned_lines import OwnedLine
 from labcal.errors import InputError, InstrumentError
+
+if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig
+    from labcal.bench.essentials import Essentials
 
 LOOP_S = 2.0  # the guardian's loop must have been seen so lately: a way to zero takes no longer
 AGAIN_S = 1.0  # until a beat that went wrong is tried again
@@ -25,7 +28,9 @@ ARM_S = 15.0  # that an order to energise waits for an interlock to close, at mo
 class Heartbeats:
     """Feeds what is watched on `lines`. `fault` is why no coil may carry current, if there is such a thing."""
 
-    def __init__(self, config: BenchConfig, lines: Mapping[str, OwnedLine], note: Callable[[str], None]) -> None:
+    def __init__(
+        self, config: BenchConfig | Essentials, lines: Mapping[str, OwnedLine], note: Callable[[str], None]
+    ) -> None:
         self._note, self._ended = note, threading.Event()
         self._seen_s, self._at_rest, self._in_doubt = time.monotonic(), False, False
         self._hearts = [

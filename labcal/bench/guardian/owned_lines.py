@@ -10,7 +10,6 @@ from threading import RLock
 from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
-from labcal.bench.config import BenchConfig
 from labcal.bench.driver_kit.identities import refuse_other
 from labcal.bench.driver_kit.roles import Identity, Instrument, PolarityRelay
 from labcal.bench.guardian.gate import Gate, GatedLoader
@@ -19,6 +18,8 @@ from labcal.bench.loading import speaks_modbus
 from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig
+    from labcal.bench.essentials import Essentials
     from labcal.bench.links.modbus import ModbusLink
 
 
@@ -119,11 +120,12 @@ class OwnedLine:
             link.close()
 
 
-def open_lines(path: Path, config: BenchConfig) -> dict[str, OwnedLine]:
+def open_lines(path: Path, config: BenchConfig | Essentials) -> dict[str, OwnedLine]:
     """One line for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
     lines: dict[str, OwnedLine] = {}
     for name in config.guarded:
-        url = (loader := GatedLoader(path, config, RealClock(), 0)).line_of(name)
+        whole = cast("BenchConfig", config)  # of real links a loader asks no more than the essentials
+        url = (loader := GatedLoader(path, whole, RealClock(), 0)).line_of(name)
         lines[name] = next((line for line in lines.values() if line.url == url), OwnedLine(url, loader))
     return lines
 
@@ -166,7 +168,7 @@ class LockedRelay:
         self._relay.close()
 
 
-def relay_of(config: BenchConfig, lines: Mapping[str, OwnedLine]) -> LockedRelay | None:
+def relay_of(config: BenchConfig | Essentials, lines: Mapping[str, OwnedLine]) -> LockedRelay | None:
     """The reversing contacts of the bench, if it has any."""
     names = [name for name, entry in config.instruments.items() if entry.role == "polarity"]
     return LockedRelay(names[0], lines[names[0]]) if names else None

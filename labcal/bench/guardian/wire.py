@@ -20,6 +20,7 @@ from labcal.errors import InstrumentError, LimitError
 
 Message = dict[str, Any]
 Card = dict[str, Any]  # pid, address, token: how a guardian is reached
+ACKNOWLEDGES = "acknowledges"  # in the card of one that says at once that it has heard an order, where it is asked to
 OTHER_BENCH = "another bench"  # a guardian that has read another file makes room as soon as it may
 
 
@@ -28,7 +29,7 @@ def listen() -> tuple[socket.socket, Card]:
 
     A Unix socket has the mode 0600, in the folder of a group 0660.
     """
-    card: Card = {"pid": os.getpid(), "token": secrets.token_hex(16)}
+    card: Card = {"pid": os.getpid(), "token": secrets.token_hex(16), ACKNOWLEDGES: True}
     if sys.platform == "win32":
         listener = socket.create_server(("127.0.0.1", 0))
         return listener, card | {"address": listener.getsockname()[1]}
@@ -61,10 +62,20 @@ def connect(card: Card, timeout_s: float) -> socket.socket:
 
 def peer(connection: socket.socket) -> int | None:
     """The number of the user at the other end, by the kernel's word; None where it tells none."""
+    return _credentials(connection)[1]
+
+
+def peer_process(connection: socket.socket) -> int | None:
+    """The process that listens at the other end, by the kernel's word; None where it tells none."""
+    return _credentials(connection)[0]
+
+
+def _credentials(connection: socket.socket) -> tuple[int | None, int | None]:
     if sys.platform != "linux" or connection.family != socket.AF_UNIX:
-        return None
+        return None, None
     said = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
-    return int(struct.unpack("3i", said)[1])
+    pid, uid, _ = struct.unpack("3i", said)
+    return int(pid), int(uid)
 
 
 def another_user(uid: int | None) -> bool:

@@ -77,6 +77,16 @@ def look(path: Path) -> dict[str, Any] | None:
         return card if isinstance(card, dict) else {}
 
 
+def left_behind(path: Path) -> dict[str, Any]:
+    """What a process had written here that died without giving the lock back; {} where one has it, or none did."""
+    with suppress(OSError, ValueError, RecursionError):
+        if (file := _open(path)) is not None:
+            with file:
+                card = json.loads(file.read(LONGEST)) if try_lock(file) else {}
+            return card if isinstance(card, dict) else {}
+    return {}
+
+
 def text_of(path: Path) -> str:
     """What a plain file says. Raises OSError where there is none, or something else."""
     if (file := _open(path)) is None:

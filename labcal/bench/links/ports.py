@@ -23,8 +23,8 @@ from labcal.bench.links.visa import canonical
 from labcal.errors import InputError, InstrumentError
 
 __all__ = [
-    "announce", "announced", "as_spelt", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of",
-    "refuse_connected", "runtime_folder", "still_held",
+    "announce", "announced", "as_spelt", "claim", "hold", "holder", "holding", "left_behind", "let_go", "meet",
+    "port_of", "refuse_connected", "runtime_folder", "still_held",
 ]  # fmt: skip
 
 GUARDIAN = "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile."
@@ -158,6 +158,12 @@ def holding(url: str) -> int | None:
 def announced() -> list[dict[str, Any]]:
     """What all processes that hold ports have announced, whatever the ports, in all folders that this user may see."""
     cards = [locks.look(path) for folder in folders() for path in sorted(folder.glob("port-*.lock"))]
+    return [card for card in cards if card]
+
+
+def left_behind() -> list[dict[str, Any]]:
+    """What processes had announced that died without letting go of their ports, in all folders this user may see."""
+    cards = [locks.left_behind(path) for folder in folders() for path in sorted(folder.glob("port-*.lock"))]
     return [card for card in cards if card]
 
 

@@ -1,0 +1,66 @@
+"""`labcal bench off FILE` begins here: to load the command line first would take longer than the way to zero."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from labcal.bench.coils.at_zero import SLOW_S
+from labcal.files.home import SECRETS
+from labcal.files.private_memory import kept_private
+from labcal.files.text_safety import one_line
+
+if TYPE_CHECKING:
+    from labcal.bench.coils.at_zero import AtZero
+
+_ended: dict[Path, list[AtZero] | Exception] = {}
+
+
+def is_off(words: Sequence[str]) -> bool:
+    """Whether this is `bench off FILE` and nothing else: what has options is for the command line to read."""
+    return len(words) == 3 and [*words[:2]] == ["bench", "off"] and not words[2].startswith("-")
+
+
+def begin(file: Path) -> None:
+    """Bring the coils down; how that ended is kept for `coils_off`."""
+    if any(name in os.environ for name in SECRETS):
+        kept_private()
+    try:
+        _ended[file] = coils_off(file)
+    except Exception as error:  # the command line says it, in its own words and with its own exit code
+        _ended[file] = error
+
+
+def coils_off(file: Path) -> list[AtZero]:
+    """How each coil of `file` ended that was brought down from here; where that takes long it is said on stderr."""
+    if (ended := _ended.pop(file, None)) is None:
+        from labcal.bench.shutdown import coils_off  # not by way of the session, which loads for a second
+
+        return coils_off(file, _said_where_slow)
+    if isinstance(ended, Exception):
+        raise ended
+    return ended
+
+
+@contextmanager
+def _said_where_slow(words: str) -> Iterator[None]:
+    """`words` on stderr after a while, unless all within is done by then."""
+    later = threading.Timer(SLOW_S, aloud, (words,))
+    later.daemon = True
+    with suppress(RuntimeError):  # no memory for it
+        later.start()
+    try:
+        yield
+    finally:
+        later.cancel()
+
+
+def aloud(words: str) -> None:
+    """One line on stderr, for whoever reads there."""
+    with suppress(OSError, ValueError, AttributeError):  # nobody reads, or there is no stderr
+        print(one_line(words), file=sys.stderr, flush=True)

@@ -1,0 +1,109 @@
+"""The bench file is overwritten, cut off or deleted while a session runs: zero reaches the coils that are energised."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from served_lab import (
+    EXAMPLE,
+    LABCAL,
+    LONG_S,
+    Served,
+    Sessions,
+    at_zero,
+    children_of,
+    example,
+    guardians,
+    log,
+    of_bench,
+    until,
+)
+
+from labcal.bench.guardian.standbys import HOW_MANY
+
+pytestmark = [
+    pytest.mark.skipif(sys.platform != "linux", reason="needs SIGKILL and ptys"),
+    pytest.mark.parametrize("bench_text", [example()], ids=["tti"]),
+]
+
+
+def another_lab(file: Path) -> None:
+    """As a copy of the wrong file leaves it: the same names, at ports where nobody listens."""
+    before, _, _ = EXAMPLE.read_text().partition("\n[twin]")
+    for k in range(before.count("emulated://")):
+        before = before.replace("emulated://", f"tcp://127.0.0.1:{k + 1}", 1)
+    file.write_text(before)
+
+
+def cut_off(file: Path) -> None:
+    """As a full disk leaves it."""
+    file.write_bytes(file.read_bytes()[:700])
+
+
+def garbage(file: Path) -> None:
+    file.write_bytes(b"\xff\xfe\0\0")
+
+
+def deleted(file: Path) -> None:
+    file.unlink()
+
+
+def untouched(file: Path) -> None:
+    """As it was."""
+
+
+SPOILT = [another_lab, cut_off, garbage, deleted]
+
+
+def said_off(file: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([*LABCAL, "bench", "off", str(file)], capture_output=True, text=True, timeout=LONG_S)
+
+
+@pytest.mark.parametrize("spoil", SPOILT, ids=lambda spoil: spoil.__name__)
+def test_off_reaches_what_the_guardian_drives(lab: Served, session: Sessions, spoil) -> None:
+    session("idle")
+    spoil(lab.file)
+    said = said_off(lab.file)
+    assert at_zero(lab), said
+    assert said.stdout.count("zero, open") == 3, said
+    assert said.returncode == (3 if spoil is another_lab else 0), said
+
+
+@pytest.mark.parametrize("spoil", SPOILT, ids=lambda spoil: spoil.__name__)
+def test_who_takes_the_guardian_s_place_knows_the_coils(lab: Served, session: Sessions, spoil) -> None:
+    session("idle")
+    (first,) = guardians()
+    until(lambda: len(children_of(first)) == HOW_MANY)
+    spoil(lab.file)
+    os.kill(first, signal.SIGKILL)
+    until(lambda: at_zero(lab))
+
+
+@pytest.mark.parametrize("spoil", [*SPOILT, untouched], ids=lambda spoil: spoil.__name__)
+def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: Sessions, spoil) -> None:
+    child = session("idle")
+    (first,) = guardians()
+    until(lambda: len(children_of(first)) == HOW_MANY)
+    for pid in (*children_of(first), first, child.pid):
+        os.kill(pid, signal.SIGKILL)
+    until(lambda: not of_bench(lab.file))
+    assert not at_zero(lab)
+    spoil(lab.file)
+    said = said_off(lab.file)
+    assert at_zero(lab), said
+    assert said.stdout.count("zero, open") == 3, said
+    assert log().count("to zero: labcal bench off") == (2 if spoil is another_lab else 1)
+    assert ("Reported above is what was driven under this name" in said.stderr) == (
+        spoil in (garbage, cut_off, deleted)
+    )
+    if spoil is another_lab:  # which was asked for as well, and does not answer
+        assert said.stdout.count("coil x: unknown") == 1
+        assert said.stdout.count("coil x at 127.0.0.1:") == 1
+        assert said.returncode == 3
+    else:
+        assert said.returncode == 0, said
