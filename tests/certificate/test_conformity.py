@@ -64,7 +64,8 @@ def test_the_report_states_each_line_its_rule_and_its_risk(judged: Calibration, 
     text = page_of(judged, tmp_path / "cal.json")
     for said in (
         "Is it in specification?", "NOT IN SPECIFICATION", "PASS", "conditional pass", "conditional fail", "FAIL",
-        "&lt; 0.01 %", "16 %", "84 %", "&gt; 99 %", "<td>′</td>", "37.5", "Decision rule, chosen before the measurement",
+        "&lt; 0.01 %", "16 %", "84 %", "&gt; 99 %", "<td>′</td>", "37.5",
+        "Decision rule, chosen before the measurement",
         "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)",
     ):  # fmt: skip
         assert said in text, said
