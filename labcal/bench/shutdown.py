@@ -76,7 +76,7 @@ def _unbroken() -> Iterator[None]:
 
 
 def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
-    """`reported`: how each supply ended that a guardian has reported; `asked`: the addresses of the guardians that did."""
+    """`reported`: how supplies ended, of those that a guardian reported; `asked`: the addresses of those guardians."""
     deadline, reported, asked = time.monotonic() + FREE_S, dict[str, AtZero](), list[object]()
     before, wanting = list[Essentials](), list[OSError]()
     while True:
