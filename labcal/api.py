@@ -212,7 +212,7 @@ def load_calibration(path: str | Path) -> Calibration:
     >>> calibration.run_id, calibration.simulated
     ('short-preflight', True)
     >>> [effect.effect for effect in calibration.effects]
-    ['offset-current', 'lag']
+    ['offset-current']
     """
     return session.load_calibration(Path(path))
 
