@@ -310,6 +310,22 @@ def test_a_current_that_leads_clearly_has_no_rival_in_its_square_whatever_is_lef
     }
 
 
+@pytest.mark.parametrize(("levels_A", "same"), [((0.0, 0.8), True), ((0.1, 0.9), True), ((0.0, 0.3, 0.8), False)])
+def test_a_load_that_is_on_or_off_has_no_square_of_its_own(
+    searching: Callable[..., CandidateSet], levels_A: tuple[float, ...], same: bool
+) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    draw = np.random.default_rng(17)
+    amps = np.asarray(levels_A)[(t // 13.0).astype(int) % len(levels_A)] + draw.normal(0, 0.01, len(t))
+    pool = searching({"i": amps}, {"i": "current"}, np.outer(amps, [300.0, -200.0, 150.0]))
+    one, other = (
+        max((c for c in pool.candidates if c.family.id == of and not c.term.shape), key=lambda c: c.size)
+        for of in ("offset-current", "offset-current-squared")
+    )
+    assert rivals.is_the_same_here(pool, [], one, other) is same
+    assert not rivals.is_the_same_here(pool, [], one, next(c for c in pool.candidates if c.family.id == "lag"))
+
+
 def test_the_square_of_a_current_that_stands_takes_no_other_ones_place(searching: Callable[..., CandidateSet]) -> None:
     pool, current, _ = _switched_load(searching, 0.0)
     idle = next(c for c in pool.candidates if c.family.id == "offset-drift")

@@ -79,6 +79,5 @@ def test_a_load_with_gaps_is_not_taken_for_its_square(
     _, result, _ = closed_loop(bundle)
     (found,) = result["accepted"]
     named = {found["effect"], *(rival["effect"] for rival in found["rivals"])}
-    both = {"offset-current", "offset-current-squared"}
-    assert (result["verdict"], named) == (("ambiguous", both) if levels == 2 else ("explained", {"offset-current"}))
+    assert (result["verdict"], named) == ("explained", {"offset-current"})
     assert unresolved_gaps(session.load_run(str(bundle)), {"i_load"}).mean() > 0.05

@@ -127,6 +127,13 @@ def orthogonal_complement(columns: Array, part: Array) -> Array:
     return np.asarray((own @ combined - X @ (cross @ combined)).reshape(n, q, -1))
 
 
+def squares_beside(columns: Array, part: Array) -> float:
+    """The sum of squares of `part` (n, q, p) that no combination of the orthonormal `columns` (n, q, b) carries."""
+    n, q, _ = part.shape
+    X, own = columns.reshape(n * q, -1), part.reshape(n * q, -1)
+    return float(np.sum(own**2) - np.sum((X.T @ own) ** 2))
+
+
 def principal_span(columns: Array, times: Array | float = 1.0, tolerance: float = 1e-8) -> Array:
     """A few orthonormal columns (n, q, few) that span the given ones (n, q, p) to a `tolerance` of squares.
 

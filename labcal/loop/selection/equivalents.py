@@ -12,6 +12,7 @@ from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.noise.nuisance import orthonormal, squares_beside
 from labcal.loop.selection.admission import earns_its_extension
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.misfit import evidence_beside_misfit, mistimed
@@ -34,7 +35,10 @@ def equivalent_models(
 ) -> list[Equivalent]:
     """`chosen`, and the causes that are not worse in its place on held-out data either."""
     out: list[Equivalent] = []
-    for w in equally_likely(pool, accepted, chosen)[: MAX_TRIED + 1]:
+    others = [c for c in accepted if c is not chosen]
+    first, *rest = equally_likely(pool, accepted, chosen)
+    apart = [w for w in rest if not is_the_same_here(pool, others, chosen, w.candidate)]
+    for w in [first, *apart][: MAX_TRIED + 1]:
         mine = chosen if w.candidate.cause == chosen.cause else w.candidate
         swapped = [mine if c is chosen else c for c in accepted]
         if chosen.family.id in mine.family.extends:
@@ -43,6 +47,20 @@ def equivalent_models(
         if not out or not_worse(either):
             out.append(Equivalent(w, either.after))
     return out
+
+
+def is_the_same_here(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, other: Candidate) -> bool:
+    """Whether a related form in the same channels does what `chosen` does on these rows, but for a detail.
+
+    A load that is on or off has no square of its own: with the device's offset it is the load, whatever the noise.
+    """
+    if other.term.channels != chosen.term.channels or other.family.id not in chosen.family.related:
+        return False
+    beside = [pool.base, *(pool.transformed_columns(c) for c in others)]
+    with_chosen = [*beside, pool.transformed_columns(chosen)]
+    own = pool.transformed_columns(other)
+    whole, left = (squares_beside(orthonormal(np.concatenate(s, axis=2)), own) for s in (beside, with_chosen))
+    return left < policy.POLICY.material_share * whole
 
 
 def not_worse(either: HeldOutErrors) -> bool:
