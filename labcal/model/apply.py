@@ -40,17 +40,20 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
     return tuple(names)
 
 
-def apply(calibration: Calibration, readings: Readings) -> Applied:
+def apply(calibration: Calibration, readings: Readings, *, begins_known: bool = False) -> Applied:
     """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
 
     u_nT is the root mean square over the components of: covariance of K and k, noise of the reading through K, each
-    effect's parameters, and what is left out. A channel's gaps are bridged where they can be told. Raises InputError
-    where a needed column is missing, or an effect of the file is not whole.
+    effect's parameters, what is left out, and what an effect with memory may have met before the first row, unless that
+    `begins_known`. A channel's gaps are bridged where they can be told. Raises InputError where a needed column is
+    missing, or an effect of the file is not whole.
     """
-    return next(apply_in_pieces(calibration, readings, max(len(readings), 1)))
+    return next(apply_in_pieces(calibration, readings, max(len(readings), 1), begins_known=begins_known))
 
 
-def apply_in_pieces(calibration: Calibration, readings: Readings, most: int) -> Iterator[Applied]:
+def apply_in_pieces(
+    calibration: Calibration, readings: Readings, most: int, *, begins_known: bool = False
+) -> Iterator[Applied]:
     """As `apply`, for `most` rows at a time, each as if all were there: what they take from the whole is found first.
 
     All rows are one piece where an effect of another package remembers, or one remembers and time goes back.
@@ -60,7 +63,7 @@ def apply_in_pieces(calibration: Calibration, readings: Readings, most: int) -> 
         if name not in have:
             raise InputError("the calibration's effects need this column; it is missing", column=name)
     readings, filled = _filled(readings)
-    recording = Recording(readings)
+    recording = Recording(readings, begins_known)
     pieces = _pieces(_walks(calibration, recording), len(readings), most)
     alone = list(_corrected(calibration, recording, pieces)) if len(pieces) == 1 else None  # not twice
     whole = _survey(calibration, readings, pieces, alone or _corrected(calibration, recording, pieces))

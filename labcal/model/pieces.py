@@ -41,6 +41,7 @@ class Recording:
     """All rows, and where their segments begin."""
 
     readings: Readings
+    begins_known: bool = False  # whether what went before the first row left nothing that is unknown
 
     def __len__(self) -> int:
         return len(self.readings)
@@ -112,7 +113,7 @@ class Walk:
                     jacobian[usable, :, place] = columns[:, :, linear.index(parameter.name)]
                 elif parameter.name in slopes:
                     jacobian[usable, :, place] = (slopes[parameter.name] - value[usable]) / self._steps[parameter.name]
-            if self._left.get(""):  # it is a state, that begins somewhere
+            if self._left.get("") and not self._recording.begins_known:  # it is a state, that begins somewhere
                 begun = [self._columns(rows, self.effect.term, one) @ self.effect.beta for one in EITHER_WAY]
                 variance[usable] = np.mean([np.square(one - value[usable]) for one in begun], axis=0)
         if self._record.domain:

@@ -104,7 +104,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
     bench.check_all()
     still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, zero)))
     assert still.app_state.lab.state.message == "they agree again"
-    assert still.side._zero.text() == "✓ coils at zero"
+    assert still.side.zero_words.text() == "✓ coils at zero"
     assert not still.fault.isVisible()
     assert still.next.text() != "Next: See to the coils"
 
@@ -112,7 +112,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
 def test_a_supply_that_was_read_back_after_coils_off_has_not_failed_any_more(still, bench):
     names = {one.role: name for name, one in still.app_state.facts.instruments.items()}
     heard = (Heard(names["coil-z"], None, "the link is lost"), Heard(names["dut"], None, "silent"))
-    still.app_state._know(LabState(unread(), instruments=heard))
+    still.app_state.take_lab(LabState(unread(), instruments=heard))
     assert still.next.text() == f"Next: See to {names['coil-z']}"
     still.app_state.coils_off()
     zero = tuple(CoilEnd(axis, 0.0, "zero, open", True, time.monotonic()) for axis in "xyz")

@@ -20,7 +20,6 @@ from labcal.bench.guardian.coil import GuardedCoil
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
-from labcal.bench.guardian.limits_together import TogetherLimit
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 

@@ -60,7 +60,7 @@ typedef struct {
 typedef struct {
     double t_s;             /* the time that the field belongs to */
     labcal_real b_nT[3];    /* body axes */
-    labcal_real u_nT;       /* standard uncertainty of one component */
+    labcal_real u_nT;       /* standard uncertainty of one component; nothing for what was before labcal_begin() */
 } labcal_field;
 
 @STATES@

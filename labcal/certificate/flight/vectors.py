@@ -48,7 +48,7 @@ def vectors_of(content: Content, run: Run | None) -> Vectors:
     if content.left_out:
         rows = replace(rows, t_s=rows.t_s - rows.t_s[0] + content.calibration.span_s[1] + APART_S)
     stamped = _stamped(rows, content.lag_s)
-    applied = apply(without_lag(content.calibration), stamped)
+    applied = apply(without_lag(content.calibration), stamped, begins_known=True)  # flight software knows of no before
     if any(stamps(one.effect) for one in content.effects):
         applied = _by_slopes_behind(content, stamped, applied)
     return Vectors(rows, stamped, applied, _late(content, stamped), measured)
