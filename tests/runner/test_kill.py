@@ -18,7 +18,8 @@ from labcal.record.stream import Item, Prompt, Step
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
-BRIEF = SHORT | {"dwell_s": "0.5"}
+# It takes a second and more to compute: longer than the moments at which it is killed.
+BRIEF = SHORT | {"dwell_s": "0.5", "rate_deg_per_s": "2", "magnitudes_nT": "20000, 30000, 40000", "reverse": "yes"}
 CHILDREN = multiprocessing.get_context("forkserver")
 CHILDREN.set_forkserver_preload(["labcal.session", "procedures.preflight", "labcal.twin"])
 
