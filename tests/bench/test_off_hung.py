@@ -77,7 +77,8 @@ def test_off_takes_the_place_of_a_guardian_that_was_stopped(lab: Served, session
 
 @pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
 def test_a_session_that_ends_takes_the_place_of_a_guardian_that_was_stopped(lab: Served, session: Sessions) -> None:
-    child = session("idle")
+    # whoever started the tests may have SIGINT ignored, and children inherit that
+    child = session("idle", popen=lambda: {"preexec_fn": lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)})
     (first,) = guardians()
     standing_by = stopped_of(first)
     os.kill(child.pid, signal.SIGINT)
