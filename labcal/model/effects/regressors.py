@@ -24,7 +24,7 @@ FIELD_IN_C = "now->field"  # the field along the axes of B
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
 STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
-ALIKE = 0.999  # correlation of two records of one current
+ALIKE = 0.999  # correlation of currents that a run does not tell apart
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 LEARNED = 10.0  # time constants from a beginning on: what happens there says what may have happened before
 TRIED = 32  # rows of them at which it is begun anew
@@ -71,7 +71,10 @@ def of_the_rig(run: Run) -> list[Channel]:
 
 
 def coils(run: Run) -> list[Channel]:
-    """Currents of the cage's coils that move and are known in all rows; of one that is recorded twice the first."""
+    """Currents of the cage's coils that move and are known in all rows.
+
+    Of one that is recorded twice, and of coils driven in proportion, the first: the run does not tell them apart.
+    """
     currents = [c for c in run.channels if c.role == "coil" and c.quantity == "current"]
     known = [c for c in currents if bool(np.isfinite(c.values).all()) and _moves(run, c)]
     return [c for k, c in enumerate(known) if not any(_are_alike(c, other) for other in known[:k])]
