@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
-from dataclasses import replace
 from functools import partial
 from typing import Literal, Protocol
 
@@ -17,7 +16,7 @@ from labcal.bench.coils.at_zero import words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
-from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState
+from labcal.bench.coils.state import CoilReading, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
 from labcal.bench.driver_kit.identities import refuse_one_at_two_links, refuse_other
 from labcal.bench.driver_kit.roles import (
@@ -32,21 +31,17 @@ from labcal.bench.driver_kit.roles import (
 )
 from labcal.bench.guarded_greeting import all_greeted
 from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.guardian.handover import patience
-from labcal.bench.links.urls import is_connection
+from labcal.bench.listening import Listening
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
-from labcal.bench.streams.reconnect import Reconnecting, bring_back
-from labcal.bench.streams.reference import blind, into_cage
-from labcal.bench.streams.samples import block_of, merged
-from labcal.bench.streams.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
-from labcal.errors import InstrumentError
+from labcal.bench.streams.reconnect import bring_back
+from labcal.bench.streams.reference import blind
+from labcal.bench.streams.samples import block_of
+from labcal.bench.streams.watch import Look
 from labcal.record.stream import Block, Event, Prompt, Stream
 
 COIL_POLL_S = 1.0
-LISTEN_S = 0.2  # at the latest the streams are listened to again; where time is simulated only those that are asked
 SEE_S = 0.2  # of the reference, and at least one sample
-PATIENCE = 0.9  # of the time after which a sensor is called silent: a lost line is called by its own name
 COIL_CHANNELS = tuple(
     spec
     for axis in AXES
@@ -101,39 +96,23 @@ class Bench:
         )  # fmt: skip
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
-        self._streams = [
-            Reconnecting(dut, partial(self.reconnect, dut.name), PATIENCE * config.dut.silent_s),
-            Reconnecting(
-                reference,
-                partial(self.reconnect, reference.name),
-                PATIENCE * config.reference.silent_s,
-                lambda: PATIENCE * self._reference_missed_s(),
-                tried=not is_connection(config.instruments[reference.name].link),
-            ),
-        ]
+        self._listening = Listening(config, clock, self.cage, dut, reference, self.reconnect, carry)
         if isinstance(platform, BenchPlatform):
             again = partial(self.reconnect, platform.name)
             platform.bring_back = partial(bring_back, again, clock, look=lambda: self.look())
-        self._pending: list[Block] = []
         self._polled: dict[tuple[Stream, str, tuple[str, ...]], list[tuple[float, ...]]] = {}  # rows of t_s and values
-        self._watches: list[StreamWatch] = []
-        self._limits: list[TemperatureLimit] = []
-        self._field_limit = self._limit_of_the_field_seen()
-        self._streaming = False
         self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
-        self._listened_s = 0.0
         self._heard_s: dict[str, float] = {}  # what is polled, by name
-        self._field = FieldReading()
         self._look = Look(self._at_rest_only(), self._ask_again)
 
     def state(self) -> LabState:
         """The lab as it was last read, each part with its time on the bench's clock."""
-        watched = {watch.name: watch.last_s for watch in self._watches}
+        watched = self._listening.last_s()
         coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
         heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
-        field = self._field.asked(self.cage.asked_nT)
+        field = self._listening.field.asked(self.cage.asked_nT)
         return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard), field)
 
     def sentence(self) -> str:
@@ -194,33 +173,22 @@ class Bench:
 
     def start(self) -> None:
         """Begin all streams; from here on nothing that arrives is lost, ramps included."""
-        self.reference.start()
-        self.dut.start()
-        self._listened_s = self._next_angle_s = self._next_coils_s = now = self.clock.now()
-        self._watches = [
-            StreamWatch(sensor.name, stated.silent_s, stated.stuck_s, now)
-            for sensor, stated in ((self.dut, self.config.dut), (self.reference, self.config.reference))
-        ]
-        self._limits = self._temperature_limits(now)
-        self._streaming = self.cage.check.streaming = True
+        self._listening.start()
+        self._next_angle_s = self._next_coils_s = self.clock.now()
 
     def stream_until(self, t_s: float) -> list[Block]:
         """Everything that arrived up to `t_s` on the bench's clock, in blocks at their own stamps; waits for it."""
         self._wait_until(t_s)
-        arrived, polled = self._pending, self._polled
-        self._pending, self._polled = [], {}
-        return merged(arrived) + [block_of(*what, rows) for what, rows in polled.items()]
+        polled, self._polled = self._polled, {}
+        return self._listening.take() + [block_of(*what, rows) for what, rows in polled.items()]
 
     def events(self) -> list[Event]:
         """What the streams lost since this was asked last: gaps, wrong checksums, broken frames."""
-        news = [event for stream in self._streams for event in stream.events()]
-        return sorted(news, key=lambda event: event.t_s)
+        return sorted(self._listening.events(), key=lambda event: event.t_s)
 
     def news(self) -> list[Event]:
         """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
-        news = [event for stream in self._streams for event in stream.news()]
-        news += [event for watch in self._watches for event in watch.news()] + self._look.news()
-        return sorted(news, key=lambda event: event.t_s)
+        return sorted(self._listening.news() + self._look.news(), key=lambda event: event.t_s)
 
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
@@ -232,10 +200,7 @@ class Bench:
 
     def stop(self) -> None:
         """End all streams."""
-        self._streaming = self.cage.check.streaming = False
-        with ExitStack() as steps:
-            steps.callback(self.reference.stop)
-            steps.callback(self.dut.stop)
+        self._listening.stop()
 
     def make_safe(self) -> None:
         """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
@@ -271,106 +236,28 @@ class Bench:
             steps.callback(self.make_safe)
 
     def _wait_until(self, t_s: float) -> None:
-        if self._streaming:  # however late it is: on a slow line a ramp has no time left to wait
+        if self._listening.on:  # however late it is: on a slow line a ramp has no time left to wait
             self.look()
-        while self._streaming and self.clock.now() < t_s:
-            listen_s = self._listens_s()
+        while self._listening.on and self.clock.now() < t_s:
+            listen_s = self._listening.due_s()
             self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s, listen_s))
             self._poll()
             self.look()
             if listen_s <= self.clock.now() < t_s:
-                self._listen()
+                self._listening.listen()
         self.clock.wait_until(t_s)
-        if self._streaming:
-            self._listen()
-
-    def _listens_s(self) -> float:
-        """When the streams are listened to next; what is asked, or is lost, says when."""
-        soon_s = math.inf if math.isinf(self.clock.listen_s) else self._listened_s + LISTEN_S
-        return min(soon_s, *(stream.due_s() for stream in self._streams))
-
-    def _reference_missed_s(self) -> float:
-        """How long the reference may be missed: with coils on, what two seconds leave after the ramp to zero."""
-        on = self.cage.on and not blind(self.config.reference)
-        return patience(self.cage.way_down_s) if on else math.inf
-
-    def _temperature_limits(self, now_s: float) -> list[TemperatureLimit]:
-        """Of the DUT and of the windings, as far as they are stated."""
-        dut, winding = self.config.dut.limits.temperature_C, self.config.cage.limits.temperature_C
-        stated = (
-            ("dut", dut, "Let the DUT come back into its range."),
-            (
-                "coil",
-                None if winding is None else (-math.inf, winding),
-                "Let the windings cool, then use less current.",
-            ),
-        )
-        return [
-            TemperatureLimit(allowed, temperatures_of(self.dut, role), remedy, now_s)
-            for role, allowed, remedy in stated
-            if allowed is not None
-        ]
-
-    def _limit_of_the_field_seen(self) -> FieldLimit | None:
-        if self.config.reference.place in ("remote", "computed"):
-            return None
-        stated = (self.config.dut.limits.field_nT, self.config.cage.limits.field_nT)
-        return FieldLimit(min(limit for limit in stated if limit is not None))
-
-    def _listen(self) -> None:
-        """Take in what has come. What one stream or one watch finds wrong is raised when all have been looked at."""
-        self._listened_s = now = self.clock.now()
-        faults = list[InstrumentError]()
-        dut, reference = (self._read(stream, now, faults) for stream in self._streams)
-        readings = dut, [self._into_cage(block) for block in reference]
-        self._pending += [*readings[0], *readings[1]]
-        self.cage.check.unheard(self._streams[1].wrong)
-        for block in readings[1]:
-            if block.values.shape[1] == 3:
-                self.cage.check.see(block.t_s, block.values)
-                self._field = self._field.seen(block.t_s, block.values)
-        left_s = math.inf, self._reference_missed_s()
-        for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
-            try:
-                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left)
-            except InstrumentError as fault:
-                faults.append(fault)
-        if faults:
-            raise faults[0]
-        for limit in self._limits:
-            limit.see(readings[0], now)
-        if self._field_limit is not None and self.cage.on:
-            self._field_limit.see(readings[1], float(np.linalg.norm(self.cage.ambient_nT)))
-        self.cage.refuse_what_is_not_seen()
-
-    def _read(self, stream: Reconnecting, now: float, faults: list[InstrumentError]) -> list[Block]:
-        try:
-            return stream.read_until(now)
-        except InstrumentError as fault:
-            faults.append(fault)
-            return []
+        if self._listening.on:
+            self._listening.listen()
 
     def _field_seen(self) -> NDArray[np.float64] | None:
         """The mean (3,) of what the reference sends next, C; None where none streams that sees the coils."""
-        if not self._streaming or blind(self.config.reference):
+        if not self._listening.on or blind(self.config.reference):
             return None
         begun, rows = self.clock.now(), np.empty((0, 3))
         while not len(rows):
             self._wait_until(self.clock.now() + SEE_S)
-            arrived = (b for b in self._pending if b.stream == "reference")
-            rows = np.vstack([np.empty((0, 3)), *(b.values[b.t_s >= begun] for b in arrived)])
+            rows = self._listening.reference_since(begun)
         return np.asarray(rows.mean(axis=0))
-
-    def _into_cage(self, block: Block) -> Block:
-        """The reference's reading, zero taken off, from its own axes into C; a remote one's carried to the DUT's place.
-
-        Carried with the currents as last read: during a ramp, of at most one and a half seconds, those from before it.
-        """
-        stated = self.config.reference
-        if block.values.shape[1] != 3:
-            return block
-        field = into_cage(block.values, stated)
-        return replace(block, values=field if self.carry is None else field + self.carry.at(self.cage.flowing_A))
 
     def _poll(self) -> None:
         if self.clock.now() >= self._next_angle_s:
@@ -411,14 +298,8 @@ class Bench:
     def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: CoilReading | None) -> Heard:
         if coil is not None:
             return Heard(name, coil.read_s, coil.fault)
-        lines = (stream.wrong for stream in self._streams if stream.name == name)
-        wrong = [self._look.wrong(name), *lines, *(watch.wrong(name) for watch in self._watches)]
+        wrong = [self._look.wrong(name), *self._listening.wrong(name)]
         return Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
 
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:
         self._polled.setdefault((stream, source, columns), []).append((t_s, *values))
-
-
-def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:
-    """The temperature channels that belong to `role`."""
-    return tuple(c.name for c in dut.channels if c.quantity == "temperature" and c.role == role)

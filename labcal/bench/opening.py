@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, cast
 
-from labcal.bench.bench import Bench, Reopens, temperatures_of
+from labcal.bench.bench import Bench, Reopens
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.coils.cage_file import CageCalibration, calibrated
 from labcal.bench.coils.polarity import ReversedSupply
@@ -17,6 +17,7 @@ from labcal.bench.driver_kit.roles import CoilSupply, DutStream, Instrument, Pol
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
+from labcal.bench.listening import temperatures_of
 from labcal.bench.loading import Loader, speaks_modbus
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
