@@ -5,30 +5,22 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import asdict
-from datetime import date, datetime
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    ValidationError,
-    model_validator,
-)
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
-from labcal.files.text_safety import checked_text, replace_control
+from labcal.files.text_safety import replace_control
 from labcal.record import Administrative, Dut, Reference, Run, Segment, Specification
 from labcal.record.administrative import without_nothing
 from labcal.record.closure import Closure, Standstill
 from labcal.record.physical import LARGEST_FIELD_nT
-from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
+from labcal.record.run import Quantity, Role, SegmentKind, Vector
 from labcal.record.run_id import checked_run_id
+from labcal.store.field_types import Axis, Celsius, Day, Mode, Name, Nanotesla, Rotation, Spread, Text, Utc, null_is
 from labcal.store.json_text import check_json, line_of, refuse, refuse_too_many
 from labcal.store.limits import MOST_KEYS
 from labcal.store.table import decode
@@ -58,68 +50,6 @@ SPELT = {  # other ways to write them, which no other quantity uses
     "count": {"counts": "count", "ct": "count", "cts": "count", "LSB": "count"},
 }
 LONGEST_KEY = 40
-ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four decimals are rounded, not wrong
-
-
-def _unit_axis(v: Vector) -> Vector:
-    """`v` at length one. Raises ValueError where it is farther from it than rounding explains."""
-    with np.errstate(over="ignore"):
-        length = float(np.linalg.norm(v))
-    if abs(length - 1) > ROUNDING:
-        raise ValueError(f"expected a unit vector, found one of length {length:.6g}")
-    if abs(length - 1) < 1e-12:
-        return v
-    return (v[0] / length, v[1] / length, v[2] / length)
-
-
-def _rotation(m: Matrix) -> Matrix:
-    """The rotation nearest to `m`. Raises ValueError where it is farther from one than rounding explains."""
-    R = np.array(m)
-    with np.errstate(over="ignore"):
-        off = float(np.abs(R @ R.T - np.eye(3)).max())
-    if not off < ROUNDING:
-        raise ValueError(f"expected a rotation matrix; R Rᵀ differs from the identity by {off:.2g}")
-    if np.linalg.det(R) < 0:
-        raise ValueError("expected a rotation matrix, found one that mirrors (its determinant is -1)")
-    if off > 1e-12:
-        u, _, vt = np.linalg.svd(R)
-        R = u @ vt
-    a, b, c = R.tolist()
-    return (tuple(a), tuple(b), tuple(c))
-
-
-def _iso_8601(text: str) -> str:
-    try:
-        datetime.fromisoformat(text)
-    except ValueError:
-        raise ValueError("expected a date and time in ISO 8601, such as 2026-03-02T08:15:00Z") from None
-    return text
-
-
-def _iso_day(text: str) -> str:
-    try:
-        date.fromisoformat(text)
-    except ValueError:
-        raise ValueError("expected a date in ISO 8601, such as 2026-03-02") from None
-    return text
-
-
-def _one_line(text: str) -> str:
-    if "\n" in text or "\t" in text:
-        raise ValueError("expected one line without tabs")
-    return checked_text(text)
-
-
-Text = Annotated[str, Field(max_length=10_000), AfterValidator(checked_text)]
-Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_one_line)]
-Mode = Annotated[str, Field(max_length=100), AfterValidator(_one_line)]
-Utc = Annotated[str, AfterValidator(_iso_8601)]
-Axis = Annotated[Vector, AfterValidator(_unit_axis)]
-Rotation = Annotated[Matrix, AfterValidator(_rotation)]
-Spread = Annotated[float, Field(ge=0)]
-Day = Annotated[str, AfterValidator(_iso_day)]
-Celsius = Annotated[float, Field(ge=-273.15, le=1000)]
-Nanotesla = Annotated[float, Field(ge=0, le=LARGEST_FIELD_nT)]
 
 
 @lru_cache(maxsize=4 * MOST_KEYS)
@@ -128,11 +58,6 @@ def _misspelt(key: str, absent: tuple[str, ...]) -> str | None:
     if len(key) > LONGEST_KEY:
         return None
     return next(iter(get_close_matches(key, absent, n=1, cutoff=0.8)), None)
-
-
-def _or(default: str) -> BeforeValidator:
-    """What null says where a text may be left out: the same as leaving it out."""
-    return BeforeValidator(lambda value: default if value is None else value)
 
 
 class _Part(BaseModel):
@@ -157,7 +82,7 @@ class DutPart(_Part):
     """The device under test."""
 
     serial: Text
-    model: Annotated[Text, _or("")] = ""
+    model: Annotated[Text, null_is("")] = ""
     unit: Literal["nT", "count"]
     nominal_nT_per_unit: float = Field(gt=0, le=LARGEST_FIELD_nT)
     noise_nT: Nanotesla | None = None
@@ -191,7 +116,7 @@ class ReferencePart(_Part):
     """The reference sensor and what is stated about it."""
 
     kind: Literal["vector", "scalar", "none"]
-    serial: Annotated[Text, _or("")] = ""
+    serial: Annotated[Text, null_is("")] = ""
     noise_nT: Nanotesla | None = None
     place: Literal["dut", "remote", "computed"] | None = None
     position_m: Vector | None = None
@@ -221,9 +146,9 @@ class SegmentPart(_Part):
     axis_body: Axis | None = None
     axis_cage: Axis | None = None
     body_from_cage: Rotation | None = None
-    reference_frame: Annotated[Literal["cage", "body"], _or("cage")] = "cage"
+    reference_frame: Annotated[Literal["cage", "body"], null_is("cage")] = "cage"
     mode: Mode | None = None
-    note: Annotated[Text, _or("")] = ""
+    note: Annotated[Text, null_is("")] = ""
     mounting: Text | None = None
     angle_noise_deg: Spread | None = None
     u_axis_body_deg: Spread | None = None
@@ -254,7 +179,7 @@ class ChannelPart(_Part):
 
     unit: Text
     quantity: Quantity
-    role: Annotated[Role, _or("dut")] = "dut"
+    role: Annotated[Role, null_is("dut")] = "dut"
 
     @property
     def spelt_unit(self) -> str:
@@ -307,7 +232,7 @@ class RunJson(_Part):
     run_id: Name
     started_utc: Utc
     simulated: bool
-    operator: Annotated[Text, _or("")] = ""
+    operator: Annotated[Text, null_is("")] = ""
     dut: DutPart
     reference: ReferencePart
     segments: tuple[SegmentPart, ...] = Field(min_length=1)
