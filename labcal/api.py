@@ -15,9 +15,9 @@ from labcal.fit import Fit
 from labcal.fit import fit as estimate
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
-from labcal.one_thread import one_thread
 from labcal.record import Run
 from labcal.runner import Answer, Outcome
+from labcal.system.one_thread import one_thread
 
 __all__ = [
     "Calibration",

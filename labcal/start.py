@@ -17,7 +17,7 @@ def main() -> None:
     if sys.argv[1:3] == ["bench", "off"]:
         from pathlib import Path
 
-        from labcal import early_off
+        from labcal.bench import early_off
 
         if early_off.is_off(sys.argv[1:]):
             early_off.begin(Path(sys.argv[3]))

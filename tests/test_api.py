@@ -18,7 +18,7 @@ from threadpoolctl import threadpool_info, threadpool_limits
 
 import labcal
 from labcal import api
-from labcal.one_thread import one_thread
+from labcal.system.one_thread import one_thread
 
 ROOT = Path(__file__).parents[1]
 SHORT = ROOT / "examples" / "short-preflight"

@@ -15,7 +15,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from labcal.qt_packages import QT_PACKAGES
+from labcal.system.qt_packages import QT_PACKAGES
 
 ROOT = Path(__file__).parents[1]
 LEFT_BEHIND = {".gitignore"}

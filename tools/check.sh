@@ -3,7 +3,7 @@
 set -euo pipefail
 BIN=${BIN:-.venv/bin}
 export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen} OPENBLAS_NUM_THREADS=1
-QT_LIBRARIES=$("$BIN/python" -m labcal.qt_packages)
+QT_LIBRARIES=$("$BIN/python" -m labcal.system.qt_packages)
 
 if ! "$BIN/python" -c "import PySide6.QtWidgets" 2>/dev/null; then
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then

@@ -1,7 +1,7 @@
 """Which Debian packages the window's Qt needs: what its own libraries name, looked up in dpkg's database.
 
 python tools/qt_libraries.py            prints them
-python tools/qt_libraries.py --check    exit 1 where labcal.qt_packages or README names others
+python tools/qt_libraries.py --check    exit 1 where labcal.system.qt_packages or README names others
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from labcal.qt_packages import QT_PACKAGES
+from labcal.system.qt_packages import QT_PACKAGES
 
 ROOT = Path(__file__).parents[1]
 BEGINS_WITH = (
@@ -32,13 +32,13 @@ TIME64 = re.compile(r"t64\Z")  # Debian 13 and Ubuntu 24.04: the package answers
 def main() -> int:
     """Print what is needed, or compare it with what is stated."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="compare with labcal.qt_packages and README")
+    parser.add_argument("--check", action="store_true", help="compare with labcal.system.qt_packages and README")
     check = parser.parse_args().check
     found = needed_packages()
     if not check:
         print(*found)
         return 0
-    said = {"labcal/qt_packages.py": QT_PACKAGES, "README.md": stated_in(ROOT / "README.md")}
+    said = {"labcal/system/qt_packages.py": QT_PACKAGES, "README.md": stated_in(ROOT / "README.md")}
     wrong = [line for place, stated in said.items() for line in differences(place, found, stated)]
     print(*wrong, sep="\n", file=sys.stderr, end="\n" * bool(wrong))
     return 1 if wrong else 0

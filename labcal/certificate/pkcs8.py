@@ -23,7 +23,7 @@ from cryptography.hazmat.primitives.serialization import (
     load_pem_private_key,
 )
 
-from labcal.files.private_memory import kept_private
+from labcal.system.private_memory import kept_private
 
 ROUNDS = 600_000  # a third of a second; OWASP's figure for PBKDF2-HMAC-SHA256
 

@@ -16,8 +16,8 @@ from typer.core import TyperGroup
 from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.files.home import SECRETS
-from labcal.files.private_memory import kept_private
 from labcal.files.text_safety import without_passwords
+from labcal.system.private_memory import kept_private
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
 

@@ -82,7 +82,7 @@ def find(
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
     from labcal.bench.coils.at_zero import BY_WORD
-    from labcal.early_off import coils_off
+    from labcal.bench.early_off import coils_off
 
     ended = coils_off(file)
     from labcal.bench.shutdown import unread

@@ -16,7 +16,7 @@ from labcal.cli import app
 from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
 from labcal.files.home import PASSPHRASE
-from labcal.files.private_memory import kept_private
+from labcal.system.private_memory import kept_private
 
 if TYPE_CHECKING:
     from labcal.certificate import KeyEntry

@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from labcal.qt_packages import QT_PACKAGES
+from labcal.system.qt_packages import QT_PACKAGES
 
 
 def main() -> int:

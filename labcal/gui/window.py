@@ -33,7 +33,7 @@ from labcal.gui.widgets.key_sheet import described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.sounds import is_on, switch
-from labcal.run_door import goes_on_at
+from labcal.system.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done

@@ -16,9 +16,9 @@ from tempfile import TemporaryFile
 
 from labcal.bench.links.permission import not_allowed
 from labcal.files.home import for_children, home, own_folder
-from labcal.qt_packages import QT_PACKAGES
 from labcal.self_test.installed import python_version
 from labcal.self_test.result import Check, Computer
+from labcal.system.qt_packages import QT_PACKAGES
 from labcal.version import __version__
 
 PORTS = ("/dev/ttyUSB*", "/dev/ttyACM*", "/dev/usbtmc*")

@@ -16,7 +16,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import ARCHIVE, home
 from labcal.files.outputs import claim
-from labcal.files.private_memory import kept_private
+from labcal.system.private_memory import kept_private
 
 if TYPE_CHECKING:
     from labcal.archive.address import Address

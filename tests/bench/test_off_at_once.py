@@ -14,10 +14,10 @@ from test_off import left_on
 
 from labcal.bench.clock import RealClock
 from labcal.bench.config import read_config
+from labcal.bench.early_off import is_off
 from labcal.bench.essentials import AXES, StatedInstrument, essentials
 from labcal.bench.loading import Loader
 from labcal.bench.shutdown import coils_off
-from labcal.early_off import is_off
 from labcal.errors import InputError
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs ptys, which Windows lacks")

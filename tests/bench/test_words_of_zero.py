@@ -14,7 +14,7 @@ from test_guardian_handover import Pair, handed_over
 from test_guardian_handover import pair as pair
 from test_latch import Bench, one_tti
 
-from labcal import early_off
+from labcal.bench import early_off
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.at_zero import FROM_HERE
 from labcal.bench.guardian.handover import Handover, Held

@@ -17,7 +17,7 @@ pytestmark = [
     pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL and ptys, which Windows lacks"),
 ]
 WINDOW = Path(__file__).parent / "watched_window.py"
-WATCH = "import sys; from labcal.window_watch import watch; sys.exit(watch(['--'], print, sys.argv[1:]))"
+WATCH = "import sys; from labcal.system.window_watch import watch; sys.exit(watch(['--'], print, sys.argv[1:]))"
 HELD = "duration_s=600"
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from labcal import run_door, session
+from labcal import session
 from labcal.bench.coils.state import CoilReading, LabState
 from labcal.errors import Stopped
 from labcal.gui.ipc import channel as channel_module
@@ -32,6 +32,7 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.worker import carried_out
 from labcal.record.stream import Event, Prompt, Step
+from labcal.system import run_door
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 HELD = {"duration_s": "60"}

@@ -41,7 +41,7 @@ SYSTEMS = {
     "linux": {"sys_platform": "linux", "platform_system": "Linux", "os_name": "posix", "platform_machine": "x86_64"},
     "windows": {"sys_platform": "win32", "platform_system": "Windows", "os_name": "nt", "platform_machine": "AMD64"},
 }
-X_LIBRARIES = (  # of labcal.qt_packages those that a desktop may lack and that depend on nothing but X
+X_LIBRARIES = (  # of labcal.system.qt_packages those that a desktop may lack and that depend on nothing but X
     *("libxcb-cursor0", "libxcb-icccm4", "libxcb-image0", "libxcb-keysyms1", "libxcb-render-util0", "libxcb-shape0"),
     *("libxcb-util1", "libxcb-xkb1", "libxkbcommon-x11-0"),
 )

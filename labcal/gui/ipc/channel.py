@@ -36,8 +36,8 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
-from labcal.run_door import Caller, Door
 from labcal.runner import Control
+from labcal.system.run_door import Caller, Door
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
 POLL_S = 0.05

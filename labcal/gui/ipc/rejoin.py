@@ -8,7 +8,7 @@ import sys
 import threading
 from contextlib import suppress
 
-from labcal import run_door
+from labcal.system import run_door
 
 BYTES = 65536
 

@@ -6,8 +6,8 @@ import zipfile
 
 import pytest
 
-from labcal import window_watch
-from labcal.window_watch import once, watch
+from labcal.system import window_watch
+from labcal.system.window_watch import once, watch
 
 CANARY = "a canary in the mine"
 # A window of ours: each time it is started it notes its arguments, then does the next of what it is to do.

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from labcal.bench.coils.at_zero import SLOW_S
 from labcal.files.home import SECRETS
-from labcal.files.private_memory import kept_private
 from labcal.files.text_safety import one_line
+from labcal.system.private_memory import kept_private
 
 if TYPE_CHECKING:
     from labcal.bench.coils.at_zero import AtZero

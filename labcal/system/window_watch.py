@@ -23,11 +23,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from labcal import run_door
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, SECRETS, for_children, home, own_folder
 from labcal.files.text_safety import without_passwords
-from labcal.qt_packages import QT_PACKAGES
+from labcal.system import run_door
+from labcal.system.qt_packages import QT_PACKAGES
 
 WINDOW = (sys.executable, "-P", "-m", "labcal.gui")
 CLOSED, CANNOT = 0, 2  # by a person; and said in one sentence why not

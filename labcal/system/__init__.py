@@ -1,0 +1,1 @@
+"""This process and its neighbours: linear algebra on one thread, private memory, the window watched and rejoined."""
