@@ -52,6 +52,15 @@ class WaitsForZero(TtiSupply):
         self.current = current_A
 
 
+class LeavesAnAnswer(TtiSupply):
+    """What its order of zero is answered comes when something else is asked."""
+
+    def write_current(self, current_A: float) -> None:
+        """With a question that nobody waits for."""
+        super().write_current(current_A)
+        self.write("I1?")
+
+
 class Clips(TtiSupply):
     """Too much becomes as much as there is."""
 
@@ -89,6 +98,7 @@ class Late(TtiEmulator):
     [
         (IgnoresZero, TtiEmulator, r"make_safe\(\) leaves .* A set: it sets zero and opens the output"),
         (WaitsForZero, TtiEmulator, r"raised InstrumentError .* The orders of zero and off wait for no answer"),
+        (LeavesAnAnswer, TtiEmulator, r"lost its place after write_current\(0\) .* wait for quiet first"),
         (Clips, TtiEmulator, r"set_current\(99\) must raise LimitError that says '99 A' and 'nothing was sent'"),
         (AllowsReset, TtiEmulator, r"could send b'\*RST\\n': add a pattern that matches it to `never`"),
         (TtiSupply, Talks, r"fails when it is sent .*: answer as the instrument would"),

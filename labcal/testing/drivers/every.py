@@ -70,9 +70,10 @@ def it_explains_itself(case: DriverCase) -> None:
     """Module, class, settings and public methods say what they are."""
     module = inspect.getmodule(case.driver)
     public = [v for k, v in vars(case.driver).items() if not k.startswith("_") and callable(v)]
-    for thing in (module, case.driver, case.types["settings"], *public):
-        name = getattr(thing, "__qualname__", getattr(thing, "__name__", thing))
-        require((inspect.getdoc(thing) or "").strip(), f"{name} has no docstring: say in one sentence what it is.")
+    things = (module, case.driver, case.types["settings"], *public)
+    silent = [thing for thing in things if not (inspect.getdoc(thing) or "").strip()]
+    names = ", ".join(str(getattr(thing, "__qualname__", getattr(thing, "__name__", thing))) for thing in silent)
+    require(not silent, f"Without a docstring: {names}. Say in one sentence what each is.")
 
 
 def its_numbers_have_units_and_words_and_limits(case: DriverCase) -> None:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 
 from labcal.bench.driver_kit.roles import Unacknowledged, Watched
-from labcal.errors import LimitError
+from labcal.errors import InstrumentError, LimitError
 from labcal.testing.drivers.rig import DriverCase, DriverRig
 from labcal.testing.require import near, refused, require
 
@@ -97,6 +98,26 @@ def answers_lost(rig: DriverRig) -> Iterator[None]:
     end.emit = emit
 
 
+def after_orders_that_waited_for_nothing_it_confirms_zero(case: DriverCase) -> None:
+    """A late answer to an order of zero or off is no answer to the next command or question."""
+    rig = greeted(case)
+    on_at(rig, some_A(rig, 0.5))
+    text = f"{rig.name} lost its place after write_current(0) and write_off()"
+    todo = "write() must take its own answer off the line, or the next query() and command() must wait for quiet first."
+    try:
+        for order in (partial(rig.driver.write_current, 0.0), rig.driver.write_off):
+            order()
+            rig.driver.set_current(0.0)
+        rig.driver.output(False)
+        held_A = rig.driver.set_point()
+        rig.wait(SETTLES_S)
+        left_A = rig.driver.measure_current()
+    except InstrumentError as error:
+        raise AssertionError(f"{text}: {error.what} {todo}") from error
+    require(held_A == 0.0, f"{text}: set_point() is {held_A:g} A. {todo}")
+    require(near(left_A, 0.0, 10 * case.resolution_A), f"{text}: measure_current() is {left_A:g} A. {todo}")
+
+
 def it_refuses_what_is_too_much_and_sends_nothing(case: DriverCase) -> None:
     """A set-point beyond its limits is an error with the number in it, and no byte."""
     rig = greeted(case)
@@ -173,6 +194,7 @@ def given_back_to_its_panel_it_is_left_alone(case: DriverCase) -> None:
 PROMISES = (
     it_sets_reads_back_and_measures,
     with_all_its_answers_lost_it_hears_zero_and_off_at_once,
+    after_orders_that_waited_for_nothing_it_confirms_zero,
     it_refuses_what_is_too_much_and_sends_nothing,
     made_safe_it_has_no_current_and_its_panel_back,
     it_ramps_its_full_current_in_time,
