@@ -6,6 +6,7 @@ import ast
 import re
 from collections import Counter
 from pathlib import Path
+from runpy import run_path
 
 ROOT = Path(__file__).parents[1]
 AT_MOST_LINES = 6
@@ -100,3 +101,9 @@ def test_a_class_of_the_mathematics_has_a_name_of_its_own() -> None:
     names = Counter(name for room in MATHEMATICS for name in public_classes(room))
     assert [name for name, count in names.items() if count > 1] == []
     assert len(names) > 100
+
+
+def test_the_page_about_the_loop_names_every_effect() -> None:
+    page = (ROOT / "docs" / "closed-loop.md").read_text(encoding="utf-8")
+    tool = run_path(str(ROOT / "tools" / "effects_table.py"))
+    assert tool["with_table"](page) == page, "run tools/effects_table.py: it writes the table of effects"
