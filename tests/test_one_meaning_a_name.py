@@ -44,7 +44,7 @@ def test_a_class_has_the_name_of_another_only_where_that_is_listed() -> None:
     listed = {name for names in TWICE.values() for name in names.split()}
     assert {name: places for name, places in found.items() if name not in listed} == {}, "rename one of them"
     assert listed - found.keys() == set(), "listed, and there no more"
-    assert {name: places for name, places in found.items() if len(places) > 2 and name not in THRICE} == {}
+    assert {name: places for name, places in found.items() if len(places) > 2 and name not in THRICE} == {}, "rename"
 
 
 def test_only_public_classes_of_a_module_count() -> None:

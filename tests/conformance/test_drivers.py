@@ -158,16 +158,21 @@ def test_it_keeps_its_promise(name: str, promise: Promise) -> None:
 
 def test_every_driver_has_an_emulator_and_a_forbidden_message_that_is_tried() -> None:
     ours = {e.name for e in entry_points(group="labcal.emulators") if e.value.startswith("drivers.emulators.")}
-    assert set(DRIVERS) == ours == set(FORBIDDEN)
+    assert set(DRIVERS) == ours, (
+        "give each driver its emulator under the same name in pyproject.toml, then install again"
+    )
+    assert set(DRIVERS) == set(FORBIDDEN), "state in FORBIDDEN a message that this driver must never send"
 
 
 def test_every_driver_stands_in_the_docs_and_every_supply_says_whether_it_has_a_watchdog() -> None:
     named = re.findall(r"^\|( `.*?) \|", (ROOT / "docs" / "bench.md").read_text(), re.MULTILINE)
-    assert set(DRIVERS) <= set(re.findall(r"`([\w-]+)`", " ".join(named)))
+    missing = set(DRIVERS) - set(re.findall(r"`([\w-]+)`", " ".join(named)))
+    assert missing == set(), "give each a row in the table of drivers in docs/bench.md"
     watchdogs = (ROOT / "docs" / "instruments.md").read_text().partition("## A supply's own watchdog")[2]
     makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "ea-ps2000b": "EA PS 2000 B", "scpi-table": "A table's"}
     for name in SUPPLIES:
-        assert makers.get(name, name.split("-")[0].title()) in watchdogs, name
+        maker = makers.get(name, name.split("-")[0].title())
+        assert maker in watchdogs, f"say of {maker} whether it has a watchdog: docs/instruments.md"
 
 
 @pytest.mark.parametrize("name", sorted(set(SUPPLIES) - set(TO_PANEL)))
@@ -176,7 +181,7 @@ def test_a_supply_whose_panel_needs_no_word_says_none(name: str) -> None:
     rig.driver.identify()
     rig.driver.output(True)
     rig.driver.make_safe()
-    assert [said for said in rig.sent if said.startswith(tuple(TO_PANEL.values()))] == []
+    assert [said for said in rig.sent if said.startswith(tuple(TO_PANEL.values()))] == [], "name it in TO_PANEL"
 
 
 @pytest.mark.parametrize("name", sorted(DRIVERS))

@@ -128,13 +128,18 @@ def _anonymous(tree: ast.Module) -> Iterator[ast.Constant]:
 
 def test_no_number_in_the_loop_is_a_judgement_outside_the_policy() -> None:
     found = {f"{module}:{name}" for module, tree in _modules() for name in _constants(tree)}
-    assert found - _listed() == set(), "a judgement belongs into labcal/loop/policy.py"
-    assert _listed() - found == set(), "listed, and there no more"
+    assert found - _listed() == set(), (
+        "a judgement goes into labcal/loop/policy.py; any other constant is listed above, by its kind"
+    )
+    assert _listed() - found == set(), "listed above, and there no more"
 
 
 def test_no_number_stands_anonymously_in_a_function() -> None:
     found = {module: [(number.lineno, number.value) for number in _anonymous(tree)] for module, tree in _modules()}
-    assert {module: numbers for module, numbers in found.items() if numbers} == {}
+    nameless = {module: numbers for module, numbers in found.items() if numbers}
+    assert nameless == {}, (
+        "give each (line, number) a name: a judgement of labcal/loop/policy.py, or a constant listed above"
+    )
 
 
 @pytest.mark.parametrize("source", ["A = 1.5", "A: float = 3.0", "A, B = 7, 8", "A = np.arange(5)"])
@@ -162,7 +167,7 @@ def test_what_says_no_more_than_words_or_a_unit_is_let_be(source: str) -> None:
 def test_every_judgement_is_read_somewhere() -> None:
     text = "\n".join(path.read_text() for path in LOOP.rglob("*.py"))
     unread = {name for name in policy.judgements() if not re.search(rf"(law|POLICY|self)\.{name}\b", text)}
-    assert unread == set()
+    assert unread == set(), "nothing in labcal/loop reads these judgements: take them out of the policy"
 
 
 @pytest.mark.parametrize("name", policy.judgements())
@@ -186,7 +191,7 @@ def test_the_policy_is_frozen_and_what_is_derived_follows() -> None:
 
 def test_the_page_about_the_loop_holds_the_judgements_as_they_are() -> None:
     page = (ROOT / "docs" / "closed-loop.md").read_text(encoding="utf-8")
-    assert run_path(str(ROOT / "tools" / "policy_table.py"))["with_table"](page) == page, "tools/policy_table.py"
+    assert run_path(str(ROOT / "tools" / "policy_table.py"))["with_table"](page) == page, "run tools/policy_table.py"
 
 
 def test_a_policy_put_in_its_place_is_the_one_that_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
