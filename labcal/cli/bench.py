@@ -110,7 +110,9 @@ def cage(
     """Approve the cage calibration of RUN, a draft until then; signed where the key of who approves it is at hand."""
     from labcal import session
 
-    found, signature = session.approve_cage(run, name, out, own_passphrase, tell=partial(say, err=True), force=force)
+    found, signature = session.approve_cage(
+        run, name, out, own_passphrase, on_remark=partial(say, err=True), force=force
+    )
     say(f"{out}: the cage as run {found.run_id} found it, approved by {found.approved_by}")
     say(f"{signature}: signed" if signature else f"NOT SIGNED: no key of {name} is at hand here.")
     say(f'Put calibration = "{out.name}" into [cage] of the bench file, in place of its matrix.')

@@ -42,7 +42,7 @@ def demo(
         def stage(name: str) -> None:
             progress.update(task, description=name, total=None, completed=0)
 
-        done = run_demo(out, seed, stage=stage, tell=lambda item: _step(progress, task, item))
+        done = run_demo(out, seed, stage=stage, on_item=lambda item: _step(progress, task, item))
         progress.update(task, description="done", total=1, completed=1)
     _show(done, time.monotonic() - began)
 

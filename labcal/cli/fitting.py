@@ -75,7 +75,7 @@ def apply(
 
     remarks: list[str] = []  # said once it is done: a refusal is one sentence
     applied = session.apply_calibration(
-        calibration, source, out, dut, require_signature=require_signature, tell=remarks.append, force=force
+        calibration, source, out, dut, require_signature=require_signature, on_remark=remarks.append, force=force
     )
     for remark in remarks:
         say(remark, err=True)

@@ -87,7 +87,7 @@ def _measuring(
 
     with shown("bar") as display:
         answer = display.ask if sys.stdin.isatty() and not sure else None
-        talk = Talk(consent, answer, display.tell, progress)
+        talk = Talk(consent, answer, display.on_item, progress)
         return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed, force=force)
 
 

@@ -25,7 +25,7 @@ AT_ONCE = ("silent", "link lost", "heard again", "reconnected")  # of an instrum
 class Display(Protocol):
     """Shows items as they come, and asks what has to be asked."""
 
-    def tell(self, item: Item) -> None:
+    def on_item(self, item: Item) -> None:
         """Show one item."""
         ...
 
@@ -74,7 +74,7 @@ def step_line(step: str) -> None:
 class Nothing:
     """Shows nothing; asks all the same."""
 
-    def tell(self, item: Item) -> None:
+    def on_item(self, item: Item) -> None:
         """Show nothing."""
 
     def stopping(self) -> None:
@@ -95,7 +95,7 @@ class Nothing:
 class JsonLines(Nothing):
     """One JSON object a line for each step, measurement, prompt and event."""
 
-    def tell(self, item: Item) -> None:
+    def on_item(self, item: Item) -> None:
         """Write it, unless it is samples."""
         from labcal.record.stream import Block, Measurement
 
@@ -117,7 +117,7 @@ class Bar(Nothing):
         self._progress = progress
         self._task = progress.add_task("starting", total=None, left="")
 
-    def tell(self, item: Item) -> None:
+    def on_item(self, item: Item) -> None:
         """Move the bar at a step, print a measurement that has a limit."""
         from labcal.record.stream import NOT_KEPT, REMARK, Event, Measurement, Step
 

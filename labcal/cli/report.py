@@ -46,8 +46,8 @@ def report(
     by = None
     if xml_key is not None and xml_cert is not None:
         by = XmlKeyFiles(xml_key, xml_cert, partial(passphrase, f"Passphrase of {xml_key.name}: "))
-    tell = partial(say, err=True)
-    session.report(source, out, allowed_signers, before=before, xml_key=by, tell=tell, force=force)
+    on_remark = partial(say, err=True)
+    session.report(source, out, allowed_signers, before=before, xml_key=by, on_remark=on_remark, force=force)
     return say(out)
 
 

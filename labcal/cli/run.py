@@ -68,7 +68,7 @@ def run(
     control = Control()
     options: dict[str, Any] = {"clock": _clock(clock), "seed": seed, "control": control}
     with shown(progress.value) as display, _stop_on_interrupt(control, display):
-        options |= {"answer": None if yes else display.ask, "tell": display.tell}
+        options |= {"answer": None if yes else display.ask, "on_item": display.on_item}
         if resume is not None:
             _nothing_else(settings, dut, operator)
             outcome = session.resume(resume, _bench(bench), procedure, **options)

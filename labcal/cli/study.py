@@ -46,7 +46,7 @@ def study(
         raise InputError("--processes are of this computer; with --scheduler the cluster has its own")
     with _progress() as progress:
         done = run_study(
-            file, out, scheduler=scheduler, processes=processes, progress=progress, tell=partial(say, err=True),
+            file, out, scheduler=scheduler, processes=processes, progress=progress, on_remark=partial(say, err=True),
             force=force,
         )  # fmt: skip
     _show(done)

@@ -39,16 +39,18 @@ class Demo:
     verification: Verification
 
 
-def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, tell: Callable[[Item], None]) -> Demo:
+def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, on_item: Callable[[Item], None]) -> Demo:
     """Run the line into `folder`, where `demo_folder.make_room` has been. Two files repeat byte for byte from `seed`.
 
-    These are `run.zip` and `calibration.json`. `stage` hears the names in STAGES as they begin, `tell` every item of
+    These are `run.zip` and `calibration.json`. `stage` hears the names in STAGES as they begin, `on_item` every item of
     the run. Raises InstrumentError where an emulated instrument fails.
     """
     stage(STAGES[0])
-    cage = _record("cage-calibration", folder, seed, tell, CAGE_CHECK, f"demo-{seed}-cage", START - timedelta(hours=1))
+    cage = _record(
+        "cage-calibration", folder, seed, on_item, CAGE_CHECK, f"demo-{seed}-cage", START - timedelta(hours=1)
+    )
     stage(STAGES[1])
-    outcome = _record("preflight", folder, seed, tell, {}, f"demo-{seed}", START)
+    outcome = _record("preflight", folder, seed, on_item, {}, f"demo-{seed}", START)
     with Store.open(folder / STORE) as store:
         save_bundle(store.bundle(outcome.run_id, with_chain=True), folder / RUN)
     stage(STAGES[2])
@@ -64,7 +66,7 @@ def _record(
     procedure: str,
     folder: Path,
     seed: int,
-    tell: Callable[[Item], None],
+    on_item: Callable[[Item], None],
     given: Mapping[str, str],
     run_id: str,
     begins: datetime,
@@ -72,7 +74,7 @@ def _record(
     """Run a procedure on the simulated bench into the demo's own store; its clock begins at a fixed date."""
     outcome = session.run(
         procedure, simulated_bench(), given, operator="demo", clock=VirtualClock(begins), seed=seed, run_id=run_id,
-        store=folder / STORE, tell=tell,
+        store=folder / STORE, on_item=on_item,
     )  # fmt: skip
     if outcome.fault is not None:
         raise outcome.fault

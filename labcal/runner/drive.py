@@ -24,7 +24,7 @@ LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 PROMPT_S = 1.0  # what is told later than this says so
 UNDONE_S = 0.3  # that a procedure is given, once it was told to end, before its coils are taken to zero
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
-Tell = Callable[[Item], None]
+OnItem = Callable[[Item], None]
 Show = Callable[[LabState], None]
 
 
@@ -51,7 +51,7 @@ class Drive:
     write: Callable[[Item], None]
     answer: Answer
     control: Control = field(default_factory=Control)
-    tell: Tell = lambda item: None
+    on_item: OnItem = lambda item: None
     show: Show = lambda state: None  # how the lab is, by the computer's monotonic clock
     offset_s: float = 0.0
     kept: Callable[[], None] = lambda: None
@@ -145,7 +145,7 @@ class Drive:
             item = replace(item, text=f"{age_s:.1f} s ago: {item.text}")
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
             self._show()  # first: whoever hears that the run pauses knows how the coils are
-        self.tell(item)
+        self.on_item(item)
 
     def _show(self) -> None:
         self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
@@ -248,14 +248,14 @@ class Drive:
             return
         self._announced = words
         with suppress(Exception):  # the way to zero goes on whoever watches
-            self.tell(_later(self._event("slow-zero", words), self.offset_s))
+            self.on_item(_later(self._event("slow-zero", words), self.offset_s))
 
     def _report_not_kept(self, fault: InputError | InstrumentError) -> None:
         """At once, for the last rows may be waited for; it is in the record where that can be mended."""
         said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
         with suppress(InputError, InstrumentError):
             self.write(said)
-        self.tell(said)
+        self.on_item(said)
 
     def _listen(self) -> None:
         self._check()
@@ -297,7 +297,7 @@ class Drive:
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
         """The currents as read back, an axis that does not answer as None, and what went wrong on the way.
 
-        `lost` takes what the supplies still had to tell: a coil that the guardian took to zero says so before it
+        `lost` takes what the supplies still had to say: a coil that the guardian took to zero says so before it
         measures again.
         """
         currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]

@@ -90,7 +90,7 @@ def rehearsed(bench: Path, procedure: FoundProcedure, given: Mapping[str, str], 
             limits = lab.config.dut.limits.temperature_C
             found = Rehearsal(procedure.name, procedure.title, read_config(bench).simulated, temperature_C=limits)
             begun = clock.now()
-            outcome = run_procedure(lab, procedure, given, store=store, answer=first_choice, tell=found.see)
+            outcome = run_procedure(lab, procedure, given, store=store, answer=first_choice, on_item=found.see)
             found.seconds = clock.now() - begun
     if outcome.fault is not None:
         raise outcome.fault

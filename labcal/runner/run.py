@@ -26,7 +26,7 @@ from labcal.record.person import check_operator
 from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, Event, Item, Measurement, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
-from labcal.runner.drive import Drive, Ending, Show, Tell
+from labcal.runner.drive import Drive, Ending, OnItem, Show
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 from labcal.store.writer import iso
@@ -86,7 +86,7 @@ def run_procedure(
     filled: Mapping[str, Any] | None = None,
     remark: str | None = None,
     control: Control | None = None,
-    tell: Tell = lambda item: None,
+    on_item: OnItem = lambda item: None,
     show: Show = lambda state: None,
     first: tuple[str, str, Mapping[str, Any]] | None = None,
 ) -> Outcome:
@@ -125,9 +125,9 @@ def run_procedure(
     _report_lifted(bench, writer, bench.clock.now())
     if first is not None:
         writer.write(Event(bench.clock.now(), *first))
-    _remark(remark, writer, bench.clock.now(), tell)
+    _remark(remark, writer, bench.clock.now(), on_item)
     return _drive(
-        bench, procedure, {**values, **(filled or {})}, header.dut.serial, writer, answer, control, tell, show, 0.0
+        bench, procedure, {**values, **(filled or {})}, header.dut.serial, writer, answer, control, on_item, show, 0.0
     )
 
 
@@ -141,7 +141,7 @@ def resume_run(
     dut_serial: str | None = None,
     remark: str | None = None,
     control: Control | None = None,
-    tell: Tell = lambda item: None,
+    on_item: OnItem = lambda item: None,
     show: Show = lambda state: None,
 ) -> Outcome:
     """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
@@ -161,9 +161,9 @@ def resume_run(
     software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
     _report_lifted(bench, writer, at_s)
-    _remark(remark, writer, at_s, tell)
+    _remark(remark, writer, at_s, on_item)
     values["resume"] = done
-    return _drive(bench, procedure, values, header.dut.serial, writer, answer, control, tell, show, offset, before)
+    return _drive(bench, procedure, values, header.dut.serial, writer, answer, control, on_item, show, offset, before)
 
 
 def _report_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
@@ -172,11 +172,11 @@ def _report_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
         writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
 
 
-def _remark(text: str | None, writer: RunWriter, t_s: float, tell: Tell) -> None:
+def _remark(text: str | None, writer: RunWriter, t_s: float, on_item: OnItem) -> None:
     if text is not None:
         item = Event(t_s, REMARK, text)
         writer.write(item)
-        tell(item)
+        on_item(item)
 
 
 def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
@@ -204,12 +204,12 @@ def _drive(
     writer: RunWriter,
     answer: Answer,
     control: Control | None,
-    tell: Tell,
+    on_item: OnItem,
     show: Show,
     offset_s: float,
     before: Iterable[Item] = (),
 ) -> Outcome:
-    seen = _Seen(tell)
+    seen = _Seen(on_item)
     for item in filter(_still_counts, before):  # else a limit that was not met before the interruption is forgotten
         seen.notice(item)
     if isinstance(bench.clock, VirtualClock):
@@ -252,9 +252,9 @@ def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
 
 @dataclass
 class _Seen:
-    """What the outcome says of a run's items, taken down while they pass on to `tell`."""
+    """What the outcome says of a run's items, taken down while they pass on to `on_item`."""
 
-    tell: Tell
+    on_item: OnItem
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
     fault_reported: bool = False
@@ -272,7 +272,7 @@ class _Seen:
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
             self.fault_reported |= item.kind == NOT_KEPT
-        self.tell(item)
+        self.on_item(item)
 
 
 def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | None, str]:

@@ -21,12 +21,12 @@ __all__ = ["Check", "Qualification", "place_for", "qualification_page", "qualify
 Begin = Callable[[str], None]
 
 
-def qualify(begin: Begin = lambda name: None, tell: Callable[[Check], None] = lambda check: None) -> Qualification:
-    """Make every check, in a folder of its own; `begin` hears what is looked at, `tell` each check when it is made."""
+def qualify(begin: Begin = lambda name: None, on_check: Callable[[Check], None] = lambda check: None) -> Qualification:
+    """Make every check, in a folder of its own; `begin` gets what is looked at, `on_check` each check."""
     made = []
     with TemporaryDirectory(prefix="labcal-self-test-") as place:
         for check in _checks(Path(place), begin):
-            tell(check)
+            on_check(check)
             made.append(check)
     return Qualification(computer(), tuple(made))
 

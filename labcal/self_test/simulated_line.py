@@ -23,7 +23,7 @@ def check_line(folder: Path, begin: Begin = lambda name: None) -> Iterator[Check
 
     def preflight() -> Check:
         make_room(folder)
-        done.append(demo(folder, SEED, stage=lambda name: begin(f"simulated {name}"), tell=lambda item: None))
+        done.append(demo(folder, SEED, stage=lambda name: begin(f"simulated {name}"), on_item=lambda item: None))
         return check_preflight(done[0], time.monotonic() - begun)
 
     yield guarded("simulated preflight", preflight)

@@ -139,7 +139,7 @@ def run(
     run_id: str | None = None,
     store: Path | None = None,
     control: Control | None = None,
-    tell: Callable[[Item], None] = lambda item: None,
+    on_item: Callable[[Item], None] = lambda item: None,
     show: Callable[[LabState], None] = lambda state: None,
     override: Override | None = None,
 ) -> Outcome:
@@ -162,7 +162,7 @@ def run(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
             specification=specification_of(lab.config, bench), run_id=run_id if first is None else named,
-            remark=remark, control=control, tell=tell, show=show, first=first,
+            remark=remark, control=control, on_item=on_item, show=show, first=first,
         )  # fmt: skip
         return note_run(outcome, kept, operator) if store is None else outcome
 
@@ -177,7 +177,7 @@ def resume(
     clock: Clock | None = None,
     seed: int | None = None,
     control: Control | None = None,
-    tell: Callable[[Item], None] = lambda item: None,
+    on_item: Callable[[Item], None] = lambda item: None,
     show: Callable[[LabState], None] = lambda state: None,
 ) -> Outcome:
     """Go on with an interrupted run of the local store after its last finished step.
@@ -188,7 +188,7 @@ def resume(
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
         outcome = resume_run(
-            lab, found, run, store=kept, answer=ask, dut_serial=dut, remark=remark, control=control, tell=tell,
+            lab, found, run, store=kept, answer=ask, dut_serial=dut, remark=remark, control=control, on_item=on_item,
             show=show,
         )  # fmt: skip
         return note_run(outcome, kept, kept.header(run).operator)
@@ -293,12 +293,12 @@ def apply_calibration(
     dut: str | None = None,
     *,
     require_signature: bool = False,
-    tell: Callable[[str], None] = lambda remark: None,
+    on_remark: Callable[[str], None] = lambda remark: None,
     force: bool = False,
 ) -> certificate.AppliedFile:
     """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial.
 
-    `tell` hears what somebody who uses its numbers has to: unsigned, provisional, expired, superseded. With
+    `on_remark` gets what somebody who uses its numbers has to: unsigned, provisional, expired, superseded. With
     `require_signature` one that is not validly signed is refused, and it is worked out again where its run is at hand.
     """
     [output] = claim("apply", out, inputs=(calibration, source), force=force)
@@ -312,7 +312,7 @@ def apply_calibration(
         raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
     certificate.check_effects(found, calibration)
     for remark in standing.remarks():
-        tell(remark)
+        on_remark(remark)
     with output.writing():
         return certificate.apply_file(found, source, out)
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 MISSING = "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"
 LIBRARIES = ("sqlalchemy", "alembic", "psycopg")
 BUNDLES = "bundles"  # in labcal's folder, where nobody says another place
-Tell = Callable[[str], None]
+OnRemark = Callable[[str], None]
 
 
 def archive_address(given: str | None) -> Address:
@@ -148,16 +148,16 @@ class Pushed:
 
 
 def push(
-    given: str | None, names: Sequence[str] = (), bundles: str | None = None, tell: Tell = lambda one: None
+    given: str | None, names: Sequence[str] = (), bundles: str | None = None, on_remark: OnRemark = lambda one: None
 ) -> Pushed:
     """Push the runs and calibrations that are named, else all that is finished here and not there yet.
 
-    The audit log goes with them. `tell` hears of each that is new. Raises InputError where the server is away.
+    The audit log goes with them. `on_remark` gets each that is new. Raises InputError where the server is away.
     """
     with opened(given) as archive:
         from labcal.session.pushing import Pusher
 
-        return Pusher.at(archive, bundles, tell).push(names)
+        return Pusher.at(archive, bundles, on_remark).push(names)
 
 
 def push_every(
@@ -165,20 +165,20 @@ def push_every(
     given: str | None,
     names: Sequence[str],
     bundles: str | None,
-    tell: Tell,
+    on_remark: OnRemark,
     wait: Callable[[float], object] = sleep,
 ) -> NoReturn:
-    """Push again and again, whether the server is there or not, until somebody stops it; `tell` hears what is new."""
+    """Push again and again, until somebody stops it; `on_remark` gets what is new."""
     said = set[str]()
     with needing_the_extra():
         from labcal.archive.server import AwayError
     while True:
         try:
-            now = set(push(given, names, bundles, tell).refused)
+            now = set(push(given, names, bundles, on_remark).refused)
         except AwayError as away:
             now = {str(away)}
         for remark in sorted(now - said):
-            tell(remark)
+            on_remark(remark)
         said = now
         wait(seconds)
 

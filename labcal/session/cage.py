@@ -32,13 +32,13 @@ def approve_cage(
     out: Path,
     ask: Callable[[str], str] = lambda signer: "",
     *,
-    tell: Callable[[str], None] = lambda remark: None,
+    on_remark: Callable[[str], None] = lambda remark: None,
     force: bool = False,
 ) -> tuple[CageCalibration, Path | None]:
     """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft.
 
     Signed by them where their key is at hand: `ask` is asked for its passphrase, once all else is well. Returns the
-    signature's path too; `tell` hears what came of asking for a time stamp.
+    signature's path too; `on_remark` gets what came of asking for a time stamp.
     """
     [output] = claim("bench cage", out, force=force)
     signer = _approver_with_key(name)
@@ -56,7 +56,7 @@ def approve_cage(
     about = {"cage": bench_name(header.bench), "measured_utc": found.measured_utc}
     note_file("approve", name, out, signature, **about)
     if signature is not None and (said := stamp(signature, run)) is not None:
-        tell(said)
+        on_remark(said)
     return found, signature
 
 

@@ -18,23 +18,23 @@ InArchive = Callable[[bytes, Sequence[bytes], Path], Mapping[str, datetime]]
 SIGNATURE = re.compile(r".*?((?:\.[1-9]\d?)?\.sshsig)")
 
 
-def asking(given: str | None, tell: Callable[[str], None]) -> InArchive | None:
+def asking(given: str | None, on_remark: Callable[[str], None]) -> InArchive | None:
     """How to ask the archive at `given`, else that of LABCAL_ARCHIVE; None where neither is named.
 
-    Only one that was `given` has to answer: of the other `tell` hears that it did not.
+    Only one that was `given` has to answer: of the other `on_remark` gets that it did not.
     """
     if given is not None:
         return partial(known_there, given)
-    return partial(_if_it_answers, tell) if os.environ.get(ARCHIVE) else None
+    return partial(_if_it_answers, on_remark) if os.environ.get(ARCHIVE) else None
 
 
 def _if_it_answers(
-    tell: Callable[[str], None], content: bytes, signatures: Sequence[bytes], folder: Path
+    on_remark: Callable[[str], None], content: bytes, signatures: Sequence[bytes], folder: Path
 ) -> Mapping[str, datetime]:
     try:
         return known_there(None, content, signatures, folder)
     except InputError as fault:
-        tell(f"the archive was not asked: {fault}")
+        on_remark(f"the archive was not asked: {fault}")
         return {}
 
 

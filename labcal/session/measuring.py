@@ -33,7 +33,7 @@ class Talk:
 
     consent: Consent
     answer: Answer | None = None
-    tell: Callable[[Item], None] = lambda item: None
+    on_item: Callable[[Item], None] = lambda item: None
     progress: Callable[[str], None] = lambda text: None
 
 
@@ -95,7 +95,7 @@ def _measured(plan: Rehearsal, run: str, bench: Path, talk: Talk, seed: int | No
         start, now_s = goes_on(run)
         clock = VirtualClock(start)
         clock.wait_until(now_s)
-    outcome = session.run(plan.procedure, bench, answer=talk.answer, clock=clock, seed=seed, tell=talk.tell)
+    outcome = session.run(plan.procedure, bench, answer=talk.answer, clock=clock, seed=seed, on_item=talk.on_item)
     if outcome.fault is not None:
         raise outcome.fault
     return together(run, outcome.run_id), outcome.run_id

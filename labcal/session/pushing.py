@@ -50,7 +50,7 @@ class Pusher:
     site: str
     place: str
     there: Known
-    tell: Callable[[str], None]
+    on_remark: Callable[[str], None]
     runs: int = 0
     calibrations: int = 0
     entries: int = 0
@@ -59,10 +59,10 @@ class Pusher:
     _noted: dict[str, datetime] | None = None
 
     @classmethod
-    def at(cls, archive: Archive, bundles: str | None, tell: Callable[[str], None]) -> Self:
+    def at(cls, archive: Archive, bundles: str | None, on_remark: Callable[[str], None]) -> Self:
         """Ask the archive what it has of this site."""
         site = own_site(archive)
-        return cls(archive, site, place_of_bundles(archive, bundles), known(archive, site), tell)
+        return cls(archive, site, place_of_bundles(archive, bundles), known(archive, site), on_remark)
 
     def push(self, names: Sequence[str]) -> Pushed:
         """Push what is named, else all; then the audit log. What cannot be pushed is passed over and told."""
@@ -180,7 +180,7 @@ class Pusher:
 
     def _say(self, kind: str, name: str, digest: str) -> None:
         note("push", archive=self.archive.address.shown, site=self.site, sha256=digest, **{kind: name})
-        self.tell(f"{kind} {name}")
+        self.on_remark(f"{kind} {name}")
 
     def _audit_log(self) -> None:
         """Push the entries that fit and are not there yet; none from the first on that does not fit.

@@ -45,7 +45,7 @@ def report(
     *,
     before: Path | None = None,
     xml_key: XmlKeyFiles | None = None,
-    tell: Callable[[str], None] = lambda remark: None,
+    on_remark: Callable[[str], None] = lambda remark: None,
     force: bool = False,
 ) -> None:
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
@@ -53,7 +53,7 @@ def report(
     `xml_key` signs a DCC's XML. Raises InputError where it is given for anything else.
 
     A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
-    `tell` hears what a DCC lacks, by the clause that asks for it, and what a PDF is not.
+    `on_remark` gets what a DCC lacks, by the clause that asks for it, and what a PDF is not.
     """
     read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
     read += [xml_key.key, xml_key.certificates] if xml_key else []
@@ -62,7 +62,7 @@ def report(
     [output] = claim("report", out, inputs=read, force=force)
     with output.writing():
         if certificate.looks_like_calibration(Path(source)):
-            _report_calibration(Path(source), out, allowed_signers, before, tell, xml_key)
+            _report_calibration(Path(source), out, allowed_signers, before, on_remark, xml_key)
             return
         bundle = run_bundle(source)
         run = bundle.run()
@@ -88,7 +88,7 @@ def _report_calibration(
     out: Path,
     allowed_signers: Path | None,
     before: Path | None,
-    tell: Callable[[str], None],
+    on_remark: Callable[[str], None],
     xml_key: XmlKeyFiles | None,
 ) -> None:
     by = None if xml_key is None else read_xml_key(xml_key.key, xml_key.certificates, xml_key.ask)
@@ -99,12 +99,12 @@ def _report_calibration(
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
     if out.suffix.lower() == ".xml":
         for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out, changed, by):
-            tell(f"not stated: {clause}")
+            on_remark(f"not stated: {clause}")
         return
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     page = calibration_page(calibration, verification, checked, run, changed, said)
     if lacking := write_report(page, out):
-        tell(lacking)
+        on_remark(lacking)
 
 
 def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:

@@ -55,11 +55,11 @@ def sign(
     name: str,
     passphrase: str,
     progress: Progress = lambda step: None,
-    tell: Callable[[str], None] = lambda remark: None,
+    on_remark: Callable[[str], None] = lambda remark: None,
 ) -> Path:
     """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another.
 
-    `tell` hears what came of asking for a time stamp, where the laboratory names an authority.
+    `on_remark` gets what came of asking for a time stamp, where the laboratory names an authority.
     """
     key = certificate.keys.signing_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress, name)
@@ -71,7 +71,7 @@ def sign(
     note_file("sign", name, calibration, written, signed.number)
     certificate.keep_superseding(signatures(calibration), home() / SUPERSEDING)
     if (said := stamp(written, signed.run_id)) is not None:
-        tell(said)
+        on_remark(said)
     return written
 
 

@@ -14,7 +14,7 @@ CONNECT_S = 15
 KEPT = "what was done is kept, the same command goes on with it"
 
 
-def on_cluster(jobs: Sequence[Job], address: str, tell: Callable[[str], None]) -> Iterator[tuple[Job, Row]]:
+def on_cluster(jobs: Sequence[Job], address: str, on_remark: Callable[[str], None]) -> Iterator[tuple[Job, Row]]:
     """Each job with its row, as they are done. Raises what a job raised, and InputError where the cluster is gone."""
     try:
         import distributed
@@ -23,7 +23,7 @@ def on_cluster(jobs: Sequence[Job], address: str, tell: Callable[[str], None]) -
         raise InputError(MISSING) from None
     client = _connected(distributed, address)
     try:
-        _say_who_works(client, tell)
+        _say_who_works(client, on_remark)
         yield from _as_done(distributed, client, jobs)
     except distributed.KilledWorker as error:
         raise InputError(f"workers ended again and again while they were at a job ({error}); {KEPT}") from None
@@ -61,9 +61,11 @@ def _connected(distributed: Any, address: str) -> Any:
         raise InputError(f"no scheduler answers at {address} ({said}); start one: dask scheduler") from None
 
 
-def _say_who_works(client: Any, tell: Callable[[str], None]) -> None:
+def _say_who_works(client: Any, on_remark: Callable[[str], None]) -> None:
     workers = client.scheduler_info(n_workers=-1)["workers"]
     if not workers:
-        tell("The cluster has no worker yet; jobs wait for one (dask worker ADDRESS --nthreads 1).")
+        on_remark("The cluster has no worker yet; jobs wait for one (dask worker ADDRESS --nthreads 1).")
     if crowded := [name for name, worker in workers.items() if worker["nthreads"] > 1]:
-        tell(f"{len(crowded)} workers have several threads and do one job at a time: start them with --nthreads 1.")
+        on_remark(
+            f"{len(crowded)} workers have several threads and do one job at a time: start them with --nthreads 1."
+        )

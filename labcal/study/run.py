@@ -43,7 +43,7 @@ def run_study(
     scheduler: str | None = None,
     processes: int | None = None,
     progress: Progress = lambda done, of: None,
-    tell: Callable[[str], None] = lambda remark: None,
+    on_remark: Callable[[str], None] = lambda remark: None,
     force: bool = False,
 ) -> StudyResult:
     """Do every job of the study `file` that `out` does not hold yet, then write table, summary and report there.
@@ -54,13 +54,13 @@ def run_study(
     outputs = _claimed(out, file, force)
     jobs, remarks = jobs_of(study, file)
     for remark in remarks:
-        tell(remark)
+        on_remark(remark)
     folder.open_folder(out)
     rows = folder.done(out, jobs)
     before = len(rows)
     progress(before, len(jobs))
     left = [job for job in jobs if job.key not in rows]
-    for number, (job, row) in enumerate(_engine(left, scheduler, processes, tell), before + 1):
+    for number, (job, row) in enumerate(_engine(left, scheduler, processes, on_remark), before + 1):
         rows[job.key] = folder.keep(out, job, row)
         progress(number, len(jobs))
     table = [rows[job.key] for job in jobs]
@@ -77,12 +77,12 @@ def _claimed(out: Path, file: Path, force: bool) -> dict[str, Output]:
 
 
 def _engine(
-    jobs: Sequence[Job], scheduler: str | None, processes: int | None, tell: Callable[[str], None]
+    jobs: Sequence[Job], scheduler: str | None, processes: int | None, on_remark: Callable[[str], None]
 ) -> Iterator[tuple[Job, Row]]:
     if not jobs:
         return iter(())
     if scheduler is not None:
-        return on_cluster(jobs, scheduler, tell)
+        return on_cluster(jobs, scheduler, on_remark)
     return on_processes(jobs, processes or os.cpu_count() or 1)
 
 

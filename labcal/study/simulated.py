@@ -42,7 +42,7 @@ def record(settings: Mapping[str, Any]) -> SimulatedRun:
     """
     clock, steps = VirtualClock(START), list[tuple[str, float]]()
 
-    def tell(item: Item) -> None:
+    def on_item(item: Item) -> None:
         if isinstance(item, Step):
             steps.append((item.name, item.t_s))
 
@@ -51,7 +51,7 @@ def record(settings: Mapping[str, Any]) -> SimulatedRun:
         write_text(bench, toml(dict(settings["bench"])))
         outcome = session.run(
             settings["procedure"], bench, settings["given"], operator="study", clock=clock, seed=settings["seed"],
-            run_id="study", store=store, tell=tell,
+            run_id="study", store=store, on_item=on_item,
         )  # fmt: skip
         if outcome.fault is not None:
             raise outcome.fault

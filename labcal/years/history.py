@@ -18,7 +18,7 @@ from labcal.session.signing import CALIBRATIONS, SUPERSEDING
 
 DAYS_A_YEAR = 365.25
 UNDATED = datetime.min.replace(tzinfo=UTC)  # nothing tells when it was measured
-Tell = Callable[[str], None]
+OnRemark = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +43,10 @@ class Calibrated:
         return self.utc.timestamp() / 86_400
 
 
-def from_files(paths: Iterable[Path], tell: Tell = lambda one: None, *, undated: bool = False) -> list[Calibrated]:
-    """Those of files and folders, the oldest first; `tell` hears of those in folders that are passed over, and why.
+def from_files(
+    paths: Iterable[Path], on_remark: OnRemark = lambda one: None, *, undated: bool = False
+) -> list[Calibrated]:
+    """Those of files and folders, the oldest first; `on_remark` gets those in folders that are passed over, and why.
 
     Raises InputError where a file that is named is none, or nothing tells when it was measured; `undated` ones are
     taken, as UNDATED, where they are asked for.
@@ -57,14 +59,14 @@ def from_files(paths: Iterable[Path], tell: Tell = lambda one: None, *, undated:
         except InputError as fault:
             if named:
                 raise
-            tell(f"passed over: {fault}")
+            on_remark(f"passed over: {fault}")
     return sorted(found.values(), key=lambda one: one.utc)
 
 
-def of_this_lab(tell: Tell = lambda one: None, *, undated: bool = False) -> list[Calibrated]:
+def of_this_lab(on_remark: OnRemark = lambda one: None, *, undated: bool = False) -> list[Calibrated]:
     """Those of this lab's folder, the oldest first."""
     folders = [p for p in (home() / CALIBRATIONS, home() / SUPERSEDING) if p.is_dir()]
-    return from_files(folders, tell, undated=undated)
+    return from_files(folders, on_remark, undated=undated)
 
 
 def from_archive(given: str | None, *, model: str | None = None, serial: str | None = None) -> list[Calibrated]:

@@ -66,7 +66,7 @@ def test_an_honest_bench_on_real_lines_ends_with_a_zero_that_was_seen(lab: Serve
         if isinstance(item, Event) and item.kind in ("read-back", "stream"):
             said.append(item.text)
 
-    outcome = session.run("field-hold", lab.file, {"duration_s": "10"}, answer=first_choice, operator="x", tell=tell)
+    outcome = session.run("field-hold", lab.file, {"duration_s": "10"}, answer=first_choice, operator="x", on_item=tell)
     assert outcome.status == "finished", outcome.status
     assert outcome.lab is not None
     assert outcome.lab.guardian is True

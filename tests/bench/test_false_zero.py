@@ -259,7 +259,9 @@ def test_a_run_over_a_false_zero_fails_and_says_so(tmp_path: Path) -> None:
         said: list[str] = []
         found, answer = find("field-hold"), yes_to_all(True)
         given = {"duration_s": "20"}
-        ended = run_procedure(bench, found, given, store=store, answer=answer, tell=tell, run_id="R", control=Control())
+        ended = run_procedure(
+            bench, found, given, store=store, answer=answer, on_item=tell, run_id="R", control=Control()
+        )
         assert flows(bench) > 0.1
         last = [item for item in store.items("R") if isinstance(item, Event)][-1]
     assert ended.status.startswith("failed")

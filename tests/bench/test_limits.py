@@ -74,7 +74,7 @@ def told(bench: Bench, monkeypatch: pytest.MonkeyPatch, **temperatures: float) -
 def ran(tmp_path: Path, what: str) -> tuple[Outcome, list[Item]]:
     procedure, items = tmp_path / "own.py", list[Item]()
     procedure.write_text(OWN)
-    return session.run(str(procedure), bench_file(tmp_path), {"what": what}, seed=1, tell=items.append), items
+    return session.run(str(procedure), bench_file(tmp_path), {"what": what}, seed=1, on_item=items.append), items
 
 
 @pytest.mark.parametrize("what", ["prompt", "said", "segment"])

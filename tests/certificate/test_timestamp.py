@@ -252,7 +252,7 @@ def test_the_token_is_asked_for_as_it_is_signed_and_lies_beside_the_signature(
     shutil.copy(ours / "ca.pem", home() / "keys" / "timestamp_ca.pem")
     with serving(replies(ours)) as url:
         laboratory_with(url)
-        signature = session.sign(draft, "ada", PASSPHRASE, tell=said.append)
+        signature = session.sign(draft, "ada", PASSPHRASE, on_remark=said.append)
     shown = token_utc(draft)
     assert shown is not None
     assert abs(shown - day(0)) < timedelta(minutes=30)
@@ -295,7 +295,7 @@ def signed_again(draft: Path, url: str) -> str:
     said = list[str]()
     laboratory_with(url)
     draft.with_name(f"{draft.name}.sshsig").unlink(missing_ok=True)
-    session.sign(draft, "ada", PASSPHRASE, tell=said.append)
+    session.sign(draft, "ada", PASSPHRASE, on_remark=said.append)
     [check] = session.verify(draft).checks
     assert check.objection is None
     assert check.shown is None or check.shown.by == "audit log"

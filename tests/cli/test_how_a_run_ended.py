@@ -44,5 +44,5 @@ def test_a_run_that_goes_on_is_named_by_its_number_alone(monkeypatch, capsys):
 
 def test_the_bar_says_at_once_that_the_store_is_waited_for():
     with Progress(console=Console(file=(shown := StringIO()), width=200)) as progress:
-        Bar(progress).tell(Event(1.0, NOT_KEPT, "the end of the run waits: s: the store was locked."))
+        Bar(progress).on_item(Event(1.0, NOT_KEPT, "the end of the run waits: s: the store was locked."))
     assert "! the end of the run waits: s: the store was locked." in shown.getvalue()

@@ -43,7 +43,7 @@ def test_a_preflight_asks_where_its_plan_says(tmp_path, monkeypatch):
             asked.add(told[-1].name)
 
     given = {"axes": "x,y", "magnitudes_nT": "20000", "reverse": "no", "rate_deg_per_s": "20", "zero_s": "3"}
-    session.run("preflight", FILE, given, clock=VirtualClock(datetime(2026, 1, 5, tzinfo=UTC)), seed=3, tell=see)
+    session.run("preflight", FILE, given, clock=VirtualClock(datetime(2026, 1, 5, tzinfo=UTC)), seed=3, on_item=see)
     assert {one.needed_for for one in told} - {""} == asked
 
 

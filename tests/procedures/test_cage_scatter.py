@@ -42,5 +42,5 @@ def calibrated(bench: Path, field_nT: float, seed: int, store: Path) -> Event:
     """What one lab's cage-calibration found, in short steps."""
     items: list[Item] = []
     given = {"field_nT": str(field_nT), "steps": "2", "dwell_s": "1"}
-    session.run("cage-calibration", bench, given, seed=seed, store=store, tell=items.append).raise_fault()
+    session.run("cage-calibration", bench, given, seed=seed, store=store, on_item=items.append).raise_fault()
     return next(i for i in items if isinstance(i, Event) and i.kind == "cage-calibration")

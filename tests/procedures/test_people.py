@@ -24,7 +24,7 @@ def gone_through(bench: Path, said: dict[str, list[str]]) -> tuple[session.Outco
     def answer(prompt: Prompt) -> str:
         return left[prompt.key].pop(0) if left.get(prompt.key) else (*prompt.choices, "")[0]
 
-    return session.run("configuration", bench, answer=answer, tell=items.append), items
+    return session.run("configuration", bench, answer=answer, on_item=items.append), items
 
 
 def test_the_checklist_names_what_is_not_as_stated_at_its_end(bench_file: BenchFile) -> None:

@@ -42,7 +42,7 @@ class Lab:
                 store=store,
                 answer=yes_to_all(True),
                 control=self.control,
-                tell=self.notice,
+                on_item=self.notice,
             )
             return outcome, list(store.items(outcome.run_id))
 

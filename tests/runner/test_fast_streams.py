@@ -84,7 +84,7 @@ def listened(bench_file: Path, seconds: float, tell: Callable[[Item], None]) -> 
         emulator._beat, each = SampleClock(RATE_HZ, clock.now()), emulator.emit
         emulator.emit = lambda until_s: together(each(until_s))
         given, answer = {"duration_s": f"{seconds}", "mains_s": "5"}, yes_to_all(True)
-        return run_procedure(bench, find("ambient"), given, store=store, answer=answer, tell=tell)
+        return run_procedure(bench, find("ambient"), given, store=store, answer=answer, on_item=tell)
 
 
 def together(pieces: Pieces) -> Pieces:

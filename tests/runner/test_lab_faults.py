@@ -83,7 +83,7 @@ def held_until(
                 broken(bench, lab, patch)
 
         found, answer = find("field-hold"), yes_to_all(True)
-        outcome = run_procedure(bench, found, HOLD | settings, store=store, answer=answer, tell=tell, run_id="R")
+        outcome = run_procedure(bench, found, HOLD | settings, store=store, answer=answer, on_item=tell, run_id="R")
         return outcome, lab, clock.now()
 
 

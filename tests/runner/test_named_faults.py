@@ -50,7 +50,7 @@ def preflight(bench: Bench, tell: Callable[[Item], None] = lambda item: None, **
             SHORT | {"zero_s": "3"},
             store=store,
             answer=yes_to_all(True),
-            tell=tell,
+            on_item=tell,
             run_id="R",
             **more,
         )

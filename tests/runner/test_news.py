@@ -49,7 +49,7 @@ def by(bench: Bench, seconds: float) -> None:
 
 def told_and_written(bench: Bench, looks: bool) -> tuple[list[Told], list[Event]]:
     told, written = list[Told](), list[Item]()
-    drive = Drive(bench, written.append, lambda prompt: "", tell=lambda item: keep(told, bench, item))
+    drive = Drive(bench, written.append, lambda prompt: "", on_item=lambda item: keep(told, bench, item))
     ended = drive.run(waits_long(bench, looks))
     assert ended.status == "finished", ended
     return told, [item for item in written if isinstance(item, Event) and item.kind in ("stream", "note")]

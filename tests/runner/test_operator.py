@@ -53,7 +53,9 @@ def with_a_stuck_stage(bench: Path, said: dict[str, str]) -> tuple[Outcome, list
             return said.get(prompt.key, prompt.choices[0] if prompt.choices else "")
 
         lab.platform.move_to = sticking
-        outcome = run_procedure(lab, find("preflight"), TWO_FIELDS, store=store, answer=answer, tell=tell, run_id="R")
+        outcome = run_procedure(
+            lab, find("preflight"), TWO_FIELDS, store=store, answer=answer, on_item=tell, run_id="R"
+        )
         return outcome, list(store.items("R"))
 
 
@@ -148,7 +150,9 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
 def test_a_resumed_run_goes_on_after_its_last_finished_turn_in_a_mounting_of_its_own(bench_file: BenchFile) -> None:
     bench, steps = bench_file(), list[str]()
     before = break_off(bench, "z+30uT-nominal")
-    outcome = session.resume("R", bench, seed=2, tell=lambda i: steps.append(i.name) if isinstance(i, Step) else None)
+    outcome = session.resume(
+        "R", bench, seed=2, on_item=lambda i: steps.append(i.name) if isinstance(i, Step) else None
+    )
     assert outcome.status == "finished", outcome.fault
     assert steps == ["zero", "axes-check", "sync-check", "mount-z", "z+30uT-nominal", "closure-z", "closing"]
     run = session.load_run("R")
@@ -161,7 +165,7 @@ def test_a_resumed_run_goes_on_after_its_last_finished_turn_in_a_mounting_of_its
 def test_a_limit_that_was_not_met_before_the_interruption_still_counts_after_it(bench_file: BenchFile) -> None:
     bench, told = bench_file(), list[Item]()
     break_off(bench, "z+30uT-nominal", Measurement(1.0, "z+20uT-nominal: noise", 90.0, 1.0, "nT", 20.0))
-    outcome = session.resume("R", bench, seed=2, tell=told.append)
+    outcome = session.resume("R", bench, seed=2, on_item=told.append)
     assert outcome.status == "finished", outcome.fault
     assert [one.name for one in outcome.failed] == ["z+20uT-nominal: noise"]
     measured = [one.name for one in told if isinstance(one, Measurement)]
@@ -179,7 +183,7 @@ def break_off(bench: Path, at: str, *more: Item) -> float:
         if isinstance(item, Step) and item.name == at:
             control.stop()
 
-    outcome = session.run("preflight", bench, TWO_FIELDS, seed=2, control=control, tell=tell)
+    outcome = session.run("preflight", bench, TWO_FIELDS, seed=2, control=control, on_item=tell)
     last = next(i for i in seen if isinstance(i, Step) and i.name == at)
     with Store.open() as store:
         writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))

@@ -32,7 +32,7 @@ def driven(file: Path, clock: Clock, prepare: Callable[[Bench], None]) -> tuple[
     written, told = list[Item](), list[Item]()
     with open_bench(file, clock=clock, seed=1) as bench:
         prepare(bench)
-        Drive(bench, written.append, lambda prompt: "", tell=told.append).run(nothing(bench))
+        Drive(bench, written.append, lambda prompt: "", on_item=told.append).run(nothing(bench))
     return written, told
 
 

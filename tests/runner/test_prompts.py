@@ -25,7 +25,9 @@ def test_yes_on_a_real_bench_refuses_before_anything_is_energised(bench_file: Be
     seen: list[Item] = []
     file = bench_file(sensor(0), *SCALAR) if name == "scalar-cage" else bench_file()
     with closing(open_bench(file)) as bench, Store.open() as store:
-        outcome = run_procedure(bench, procedures()[name], {}, store=store, answer=yes_to_all(False), tell=seen.append)
+        outcome = run_procedure(
+            bench, procedures()[name], {}, store=store, answer=yes_to_all(False), on_item=seen.append
+        )
     set_points = [item for item in seen if isinstance(item, Event) and item.kind == "set-point"]
     assert not set_points
     if outcome.fault is not None:

@@ -48,7 +48,13 @@ def held_and_then(
                 happens(bench._links[of])
 
         outcome = run_procedure(
-            bench, find("field-hold"), {"duration_s": "60"}, store=store, answer=yes_to_all(True), tell=tell, run_id="R"
+            bench,
+            find("field-hold"),
+            {"duration_s": "60"},
+            store=store,
+            answer=yes_to_all(True),
+            on_item=tell,
+            run_id="R",
         )
         return outcome.fault, dict(lab.coils), clock.now()
 

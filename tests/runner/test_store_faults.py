@@ -54,7 +54,7 @@ class Broken:
             given = SHORT | {"zero_s": "3"}
             answer, found = yes_to_all(True), find("preflight")
             self.outcome: Outcome = run_procedure(
-                bench, found, given, store=store, answer=answer, tell=self.tell, run_id="R"
+                bench, found, given, store=store, answer=answer, on_item=self.tell, run_id="R"
             )
             lab: Any = bench.simulated_operator._lab
             self.currents_A = [float(coil.at(np.array([self.clock.now()]))[0]) for coil in lab.coils.values()]

@@ -204,10 +204,10 @@ def test_the_page_says_every_check_and_what_to_do():
 def test_the_command_says_each_check_keeps_the_page_and_its_exit_code_is_the_result(
     tmp_path, monkeypatch, capsys, home_of_its_own, checks, code
 ):
-    def qualify(begin, tell):
+    def qualify(begin, on_check):
         begin("hashing")
         for check in checks:
-            tell(check)
+            on_check(check)
         return Qualification(COMPUTER, checks)
 
     monkeypatch.setattr(self_test, "qualify", qualify)

@@ -54,7 +54,7 @@ def test_it_is_in_the_record_before_the_first_sample(
                 seen.append(store.header("R").specification)
             path.write_text(EXAMPLE)  # what is asked afterwards changes nothing
 
-    outcome = session.run("rotate-axis", path, {"rate_deg_per_s": "20"}, run_id="R", tell=look)
+    outcome = session.run("rotate-axis", path, {"rate_deg_per_s": "20"}, run_id="R", on_item=look)
     assert outcome.status == "finished"
     asked = Specification(offset=Limit(250.0, "nT"), r=1.5)
     assert seen == [asked]

@@ -172,7 +172,7 @@ def _on_bench(
             clock=clock,
             seed=asked.seed,
             control=channel.control,
-            tell=channel.send_item,
+            on_item=channel.send_item,
             show=channel.send_state,
         )
     finally:
