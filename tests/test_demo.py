@@ -1,6 +1,7 @@
 """The whole line, from the emulated wire to a file that somebody without labcal can check."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -21,11 +22,16 @@ SEED = "3"
 def demo(tmp_path_factory):
     """One demo, run as a person would; what it printed and where it wrote."""
     folder = tmp_path_factory.mktemp("demo")
-    finished = run(folder)
+    finished = run(folder, home_of(folder))
     return folder, finished.stdout
 
 
-def run(folder):
+def home_of(folder):
+    """labcal's folder of the first demo, where it keeps what it worked out."""
+    return folder.parent / f"{folder.name}-home"
+
+
+def run(folder, home):
     command = [
         sys.executable,
         "-c",
@@ -36,7 +42,8 @@ def run(folder):
         "--out",
         str(folder),
     ]
-    return subprocess.run(command, capture_output=True, text=True, check=True)
+    environment = {**os.environ, "LABCAL_HOME": str(home)}
+    return subprocess.run(command, capture_output=True, text=True, check=True, env=environment)
 
 
 def test_it_leaves_what_it_promises_and_says_so(demo):
@@ -83,10 +90,10 @@ def test_the_hidden_effect_is_written_nowhere_in_the_run(demo):
         assert word not in header
 
 
-def test_the_same_seed_gives_the_same_bytes_and_a_second_call_works(demo):
+def test_the_same_seed_gives_the_same_bytes_and_a_second_call_works(demo, home_of_its_own):
     folder, _ = demo
     first = {name: (folder / name).read_bytes() for name in ("run.zip", "calibration.json")}
-    run(folder)
+    run(folder, home_of_its_own)
     for name, content in first.items():
         assert (folder / name).read_bytes() == content, name
 
@@ -104,11 +111,12 @@ def test_somebody_without_labcal_can_check_the_signature(demo):
     assert subprocess.run(command, input=changed, capture_output=True).returncode != 0
 
 
-def test_verify_says_yes_to_the_demo_and_no_to_another_run(demo, capsys):
+def test_verify_says_yes_to_the_demo_and_no_without_its_trust_list(demo, monkeypatch):
     folder, _ = demo
+    monkeypatch.setenv("LABCAL_HOME", str(home_of(folder)))
     arguments = ["verify", str(folder / "calibration.json"), "--allowed-signers", str(folder / "allowed_signers")]
     assert cli.execute([*arguments, "--run", str(folder / "run.zip")]) == 0
-    assert cli.execute(["verify", str(folder / "calibration.json")]) == 1  # this lab trusts nobody yet
+    assert cli.execute(["verify", str(folder / "calibration.json")]) == 1  # a lab that trusts nobody
 
 
 def test_only_what_a_demo_left_gives_way_to_the_next(demo, tmp_path):
