@@ -283,7 +283,7 @@ def run(
     dut : str, optional
         Serial number of the DUT, instead of the bench file's.
     operator : str
-        Who does it.
+        Who measures; it stands in the record.
     seed : int, optional
         Of the simulated lab: the same seed hides the same effect.
     answer : callable, optional

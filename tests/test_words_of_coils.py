@@ -55,7 +55,7 @@ NO_CLAIM = {
     "record at rest with the coils off: the noise that remains is the sensor's own": ORDER,
     "repeat with the coils at zero, and with the reference turned by 180°": ORDER,
     "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.": HELP,
-    "Instruments: check, serve emulated ones, coils off.": HELP,
+    "Instruments: find, check, serve emulated ones, coils off; approve a cage.": HELP,
     "COILS OFF   F12": HELP,
     "Take every coil to zero now (F12). Works in every state and asks nothing.": HELP,
     "coils off, at any moment": HELP,

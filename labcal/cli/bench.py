@@ -12,9 +12,11 @@ from labcal.cli.keys import own_passphrase
 from labcal.cli.results import FORCE
 from labcal.cli.screen import console, say
 
-bench = typer.Typer(help="Instruments: check, serve emulated ones, coils off.", no_args_is_help=True)
+bench = typer.Typer(
+    help="Instruments: find, check, serve emulated ones, coils off; approve a cage.", no_args_is_help=True
+)
 app.add_typer(bench, name="bench", rich_help_panel="Bench")
-FILE = typer.Argument(help="bench.toml", show_default=False)
+FILE = typer.Argument(help="The bench file.", show_default=False)
 
 
 @bench.command()

@@ -27,8 +27,10 @@ FIT_WORDS = (
 @app.command("fit", rich_help_panel="Calibration")
 def fit(
     run: str = typer.Argument(..., help="A run id of the local store, or the path of a bundle."),
-    method: str = typer.Option("ml", help="A method's name, or all."),
-    channels: str | None = typer.Option(None, help="Housekeeping that telemetry may use: names apart by commas."),
+    method: str = typer.Option("ml", help="A method, or all side by side; a name that is none lists them."),
+    channels: str | None = typer.Option(
+        None, help="With --method telemetry: channels that may act, with commas between."
+    ),
     json_file: str | None = JSON,
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write a draft calibration (with all: of ml)."),
     until: str | None = UNTIL,

@@ -34,17 +34,17 @@ def close_loop(
     measure: bool = typer.Option(
         False,
         "--measure",
-        help="While causes are open, measure on --bench what tells them apart.",
+        help="While causes are open, measure on --bench what distinguishes them.",
     ),
     bench: Path | None = typer.Option(None, help="The bench to measure on."),
     empirical: bool = typer.Option(
         False, "--empirical", help="Ship a term without a name where no known effect carries what is left."
     ),
     yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
-    seed: int | None = typer.Option(None, min=0, help="Of the simulated lab: that of the run."),
+    seed: int | None = typer.Option(None, min=0, help="Of the simulated lab; else that of the run."),
     force: bool = FORCE,
 ) -> int:
-    """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
+    """Trace what the model leaves to its cause, and add that. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
     from labcal.certificate import stated_by_people
 

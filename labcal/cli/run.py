@@ -48,17 +48,19 @@ def run(
     dut: str | None = typer.Option(
         None, metavar="SERIAL", help="The DUT's serial number, instead of the bench file's."
     ),
-    operator: str = typer.Option("", metavar="NAME", help="Who does it."),
-    settings: list[str] = typer.Option([], "--set", metavar="KEY=VALUE", help="A parameter of the procedure."),
+    operator: str = typer.Option("", metavar="NAME", help="Who measures; it stands in the record."),
+    settings: list[str] = typer.Option(
+        [], "--set", metavar="KEY=VALUE", help="A parameter of the procedure; once for each."
+    ),
     yes: bool = typer.Option(False, "--yes", help="Answer prompts; on a real bench only those that do nothing."),
     resume: str | None = typer.Option(None, metavar="RUN", help="Go on with an interrupted run."),
     clock: ClockChoice | None = typer.Option(None, help="True speed, or virtual (the default where all is emulated)."),
-    seed: int | None = typer.Option(None, min=0, help="Of the simulated lab."),
+    seed: int | None = typer.Option(None, min=0, help="Of the simulated lab: the same gives the same run."),
     override: str | None = typer.Option(
         None, metavar="NAME", help="Who lets it begin though the check standard is out of control; with --because."
     ),
     because: str = typer.Option("", metavar="TEXT", help="Why they do."),
-    key: str | None = typer.Option(None, metavar="PRINCIPAL", help="The key by which they sign that."),
+    key: str | None = typer.Option(None, metavar="PRINCIPAL", help="The person whose key signs that."),
     progress: ProgressChoice = typer.Option(ProgressChoice.bar, help="How to show progress on stderr."),
 ) -> None:
     """Run a scripted procedure; prints the run id last."""

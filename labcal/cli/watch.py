@@ -31,7 +31,7 @@ def watch(
     json: str | None = JSON,
     force: bool = FORCE,
 ) -> int:
-    """Fit, loop and draft every new run and tell a person, until Ctrl-C. Nothing is ever signed.
+    """Fit, loop and draft every new run and notify a person, until Ctrl-C. Nothing is ever signed.
 
     A mail server that asks for a name and a password is given LABCAL_SMTP_USER and LABCAL_SMTP_PASSWORD. Everybody on
     this machine can read a command line: an address whose path is its password belongs into LABCAL_WEBHOOK.
