@@ -61,7 +61,7 @@ def test_each_call_says_what_it_takes_gives_and_raises_and_its_example_runs(
     example = doctest.DocTestParser().get_doctest(text, {}, getattr(call, "__name__", ""), "labcal/api.py", 0)
     said: list[str] = []
     assert doctest.DocTestRunner().run(example, out=said.append) == (0, len(example.examples)), "".join(said)
-    assert len(example.examples) > 2
+    assert len(example.examples) > 2  # that of `verify`: the calibration that is shipped is what its run gives
 
 
 def test_the_page_of_the_face_is_made_of_its_docstrings() -> None:
@@ -162,12 +162,6 @@ def test_a_fit_is_written_as_a_draft_and_replaced_only_where_asked(tmp_path: Pat
     assert out.read_text() == "somebody's own"
     labcal.fit(run, "centered", out=out, force=True)
     assert labcal.load_calibration(out).run_id == "short-preflight"
-
-
-def test_the_example_that_is_shipped_holds() -> None:
-    result = labcal.verify(SHORT / "calibration.json", SHORT / "allowed_signers", SHORT / "run.zip")
-    assert (result.valid, result.run_matches) == (True, True)
-    assert labcal.load_run(SHORT / "run.zip").simulated
 
 
 def linear_algebra() -> set[int]:
