@@ -179,8 +179,8 @@ class Kept:
         if found is None:
             with self.watch.watching() as mattering:
                 found = Result(make(), mattering, alive)
-            # what is made under a move is of objects made under it: no other move asks for it again
-            (self.known if self.watch.move is None else self.under_move)[key] = found
+            home = self.under_move if self.watch.move in mattering else self.known
+            home[key] = found
         for move in found.mattering:
             self.watch.note(move)
         return found.value
