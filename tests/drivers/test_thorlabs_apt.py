@@ -75,6 +75,13 @@ def test_a_move_is_told_once_and_what_comes_unasked_is_no_answer() -> None:
         assert not motor.moving()
 
 
+@pytest.mark.parametrize("cut", range(1, len(COMPLETED)))
+def test_the_end_of_a_message_whose_beginning_was_dropped_before_the_question_is_passed_over(cut: int) -> None:
+    asked, said = bits(MOVING)
+    with stage([(asked, COMPLETED[cut:] + said)]) as motor:
+        assert motor.moving()
+
+
 def test_another_velocity_is_told_and_read_back() -> None:
     set_5 = tell("1304 0E00 D0 01 0100 00000000 AC3A0000 AB2A2F02")
     held = ask(0x0414, "0100 00000000 AC3A0000 AB2A2F02")
