@@ -12,7 +12,7 @@ from labcal.errors import InstrumentError
 HOST, USB = 0x01, 0x50  # places: this computer, a controller of one motor
 WITH_DATA = 0x80  # set in the destination where data follow, whose length stands in the place of two parameters
 HEAD, LONGEST = 6, 128
-REQ_INFO, GET_INFO, STOP_UPDATES = 0x0005, 0x0006, 0x0012
+REQ_INFO, GET_INFO, START_UPDATES, STOP_UPDATES = 0x0005, 0x0006, 0x0011, 0x0012
 RICH_RESPONSE = 0x0081  # a fault, told unasked
 SET_ENABLED = 0x0210
 REQ_POSITION, GET_POSITION = 0x0411, 0x0412

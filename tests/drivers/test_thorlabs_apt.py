@@ -130,6 +130,18 @@ def test_a_stop_brakes() -> None:
         motor.make_safe()
 
 
+def test_status_updates_that_another_program_has_begun_are_ended() -> None:
+    rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()
+    rig.emulator.take(rig.clock.now(), bytes.fromhex("1100 00 00 50 01"))
+    since_s = rig.clock.now()
+    rig.wait(1.0)
+    updates = rig.emulator.emit(since_s + 0.95)
+    assert [data[:2] for _, data in updates] == [b"\x81\x04"] * 9
+    rig.driver.identify()
+    rig.wait(1.0)
+    assert rig.emulator.emit(rig.clock.now()) == []
+
+
 def test_a_foreign_library_reads_what_the_emulator_says_and_it_hears_what_that_says() -> None:
     foreign = pytest.importorskip("thorlabs_apt_protocol", reason="needs thorlabs-apt-protocol, which is not installed")
     rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()
