@@ -79,7 +79,8 @@ class EaPs2000B(CurrentSource):
             )
         if (most_A := self._full("A")) < self.settings.max_current_A:
             message = f"it delivers {most_A:g} A, and max_current_A is {self.settings.max_current_A:g}"
-            raise InstrumentError(f"{self.name}: {message}.", fault="another instrument")
+            remedy = "Is it this supply that drives the coil? State what it can deliver in bench.toml."
+            raise InstrumentError(f"{self.name}: {message}.", fault="wrong set-up", remedy=remedy)
         return Identity(maker, model, serial, version)
 
     def query(self, text: str) -> str:

@@ -20,6 +20,8 @@ from labcal.errors import InstrumentError
 IDENTITY = re.compile(r"(?:TDK-?)?LAMBDA, ?((?:GENH?|Z)(\d+(?:\.\d+)?)-(\d+(?:\.\d+)?).*)", re.IGNORECASE)
 TRIPS = {1: "AC fail", 2: "over-temperature", 3: "foldback", 4: "over-voltage", 5: "Shut Off", 7: "Enable"}
 
+STATE_LESS = "Is it this supply that drives the coil? State what it can deliver in bench.toml."
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -93,7 +95,7 @@ class GenesysSupply(CurrentSource):
         ):
             if float(most) < asked:
                 message = f"it delivers {most} {unit}, and {asked:g} {unit} are stated"
-                raise InstrumentError(f"{self.name}: {message}.", fault="another instrument")
+                raise InstrumentError(f"{self.name}: {message}.", fault="wrong set-up", remedy=STATE_LESS)
         return Identity("TDK-Lambda", found[1], self.query("SN?"), self.query("REV?").removeprefix("REV:"))
 
     def output(self, on: bool) -> None:

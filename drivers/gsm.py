@@ -11,8 +11,8 @@ from pydantic import Field
 
 from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
+from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
-from labcal.bench.driver_kit.framing import Lines
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link
@@ -62,26 +62,21 @@ class Parser:
 
     def __init__(self, source: str, settings: Settings, mishaps: Mishaps) -> None:
         self._source, self._settings, self._mishaps = source, settings, mishaps
-        self._lines = Lines(longest=LONGEST, skip_first=True)
+        self._lines = SentLines(mishaps, LONGEST)
 
     def feed(self, pieces: Pieces) -> list[Block]:
         """The block of the lines that these pieces complete [nT]."""
-        taken = [(stamp, line, self._value(stamp, line)) for stamp, line in self._lines.feed(pieces) if line.strip()]
-        if self._lines.too_long:
-            self._mishaps.note("bad frame", pieces[-1][0], self._lines.too_long)
-            self._lines.too_long = 0
-        good = [(stamp, line, value) for stamp, line, value in taken if value is not None]
-        if not good:
+        stamps, values, raw = self._lines.rows(pieces, self._row)
+        if not values:
             return []
-        stamps = np.array([stamp for stamp, _, _ in good]) - self._settings.delay_s
-        values = np.array([[value] for _, _, value in good])
-        return [Block("reference", self._source, ("ref_f",), stamps, values, b"".join(b"%b\n" % g[1] for g in good))]
+        t = np.array(stamps) - self._settings.delay_s
+        return [Block("reference", self._source, ("ref_f",), t, np.array(values), raw)]
 
-    def _value(self, stamp: float, line: bytes) -> float | None:
+    def _row(self, stamp: float, line: bytes) -> list[float] | None:
         """The field [nT]; None, noted, where it is none, or not a good one."""
         found = LINE.fullmatch(line.strip(b"\r \t\0"))
         least = self._settings.least_quality
         if found and LEAST_nT <= float(found[1]) <= MOST_nT and (not least or int(found[2] or 0) >= least):
-            return float(found[1])
+            return [float(found[1])]
         self._mishaps.note("bad frame", stamp)
         return None

@@ -102,10 +102,15 @@ class Hp603x(CurrentSource):
     def identify(self) -> Identity:
         """Ask which model it is, and read its error register away."""
         said = self._line.query("ID?")
-        if (found := IDENTITY.fullmatch(said)) is None or found[1] != self.settings.model:
+        if (found := IDENTITY.fullmatch(said)) is None:
             self._line.refuse_earlier("ID?", said)
             told = f"{abridged(said)!r} answered, not an HP {self.settings.model}"
             raise InstrumentError(f"{self.name}: {told}.", fault="another instrument")
+        if found[1] != self.settings.model:
+            told = f"an HP {found[1]} answered, not an HP {self.settings.model}"
+            raise InstrumentError(
+                f"{self.name}: {told}.", fault="wrong set-up", remedy="State its model in bench.toml."
+            )
         self._line.query("ERR?")
         return Identity("HP", found[1], "", "")
 

@@ -12,8 +12,8 @@ from drivers.framing.columns import JUMP_S, OwnClock
 from drivers.framing.crc16 import crc16
 from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps, overloaded
+from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
-from labcal.bench.driver_kit.framing import Lines
 from labcal.bench.driver_kit.roles import ChannelSpec, Identity
 from labcal.bench.driver_kit.settings import NotNegative
 from labcal.bench.links import Link
@@ -87,24 +87,21 @@ class Parser:
 
     def __init__(self, source: str, settings: Settings, mishaps: Mishaps) -> None:
         self._source, self._settings, self._mishaps = source, settings, mishaps
-        self._lines = Lines(longest=LONGEST, skip_first=True)
+        self._lines = SentLines(mishaps, LONGEST)
         self._clock, self._number, self._ms, self._wraps_s = OwnClock(mishaps), -1, 0, 0.0
 
     def feed(self, pieces: Pieces) -> list[Block]:
         """The block of the lines that these pieces complete, in the unit of the settings."""
-        taken = [(stamp, line, self._row(stamp, line)) for stamp, line in self._lines.feed(pieces) if line.strip()]
-        if self._lines.too_long:
-            self._mishaps.note("bad frame", pieces[-1][0], self._lines.too_long)
-            self._lines.too_long = 0
-        good = [(stamp, line, row) for stamp, line, row in taken if row is not None]
-        if not good:
+        stamps, rows, raw = self._lines.rows(pieces, self._row)
+        if not rows:
             return []
-        table, host_s = np.array([row for _, _, row in good]), np.array([stamp for stamp, _, _ in good])
-        t = host_s if self._settings.stamp == "host" else self._clock.tie(host_s, table[:, 0])
-        values, raw = table[:, 1:] * np.array(self._settings.scale), b"".join(b"%b\n" % line for _, line, _ in good)
+        table, t = np.array(rows), np.array(stamps)
+        if self._settings.stamp == "device":
+            t = self._clock.tie(t, table[:, 0])
+        values = table[:, 1:] * np.array(self._settings.scale)
         return [Block("dut", self._source, ("dut_x", "dut_y", "dut_z"), t - self._settings.delay_s, values, raw)]
 
-    def _row(self, stamp: float, line: bytes) -> tuple[float, ...] | None:
+    def _row(self, stamp: float, line: bytes) -> list[float] | None:
         """The board's time [s] and counts; None, noted, where the line is no good."""
         found = LINE.fullmatch(line)
         if found is None or crc16(line.rpartition(b"*")[0]) != int(found[5], 16):
@@ -119,7 +116,7 @@ class Parser:
         if found[4] == b"full":
             raise overloaded(self._source)
         self._count(stamp, int(found[1]))
-        return (self._time_s(int(found[3])), *map(float, found[4].split()))
+        return [self._time_s(int(found[3])), *map(float, found[4].split())]
 
     def _count(self, stamp: float, number: int) -> None:
         if self._number >= 0 and (lost := (number - self._number - 1) % NUMBERS):

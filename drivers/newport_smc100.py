@@ -22,7 +22,8 @@ HOMING, MOVING = (0x1E, 0x1F), (0x28,)
 READY = range(0x32, 0x36)
 DISABLED = range(0x3C, 0x3F)
 NO_ERROR = "@"
-POLLED = {"TS": "[0-9A-F]{6}", "TP": r"[-+.0-9E]+"}  # what may be asked again, and what its reply is
+# what may be asked again, and what its reply is
+POLLED = {"TS": "[0-9A-F]{6}", "TP": r"[-+]?(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?"}
 ERRORS = {
     "A": "unknown message", "B": "wrong address", "C": "parameter out of range", "D": "not allowed",
     "E": "it homes already", "G": "beyond its range", "H": "it is not referenced", "I": "it is being configured",

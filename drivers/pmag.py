@@ -8,11 +8,13 @@ from drivers.framing import nmea
 from drivers.framing.columns import Columns, Table, channels, numbers
 from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
+from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
-from labcal.bench.driver_kit.framing import Lines
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
 from labcal.record.stream import Block
+
+LONGEST = 500  # what may stand before a sentence on its line, which has 82 signs at most
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,23 +46,16 @@ class Parser:
 
     def __init__(self, source: str, settings: Settings, mishaps: Mishaps) -> None:
         self._settings, self._mishaps = settings, mishaps
-        self._lines, self._table = Lines(longest=500, skip_first=True), Table(source, settings, mishaps)
+        self._lines, self._table = SentLines(mishaps, LONGEST), Table(source, settings, mishaps)
 
     def feed(self, pieces: Pieces) -> list[Block]:
         """The blocks of the sentences that these pieces complete."""
-        stamps, rows, raw = list[float](), list[list[float]](), list[bytes]()
-        for stamp, line in self._lines.feed(pieces):
-            if (row := self._row(stamp, line)) is not None:
-                stamps.append(stamp)
-                rows.append(row)
-                raw.append(line + b"\n")
-        return self._table.blocks(stamps, rows, b"".join(raw))
+        return self._table.blocks(*self._lines.rows(pieces, self._row))
 
     def _row(self, stamp: float, line: bytes) -> list[float] | None:
         sentence = nmea.fields(line)
         if sentence is None:
-            if line.strip():
-                self._mishaps.note("checksum" if nmea.looks_whole(line) else "bad frame", stamp)
+            self._mishaps.note("checksum" if nmea.looks_whole(line) else "bad frame", stamp)
             return None
         name, values = sentence
         if name != self._settings.sentence:

@@ -14,6 +14,7 @@ ERROR_QUEUED = 4  # of the status byte
 UNKNOWN, RANGE = '-113,"Undefined header"', '-222,"Data out of range"'
 ERRORS = ("SYST:ERR?", "SYST:ERR:NEXT?")
 WORD = re.compile(r"[A-Z]+")
+OWN = {"CUR": "CURR", "VOL": "VOLT"}  # Delta Elektronika's short forms
 IMPLIED = re.compile(r":(?:LEV|IMM|AMPL|DC|SCAL|STAT)(?=[:?]|$)")  # nodes that may be left out
 
 
@@ -25,7 +26,7 @@ def short(message: str) -> str:
 
 
 def _short(word: str) -> str:
-    return word if len(word) <= 4 else word[:3] if word[3] in "AEIOU" else word[:4]
+    return OWN.get(word, word) if len(word) <= 4 else word[:3] if word[3] in "AEIOU" else word[:4]
 
 
 @dataclass

@@ -13,7 +13,7 @@ from drivers.framing import apt
 COUNTS_PER_DEG, VELOCITY = 409_600 / 3, 53.68
 HOMED, CONNECTED, HOMING, FORWARD, BACKWARD, ENABLED = 0x400, 0x100, 0x200, 0x10, 0x20, 0x80000000
 REPLY_S, PAUSE_S, FAR_DEG, ACCELERATION = 0.002, 0.1, 1e4, 15_020
-RELATIVE = 0x0448
+RELATIVE, UPDATE, UPDATES_S = 0x0448, 0x0481, 0.1
 LONG = {apt.SET_VELOCITY: "<Hiii", apt.SET_HOMING: "<HHHii", apt.MOVE_ABSOLUTE: "<Hi", RELATIVE: "<Hi"}
 
 
@@ -28,7 +28,7 @@ class AptEmulator(Replies):
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__()
         self._platform, self._came, self._ends = lab.platform, b"", 0
-        self._last_s = -math.inf
+        self._last_s, self._update_s = -math.inf, math.inf
         self._counts = settings.counts_per_deg or COUNTS_PER_DEG
         self.homed, self.enabled, self.faults = False, False, 0
         per_s = self._counts * VELOCITY
@@ -52,12 +52,15 @@ class AptEmulator(Replies):
                 self._do(t_s, number, came, length >> 8)
 
     def due_s(self) -> float:
-        """When it says something next: an answer, or that it has come to rest."""
-        return min(super().due_s(), self._rests_s())
+        """When it says something next: an answer, how it stands, or that it has come to rest."""
+        return min(super().due_s(), self._rests_s(), self._update_s)
 
     def emit(self, until_s: float) -> Pieces:
-        """Answers, and that a move is over."""
+        """Answers, how it stands ten times a second where that was asked for, and that a move is over."""
         pieces = super().emit(until_s)
+        while self._update_s <= until_s:
+            pieces.append((self._update_s, self._message(UPDATE, self._status(self._update_s))))
+            self._update_s += UPDATES_S
         if (rests_s := self._rests_s()) <= until_s:
             number, self._ends = self._ends, 0
             self.homed |= number == apt.HOMED
@@ -87,6 +90,8 @@ class AptEmulator(Replies):
                 self._begin(t_s, (here + self._last[number]) / self._counts, self._velocity[2], apt.COMPLETED)
             case 0x0457, ():
                 self._begin(t_s, FAR_DEG if second == 1 else -FAR_DEG, self._velocity[2], apt.COMPLETED)
+            case ((apt.START_UPDATES | apt.STOP_UPDATES), ()):
+                self._update_s = t_s + UPDATES_S if number == apt.START_UPDATES else math.inf
             case apt.STOP, ():
                 self._platform.stop(t_s)
                 self._ends = apt.STOPPED

@@ -12,7 +12,7 @@ from labcal.errors import InstrumentError
 HOST, USB = 0x01, 0x50  # places: this computer, a controller of one motor
 WITH_DATA = 0x80  # set in the destination where data follow, whose length stands in the place of two parameters
 HEAD, LONGEST = 6, 128
-REQ_INFO, GET_INFO, STOP_UPDATES = 0x0005, 0x0006, 0x0012
+REQ_INFO, GET_INFO, START_UPDATES, STOP_UPDATES = 0x0005, 0x0006, 0x0011, 0x0012
 RICH_RESPONSE = 0x0081  # a fault, told unasked
 SET_ENABLED = 0x0210
 REQ_POSITION, GET_POSITION = 0x0411, 0x0412
@@ -78,7 +78,7 @@ class Conversation:
         wanted = asked + 1
         self.link.flush()
         self.send(asked)
-        while (got := self._message())[0] in UNASKED:
+        while (got := self._message(wanted))[0] in UNASKED:
             pass
         number, data = got
         if number == RICH_RESPONSE:
@@ -88,15 +88,26 @@ class Conversation:
             raise self._wrong(f"message {number:04X} with {len(data)} bytes is not {wanted:04X}")
         return struct.unpack(FORMS[wanted], data)
 
-    def _message(self) -> tuple[int, bytes]:
+    def _message(self, wanted: int) -> tuple[int, bytes]:
         head = self.link.ask(b"", end=HEAD, timeout_s=self.timeout_s)
         number, length, to, _ = struct.unpack("<HHBB", head)
-        if to == HOST:
+        if to == HOST and number in UNASKED:
             return number, b""
-        if to != HOST | WITH_DATA or not 0 < length <= LONGEST:
-            self.link.flush()
-            raise self._wrong(f"{quoted(head)} begins no message to this computer")
+        if to != HOST | WITH_DATA or number not in {wanted, RICH_RESPONSE, *UNASKED} or not 0 < length <= LONGEST:
+            self._pass_over(head, wanted)
+            number, length = wanted, struct.calcsize(FORMS[wanted])
         return number, self.link.ask(b"", end=length, timeout_s=self.timeout_s)
+
+    def _pass_over(self, head: bytes, wanted: int) -> None:
+        """Up to the data of the answer: what is told unasked may have lost its beginning before the question."""
+        self.link.give_back(0.0, head)
+        answer = struct.pack("<HHBB", wanted, struct.calcsize(FORMS[wanted]), HOST | WITH_DATA, USB)
+        try:
+            self.link.ask(b"", end=answer, timeout_s=self.timeout_s)
+        except InstrumentError as error:
+            if error.fault != "silent":
+                raise
+            raise self._wrong(f"{quoted(head)} begins no message to this computer") from error
 
     def _wrong(self, what: str) -> InstrumentError:
         return InstrumentError(f"{self.name}: {what}.", fault="wrong reply")

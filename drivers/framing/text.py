@@ -8,9 +8,7 @@ from typing import Literal
 
 from drivers.framing.columns import ColumnMap, numbers
 from drivers.framing.mishaps import Mishaps
-from labcal.bench.driver_kit.framing import Lines
-
-Rows = tuple[list[float], list[list[float]], bytes]  # stamps of first bytes, rows, the lines as they came, ends too
+from drivers.framing.sent_lines import Rows, SentLines
 
 
 @dataclass(frozen=True)  # without slots, so that a column map can stand beside it
@@ -32,23 +30,16 @@ class TextRows:
 
     def __init__(self, text: Text, columns: ColumnMap, mishaps: Mishaps) -> None:
         self._text, self._columns, self._mishaps = text, columns, mishaps
-        self._lines = Lines(longest=text.longest, skip_first=True)
+        self._lines = SentLines(mishaps, text.longest)
 
     def feed(self, pieces: Sequence[tuple[float, bytes]]) -> Rows:
         """Stamps, rows and raw lines that these pieces complete."""
-        stamps, rows, raw = list[float](), list[list[float]](), list[bytes]()
-        for stamp, line in self._lines.feed(pieces):
-            words = line.strip(b"\r \0").decode("latin-1")
-            if not words or (self._text.comment and words.startswith(self._text.comment)):
-                continue
-            row = numbers(words.split(self._text.delimiter), self._columns, self._text.decimal)
-            if row is None:
-                self._mishaps.note("bad frame", stamp)
-                continue
-            stamps.append(stamp)
-            rows.append(row)
-            raw.append(line + b"\n")
-        if self._lines.too_long:
-            self._mishaps.note("bad frame", pieces[-1][0], self._lines.too_long)
-            self._lines.too_long = 0
-        return stamps, rows, b"".join(raw)
+        return self._lines.rows(pieces, self._row)
+
+    def _row(self, stamp: float, line: bytes) -> list[float] | None:
+        words = line.strip(b"\r \0").decode("latin-1")
+        if self._text.comment and words.startswith(self._text.comment):
+            return None
+        if (row := numbers(words.split(self._text.delimiter), self._columns, self._text.decimal)) is None:
+            self._mishaps.note("bad frame", stamp)
+        return row

@@ -77,6 +77,14 @@ def three_on_one_pair() -> str:
     return text
 
 
+def three_genesys() -> str:
+    """Three Genesys on one RS-485 pair, told apart by whom the line heard last."""
+    text = three_on_one_pair().replace("riden-rd60xx", "genesys")
+    for number in (1, 2, 3):
+        text = text.replace(f"{{ address = {number} }}", f"{{ address = {number}, max_current_A = 3.0 }}")
+    return text
+
+
 class OneSocket(serving.TcpOutlet):
     """A supply that takes one connection, and serves no other until that one is gone."""
 

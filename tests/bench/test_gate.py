@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import threading
 import time
+from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from drivers import korad_ka3005p
-from labcal.bench.clock import RealClock
-from labcal.bench.guardian.gate import Gate, GatedLink
+from labcal.bench.clock import RealClock, VirtualClock
+from labcal.bench.config import read_config
+from labcal.bench.guardian.gate import Gate, GatedLink, GatedLoader
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError
 
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 SLOW_S = 0.2  # of this instrument, to answer
 
 
@@ -111,6 +115,23 @@ def test_a_healthy_line_waits_for_nothing() -> None:
     for _ in range(3):
         assert link.ask(b"who?\n", end=b"\n", timeout_s=2.0) == b"answer to who?\n"
     assert time.monotonic() - begun < 3 * SLOW_S + 0.25
+
+
+def test_supplies_on_one_line_each_answer_for_themselves_behind_it(tmp_path: Path) -> None:
+    text = EXAMPLE.read_text()
+    for address, axis in enumerate("xyz", 6):
+        head = f"[instruments.supply_{axis}]\n"
+        ours = f'{head}driver = "genesys"\nlink = "emulated://pair"\nsettings = {{ address = {address} }}\n'
+        text = text.replace(f'{head}driver = "tti-pl"\nlink = "emulated://"\n', ours)
+    (path := tmp_path / "bench.toml").write_text(text)
+    loader = GatedLoader(path, read_config(path), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), 1)
+    supplies: list[Any] = [loader.instrument(f"supply_{axis}") for axis in "xyz"]
+    for current_A, supply in enumerate(supplies):
+        supply.identify()
+        supply.output(True)
+        supply.set_current(current_A)
+    loader.clock.wait_until(loader.clock.now() + 3.0)
+    assert [round(supply.measure_current(), 2) for supply in supplies] == [0.0, 1.0, 2.0]
 
 
 def test_of_replies_without_an_end_likewise_and_the_supply_is_not_blamed() -> None:

@@ -40,8 +40,12 @@ def test_who_it_is() -> None:
 def test_another_instrument_and_one_that_delivers_less_are_refused() -> None:
     with ps([text("00", b"PSI 9080-60"), *WHO[1:]]) as supply, pytest.raises(InstrumentError, match="not a PS 2000"):
         supply.identify()
-    with ps([*WHO, NOMINAL], max_current_A=12.0) as supply, pytest.raises(InstrumentError, match="delivers 10 A"):
+    with (
+        ps([*WHO, NOMINAL], max_current_A=12.0) as supply,
+        pytest.raises(InstrumentError, match="delivers 10 A") as caught,
+    ):
         supply.identify()
+    assert caught.value.fault == "wrong set-up"  # of another instrument's fault it would be told no zero
 
 
 def test_a_current_is_a_share_of_its_nominal_one_and_is_read_back() -> None:

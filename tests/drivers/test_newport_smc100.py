@@ -69,7 +69,8 @@ def test_ready_off_the_target_is_not_arrived() -> None:
 
 def test_a_garbled_state_or_position_is_asked_for_again_ten_times_at_most() -> None:
     wire = [(b"1TS\r\n", b"1TS00\xff033\r\n"), (b"1TS\r\n", b"TS000033\r\n"), status(b"000033"),
-            (b"1TP\r\n", b"1TP3 0.5\r\n"), (b"1TP\r\n", b"1TP30.5\r\n"),
+            (b"1TP\r\n", b"1TP3 0.5\r\n"), (b"1TP\r\n", b"1TP.\r\n"), (b"1TP\r\n", b"1TP3.0.5\r\n"),
+            (b"1TP\r\n", b"1TP-\r\n"), (b"1TP\r\n", b"1TP30.5\r\n"),
             *[(b"1TP\r\n", b"1TP\x7f0.5\r\n")] * 10]  # fmt: skip
     with scripted(Smc100Stage, wire) as stage:
         assert not stage.moving()

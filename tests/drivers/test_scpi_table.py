@@ -285,6 +285,13 @@ def test_its_emulator_understands_every_word_of_a_table(name: str) -> None:
     assert rig.coil_A() == pytest.approx(0.0, abs=0.001)
 
 
+@pytest.mark.parametrize("asked", [b"SOURce:CURrent?", b"SOUR:CUR?", b"SOURCE:CURRENT?"])
+def test_the_emulated_sm_knows_the_makers_own_short_words_and_the_long_ones(asked: bytes) -> None:
+    rig = installed("scpi-table", forbidden=[], settings={"model": "delta-sm"}).rig()
+    rig.line.send(b"SOURce:CURrent 1.5\n")
+    assert float(rig.line.ask(asked + b"\n", end=b"\n", timeout_s=1.0)) == 1.5
+
+
 def test_a_table_of_ones_own_keeps_the_promises_of_a_supply() -> None:
     table = TypeAdapter(Table).validate_python(plain())
     check_driver("scpi-table", forbidden=[b"*RST\n"], settings={"table": table})

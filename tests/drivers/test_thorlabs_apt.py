@@ -75,6 +75,13 @@ def test_a_move_is_told_once_and_what_comes_unasked_is_no_answer() -> None:
         assert not motor.moving()
 
 
+@pytest.mark.parametrize("cut", range(1, len(COMPLETED)))
+def test_the_end_of_a_message_whose_beginning_was_dropped_before_the_question_is_passed_over(cut: int) -> None:
+    asked, said = bits(MOVING)
+    with stage([(asked, COMPLETED[cut:] + said)]) as motor:
+        assert motor.moving()
+
+
 def test_another_velocity_is_told_and_read_back() -> None:
     set_5 = tell("1304 0E00 D0 01 0100 00000000 AC3A0000 AB2A2F02")
     held = ask(0x0414, "0100 00000000 AC3A0000 AB2A2F02")
@@ -121,6 +128,18 @@ def test_at_rest_without_its_place_is_a_fault() -> None:
 def test_a_stop_brakes() -> None:
     with stage([tell("6504 01 02 50 01")]) as motor:
         motor.make_safe()
+
+
+def test_status_updates_that_another_program_has_begun_are_ended() -> None:
+    rig: DriverRig = installed("thorlabs-apt", forbidden=[]).rig()
+    rig.emulator.take(rig.clock.now(), bytes.fromhex("1100 00 00 50 01"))
+    since_s = rig.clock.now()
+    rig.wait(1.0)
+    updates = rig.emulator.emit(since_s + 0.95)
+    assert [data[:2] for _, data in updates] == [b"\x81\x04"] * 9
+    rig.driver.identify()
+    rig.wait(1.0)
+    assert rig.emulator.emit(rig.clock.now()) == []
 
 
 def test_a_foreign_library_reads_what_the_emulator_says_and_it_hears_what_that_says() -> None:

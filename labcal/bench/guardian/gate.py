@@ -138,7 +138,11 @@ class GatedLoader(Loader):
     """Opens the instruments of one line, with its gate between each driver and the line."""
 
     gate: Gate = field(default_factory=Gate)
+    gated: dict[str, Link] = field(default_factory=dict)
 
     def link(self, name: str) -> Link:
-        """The link of one instrument, gated."""
-        return GatedLink(super().link(name), self.gate, self.clock)
+        """The gated link of one instrument; one for all on a line, by which a driver knows whom it addressed last."""
+        line = self.line_of(name)
+        if line not in self.gated:
+            self.gated[line] = GatedLink(super().link(name), self.gate, self.clock)
+        return self.gated[line]
