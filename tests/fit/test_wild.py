@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from labcal.fit import fit
+from labcal.fit.draft import draft_calibration
 from labcal.fit.wild import wild_rows
 from labcal.record import Run
 
@@ -34,6 +35,13 @@ def test_a_reading_that_no_field_made_is_as_one_that_is_missing(clean: Run, valu
     assert np.array_equal(found.affine.K, missing.affine.K)
     assert found.rms_scalar_nT == missing.rms_scalar_nT
     assert found.holdout_rms_scalar_nT == missing.holdout_rms_scalar_nT
+
+
+def test_the_draft_states_the_raw_residual_without_it(clean: Run) -> None:
+    wild = with_wild(clean, 2_147_483_647.0, [17])
+    stated = draft_calibration(wild, fit(wild), "00" * 32).metrics["before"]["rms_scalar_nT"]
+    whole = draft_calibration(clean, fit(clean), "00" * 32).metrics["before"]["rms_scalar_nT"]
+    assert stated == pytest.approx(whole, rel=0.05)
 
 
 def test_what_a_large_offset_or_another_unit_makes_is_no_wild_reading(clean: Run) -> None:
