@@ -41,6 +41,7 @@ def fit(
     from labcal import session
     from labcal.certificate import stated_by_people
     from labcal.fit.document import document
+    from labcal.fit.wild import wild_rows
     from labcal.session.conformity import fit_conformity
 
     stated = stated_by_people(until, supersedes)
@@ -52,6 +53,8 @@ def fit(
         write_json(document(measured, fits), json_file, "fit", inputs=session.paths(run), force=force)
     if json_file != "-":
         _show_fits(fits)
+    if (wild := int(wild_rows(measured).sum())) > 0:
+        say(f"left out: {wild} of {len(measured)} readings, which no field made (twenty times the others)", err=True)
     chosen = next((f for f in fits if f.method == "ml"), fits[0])
     if json_file != "-" and (judged := fit_conformity(measured, chosen)) is not None:
         show_conformity(judged)

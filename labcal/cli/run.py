@@ -41,10 +41,13 @@ class ProgressChoice(StrEnum):
     none = "none"
 
 
+OWN_BENCH = Path("bench.toml")
+
+
 @app.command("run", rich_help_panel="Bench")
 def run(
     procedure: str | None = typer.Argument(None, help="A procedure's name, or a file ./my_test.py; none: list them."),
-    bench: Path | None = typer.Option(None, help="The bench file."),
+    bench: Path | None = typer.Option(None, help="The bench file; else bench.toml in this folder."),
     dut: str | None = typer.Option(
         None, metavar="SERIAL", help="The DUT's serial number, instead of the bench file's."
     ),
@@ -136,9 +139,10 @@ def _override(who: str | None, because: str, key: str | None) -> Override | None
 
 
 def _bench(given: Path | None) -> Path:
-    if given is None:
-        raise InputError("which bench? say --bench FILE")
-    return given
+    """The bench file that is named, else the one that lies in the current folder."""
+    if given is None and not OWN_BENCH.is_file():
+        raise InputError(f"which bench? no {OWN_BENCH} lies in this folder: say --bench FILE")
+    return given or OWN_BENCH
 
 
 def _goes_on(procedure: str | None, run_id: str, bench: Path) -> str:

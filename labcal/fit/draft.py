@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.fit.result import Fit
+from labcal.fit.wild import without_wild
 from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.apply import apply
 from labcal.model.effects import of_temperature
@@ -90,7 +91,7 @@ def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:
     """Magnitude residuals of the raw readings and of the fit, and the noise that the fit met."""
     before: dict[str, float] = {}
     if run.reference.kind != "none":
-        raw = np.linalg.norm(run.reading_nT, axis=1) - run.magnitude_nT
+        raw = np.linalg.norm(without_wild(run).reading_nT, axis=1) - run.magnitude_nT
         before["rms_scalar_nT"] = float(np.sqrt(np.nanmean(raw**2)))
     after = {
         "rms_scalar_nT": found.rms_scalar_nT,

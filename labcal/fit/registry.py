@@ -16,6 +16,7 @@ from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.fit.metrics import axis_errors_deg, folds, reading_bias_nT, scalar_residual
 from labcal.fit.result import Fit
+from labcal.fit.wild import without_wild
 from labcal.record import Run
 
 Estimator = Callable[..., Fit]
@@ -41,9 +42,10 @@ def fit(run: Run, method: str = "ml", *, holdout: bool = True, **options: Any) -
 
     An estimator is a pure function `(run, **options) -> Fit`; it answers `ok=False` where the run does not determine
     its parameters. Residuals, held-out residuals (skipped with `holdout=False`), axis errors and the time are added
-    here. Raises InputError for a method that does not exist.
+    here. Readings that no field made (`wild_rows`) are missing to all of it. Raises InputError for a method that does
+    not exist.
     """
-    estimator = load_method(method)
+    estimator, run = load_method(method), without_wild(run)
     start = time.perf_counter()
     found = _estimate(estimator, method, run, options)
     found = replace(found, method=method, seconds=time.perf_counter() - start)

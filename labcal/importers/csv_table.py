@@ -60,18 +60,23 @@ def has_decimal_commas(path: Path) -> bool:
 
 
 def _as_utf8(path: Path) -> BinaryIO:
-    """The file as UTF-8: what a spreadsheet wrote in UTF-16, or in a code page of Windows, is turned into it."""
-    source = path.open("rb")
-    head = source.read(SNIFFED)
-    source.seek(0)
+    """The file as UTF-8: what a spreadsheet wrote in UTF-16, or in a code page of Windows, is turned into it.
+
+    Raises InputError for what is no text, or has lines that end in CR alone.
+    """
+    with path.open("rb") as source:
+        head = source.read(SNIFFED)
     if head[:2] in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE):
-        return cast(BinaryIO, codecs.EncodedFile(source, "utf-8", "utf-16"))
+        return cast(BinaryIO, codecs.EncodedFile(path.open("rb"), "utf-8", "utf-16"))
+    if b"\0" in head:
+        raise InputError("has zero bytes: no table of text, or one in UTF-16 without its byte order mark", file=path)
+    if b"\r" in head and b"\n" not in head:
+        raise InputError("lines end in CR alone; expected LF or CRLF", file=path, line=1)
     try:
         codecs.getincrementaldecoder("utf-8")().decode(head)
     except UnicodeDecodeError:
-        if b"\0" not in head:
-            return cast(BinaryIO, codecs.EncodedFile(source, "utf-8", "cp1252", errors="replace"))
-    return source
+        return cast(BinaryIO, codecs.EncodedFile(path.open("rb"), "utf-8", "cp1252", errors="replace"))
+    return path.open("rb")
 
 
 def _lines(blocks: Iterator[tuple[int, list[str]]], form: CsvForm) -> Iterator[tuple[int, str]]:

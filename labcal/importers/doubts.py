@@ -13,6 +13,7 @@ from itertools import permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.importers.stamps import LAST_DATE_S
 from labcal.record import Run, carry
 
 Array = NDArray[np.float64]
@@ -69,6 +70,9 @@ def _times(clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:
         if clock.n > 1 and not SHORTEST_S <= clock.period_s <= LONGEST_S:
             what = f"the samples of {name} would be {clock.period_s:.3g} s apart: is the unit of its time right?"
             yield ImportFinding(what, "time")
+        elif clock.last_s > LAST_DATE_S:  # milliseconds since 1970 that were stated as seconds
+            what = f"the stamps of {name} reach {clock.last_s:.4g} s, and no clock has counted so far"
+            yield ImportFinding(f"{what}: is the unit of its time right?", "time")
 
 
 def _apart(clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFinding]:

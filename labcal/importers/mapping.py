@@ -196,6 +196,12 @@ class SegmentPart(_Part):
     u_axis_cage_deg: Spread | None = None
     u_time_s: Spread | None = None
 
+    @model_validator(mode="after")
+    def _ends_after_it_begins(self) -> Self:
+        if self.start_s is not None and self.end_s is not None and self.end_s <= self.start_s:
+            raise ValueError(f"the segment ends at {self.end_s:g} s, and begins at {self.start_s:g} s")
+        return self
+
     def segment(self) -> Segment:
         """As the record knows it."""
         return Segment(**{k: v for k, v in self if k not in ("file", "start_s", "end_s")})

@@ -173,7 +173,7 @@ def _same_length(stream: Stream, names: Sequence[str]) -> bool:
 
 CHANNELS: Mapping[str, tuple[tuple[str, float, float], ...]] = {  # by name; unit where the median lies between
     r"temp": (("K", 200.0, 400.0), ("degC", -60.0, 150.0)),
-    r"curr|_amps?\b|^i_|_ma$": (("A", -1e3, 1e3), ("mA", -1e6, 1e6)),
+    r"curr|_amps?\b|^i_|_ma$|[\[(]m?A[\])]$": (("A", -1e3, 1e3), ("mA", -1e6, 1e6)),
     r"volt|^u_|_mv$": (("V", -1e3, 1e3), ("mV", -1e6, 1e6)),
 }
 
@@ -188,7 +188,8 @@ def channels(stream: Stream, taken: set[str]) -> Iterator[Resemblance]:
         for pattern, units in CHANNELS.items():
             fits = [unit for unit, least, most in units if least <= middle <= most]
             if re.search(pattern, name, re.IGNORECASE) and fits:
-                yield Resemblance((name,), fits[0], f"{middle:.4g} in the median")
+                stated = (unit for unit in fits if re.search(rf"[^A-Za-z]{unit}[\])]?$", name))
+                yield Resemblance((name,), next(stated, fits[0]), f"{middle:.4g} in the median")
                 break
         else:
             if name.isdigit() and 250 < middle < 350 and np.ptp(known) < 120:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from hashlib import file_digest
 from itertools import pairwise
@@ -22,6 +22,7 @@ from labcal.importers.stamps import Stamps, clock_of, is_date, stamps_of, utc
 from labcal.importers.units import nT_OF
 from labcal.record import Run, period_s
 from labcal.record.assemble import interpolated
+from labcal.store.limits import listed
 
 Array = NDArray[np.float64]
 Change = Callable[[Array], Array]
@@ -48,7 +49,7 @@ def take_in(path: Path, format_: str, mapping: Mapping) -> Imported:
     run = run_of(mapping, whole, started, opened.note(), path.stem or path.name)
     used = np.isin(whole.t_s, run.t_s) if len(run) < len(whole.t_s) else slice(None)
     seen = doubts(run, whole.clocks, None if whole.attitude is None else whole.attitude[used])
-    seen += findings(run, whole.clocks)
+    seen += [*findings(run, whole.clocks), *_left_out(mapping, len(whole.t_s), run)]
     _refuse(seen, mapping, path)
     return Imported(run, tuple(finding.text for finding in seen))
 
@@ -69,6 +70,15 @@ def _beside(path: Path, name: str) -> Path:
     if Path(name).is_absolute() or ".." in Path(name).parts:
         raise InputError(f"the mapping names {name!r}: files lie in the recording's own folder", file=path)
     return (path if path.is_dir() else path.parent) / name
+
+
+def _left_out(mapping: Mapping, n: int, run: Run) -> Iterator[ImportFinding]:
+    """Readings that lie in no segment, and segments in which none lies."""
+    if len(run) < n:
+        yield ImportFinding(f"{n - len(run)} of {n} readings lie in none of the segments, and are left out")
+    there = {segment.id for segment in run.segments}
+    if empty := [part.id for part in mapping.segments if part.id not in there]:
+        yield ImportFinding(f"no reading lies in segment {listed(empty)}: is its time that of the run's clock?")
 
 
 def _refuse(seen: Sequence[ImportFinding], mapping: Mapping, path: Path) -> None:
@@ -226,7 +236,15 @@ def _angle(mapping: Mapping, own: _Readings) -> Array | None:
     if part is None:
         return None
     factor = part.sign * (1.0 if part.unit == "deg" else 180 / np.pi)
-    return own.bring(part, "angle", (part.column,), lambda v: np.unwrap(v * factor, period=360.0, axis=0))[:, 0]
+    return own.bring(part, "angle", (part.column,), lambda v: _unwrapped(v[:, 0] * factor)[:, None])[:, 0]
+
+
+def _unwrapped(angle_deg: Array) -> Array:
+    """Angles (n,) [deg] that run on at the full turn, over those that are missing."""
+    known = np.isfinite(angle_deg)
+    out = np.array(angle_deg)
+    out[known] = np.unwrap(out[known], period=360.0)
+    return out
 
 
 def _channels(mapping: Mapping, own: _Readings) -> dict[str, Array]:

@@ -114,10 +114,12 @@ def _segments(mapping: Mapping, rows: FileRows) -> tuple[tuple[Segment, ...], ND
     if not mapping.segments:
         return (Segment("all", "free"),), np.zeros(len(rows.t_s), dtype=np.intp)
     index = np.full(len(rows.t_s), -1, dtype=np.intp)
-    for number, part in enumerate(mapping.segments):
-        start = -np.inf if part.start_s is None else part.start_s
-        end = np.inf if part.end_s is None else part.end_s
-        index[(rows.t_s >= start) & (rows.t_s < end) & (index < 0)] = number
+    begins = [-np.inf if part.start_s is None else part.start_s for part in mapping.segments]
+    # the latest to begin has a row that several could have: one without an end lasts until the next begins
+    for number in sorted(range(len(begins)), key=lambda n: -begins[n]):
+        end = mapping.segments[number].end_s
+        after = rows.t_s >= begins[number]
+        index[after & (rows.t_s < (np.inf if end is None else end)) & (index < 0)] = number
     there = [n for n in range(len(mapping.segments)) if (index == n).any()]
     place = np.full(len(mapping.segments) + 1, -1, dtype=np.intp)
     place[there] = np.arange(len(there))

@@ -39,9 +39,10 @@ class ImportResult:
 def import_foreign(asked: ImportRequest) -> ImportResult:
     """Take in what others wrote. Raises InputError where that is nothing labcal knows."""
     if asked.kind not in IMPORTS:
-        raise InputError(
-            f"there is no --from {asked.kind[:40]!r}; it is one of {', '.join(IMPORTS)}, or left out: a bundle"
-        )
+        from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS
+
+        kinds = ", ".join((*IMPORTS, *FOREIGN_CALIBRATIONS))
+        raise InputError(f"there is no --from {asked.kind[:40]!r}; it is one of {kinds}, or left out: a bundle")
     return IMPORTS[asked.kind](asked)
 
 

@@ -71,7 +71,7 @@ def _table(data: bytes, header: RunJson, file: str) -> ColumnTable:
     known = {*FIXED_COLUMNS, *header.channels}
     texts = {"segment", "mode"}
     required = ("t_s", "segment", *DUT, *REFERENCE[header.reference.kind])
-    table = read_table(data, file=file, numbers=known - texts, texts=texts, required=required, must_end=True)
+    table = read_table(data, file=file, numbers=known - texts, texts=texts, required=required)
     for name in table.header:
         if name not in known:
             what = f"run.json declares no channel of this name; it has {listed(header.channels) or 'none'}"

@@ -74,8 +74,7 @@ class ColumnTable:
 class TableReader:
     """Reads those of the columns `numbers` and `texts` that are there; the others stay in each row's own text.
 
-    `required` columns must be there. With `must_end` a last line without a line end counts as cut off, since a
-    number that lost its last digits looks like any other. Raises InputError at the first fault.
+    `required` columns must be there; the last line needs no line end. Raises InputError at the first fault.
     """
 
     def __init__(
@@ -86,14 +85,15 @@ class TableReader:
         numbers: Collection[str],
         texts: Collection[str] = (),
         required: Collection[str] = (),
-        must_end: bool = False,
     ) -> None:
         self.file = str(file)
-        self._blocks = line_blocks(source, self.file, must_end)
+        self._blocks = line_blocks(source, self.file)
         _, self._first = next(self._blocks, (1, list[str]()))
         if not self._first:
             raise InputError("expected a header row, found an empty file", file=self.file, line=1)
         self.header_line = self._first[0]
+        if "\r" in self.header_line:
+            raise InputError("lines end in CR alone; expected LF or CRLF", file=self.file, line=1)
         self.header = _header(self.header_line, self.file, required)
         self._numbers, self._texts = frozenset(numbers), frozenset(texts)
 
@@ -137,11 +137,8 @@ def read_table(
     numbers: Collection[str],
     texts: Collection[str] = (),
     required: Collection[str] = (),
-    must_end: bool = False,
 ) -> ColumnTable:
     """The whole of a table that is in memory, as `TableReader`. Raises InputError at the first fault."""
-    if must_end and data and not data.endswith(b"\n"):
-        raise _cut_off(data, file)
     reader = TableReader(io.BytesIO(data), file=file, numbers=numbers, texts=texts, required=required)
     rows, columns = data.count(b"\n"), len(reader.header)
     if rows * columns > MOST_CELLS:
@@ -157,15 +154,6 @@ def read_table(
         {c: np.concatenate([np.empty(0), *(p.numbers.pop(c) for p in pieces)]) for c in names if c in numbers},
         {c: [cell for piece in pieces for cell in piece.texts[c]] for c in names if c in texts},
     )
-
-
-def _cut_off(data: bytes, file: object) -> InputError:
-    """What is wrong with a file that does not end in a line end: its encoding, its line ends, or it was cut."""
-    decode(data, file=str(file))  # a text of another encoding is no text that was cut
-    if b"\n" not in data and b"\r" in data:
-        return InputError("lines end in CR alone; expected LF or CRLF", file=file, line=1)
-    line = data.count(b"\n") + 1
-    return InputError("the last line has no line end: the file looks cut off", file=file, line=line)
 
 
 def _with_few_words(piece: Piece, words: dict[str, dict[str, str]]) -> Piece:
@@ -204,10 +192,10 @@ def decode(data: bytes, *, file: str, line: int = 1) -> str:
         raise InputError(f"expected UTF-8 text, found byte 0x{data[error.start]:02x}", file=file, line=line) from None
 
 
-def line_blocks(source: BinaryIO, file: str, must_end: bool = False) -> Iterator[tuple[int, list[str]]]:
+def line_blocks(source: BinaryIO, file: str) -> Iterator[tuple[int, list[str]]]:
     """Whole lines, some at a time, with the number of the first; without line ends and empty lines at the end."""
     line, blank = 1, 0
-    for data in _whole_lines(source, file, must_end):
+    for data in _whole_lines(source, file):
         kept = data.rstrip(b"\r\n")
         if not kept:
             blank += data.count(b"\n")
@@ -220,7 +208,7 @@ def line_blocks(source: BinaryIO, file: str, must_end: bool = False) -> Iterator
         line, blank = line + len(lines), max(data.count(b"\n", len(kept)) - 1, 0)
 
 
-def _whole_lines(source: BinaryIO, file: str, must_end: bool) -> Iterator[bytes]:
+def _whole_lines(source: BinaryIO, file: str) -> Iterator[bytes]:
     """The bytes up to a line end each, the last ones as they are."""
     rest, line = b"", 1
     while data := source.read(AT_ONCE):
@@ -231,8 +219,6 @@ def _whole_lines(source: BinaryIO, file: str, must_end: bool) -> Iterator[bytes]
             raise InputError(f"a line is longer than {LONGEST_LINE // MiB} MiB", file=file, line=line)
         if whole:
             yield whole
-    if rest and must_end:
-        raise InputError("the last line has no line end: the file looks cut off", file=file, line=line)
     if rest:
         yield rest
 

@@ -250,6 +250,14 @@ def test_each_of_a_hundred_omissions_is_named_with_its_clause(whole: Calibration
     assert missed == []
 
 
+def test_a_map_without_effects_or_specification_lacks_nothing_of_them(whole: Calibration, run: Run):
+    bare = replace(
+        whole, effects=(), specification=(), covariance=np.diag([1e-10] * 9 + [4.0] * 3),
+        covariance_of=whole.covariance_of[:12],
+    )  # fmt: skip
+    assert objections(etree.fromstring(xml_of(bare, run))) == ()
+
+
 @pytest.mark.parametrize(
     ("unit", "name"),
     [

@@ -67,6 +67,7 @@ def test_the_earth_s_field_tells_the_unit(unit: str, field: float, nT: float, tm
         (b"A = 1 0 0 0 1 0 0 0 1\nb = 1 2 3\nunit = oersted", "is none of"),
         (b"A = 1 0 0 0 1 0 0 0 1\nb = 1 2 3\nexpmfs = 3", "the Earth's in none"),
         (b"A = 1 0 0 0 1 0 0 0 1e999\nb = 1 2 3", "finite"),
+        (b"A = 1e308 0 0 0 1e308 0 0 0 1\nb = 1 2 3", "beyond 1e"),
         (b"\xff\xfe\x00", "neither text"),
         (b"MATLAB 5.0 MAT-file" + bytes(200), "no MATLAB file"),
     ],
@@ -77,9 +78,15 @@ def test_what_is_no_calibration_is_a_sentence(text: bytes, says: str, tmp_path: 
         read_foreign(tmp_path / "a.txt", "magcal")
 
 
+def test_complex_numbers_are_no_calibration(tmp_path: Path) -> None:
+    savemat(tmp_path / "cal.mat", {"A": A + 0.1j, "b": b})
+    with pytest.raises(InputError, match="complex"):
+        read_foreign(tmp_path / "cal.mat", "magcal")
+
+
 def test_a_matrix_that_maps_two_readings_to_one_field_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("A = 0 0 0 0 1 0 0 0 1\nb = 1 2 3\n")
-    with pytest.raises(InputError, match="K: is not invertible"):
+    with pytest.raises(InputError, match=r"a\.txt: K: is not invertible"):
         import_calibration(tmp_path / "a.txt", "magneto")
     assert not (tmp_path / "a.calibration.json").exists()
 

@@ -48,6 +48,17 @@ def test_a_setting_that_is_there_twice_is_refused(capsys: pytest.CaptureFixture[
     assert "--set duration_s is there twice" in capsys.readouterr().err
 
 
+def test_without_bench_it_is_the_one_of_this_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert labcal(["run", "ambient"]) == 2
+    assert "no bench.toml lies in this folder" in capsys.readouterr().err
+    (tmp_path / "bench.toml").write_bytes(SIMULATED.read_bytes())
+    assert labcal(["run", "ambient", "--set", "duration_s=1"]) == 2
+    assert "duration_s" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("name", ["a" * 101, "ada\x1b[31m", "ada\nlovelace"])
 def test_an_operator_is_one_printable_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert labcal(["run", "ambient", "--bench", str(SIMULATED), "--operator", name]) == 2

@@ -111,3 +111,11 @@ def test_the_mappings_of_the_measured_data_are_read_and_say_what_makes_them(name
 
 def test_there_are_mappings_of_four_public_sets() -> None:
     assert len(list(EXAMPLES.glob("*.toml"))) >= 4
+
+
+def test_an_unknown_kind_is_told_all_that_there_are(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "log.xml").write_text("<log/>")
+    assert labcal(["import", str(tmp_path / "log.xml"), "--from", "xml"]) == 2
+    said = capsys.readouterr().err
+    assert "imagcdf" in said
+    assert "magcal" in said

@@ -125,6 +125,13 @@ def test_a_unit_of_time_that_cannot_be_is_named(tmp_path: Path) -> None:
     assert "2.5e+05 s apart" in told
 
 
+def test_milliseconds_since_1970_stated_as_seconds_are_named(tmp_path: Path) -> None:
+    columns = table(tumble())
+    columns["t"] = (1.77e9 + columns["t"]) * 1e3  # a sample in 250 "seconds"
+    assert "no clock has counted so far" in refused(tmp_path, columns, "time")
+    assert imported(tmp_path, columns, ('unit = "s"', 'unit = "ms"')).run.t_s[-1] == pytest.approx(99.75)
+
+
 def test_a_good_recording_is_taken_without_a_word(tmp_path: Path) -> None:
     assert imported(tmp_path, table(tumble())).remarks == ()
 

@@ -55,6 +55,16 @@ def test_units_by_the_earth_s_field_and_by_what_makes_a_usual_rate(
     assert f'unit = "{unit}"' in text
 
 
+@pytest.mark.parametrize("name", ["I (mA)", "I_EPS [mA]", "bus_current_mA"])
+def test_a_channel_s_unit_is_the_one_that_its_header_states(name: str, tmp_path: Path) -> None:
+    made = tumble()
+    milliampere = 50.0 + 10 * np.sin(made.t_s)  # as ampere it would be as likely
+    text = guessed(tmp_path, csv(tmp_path / "log.csv", table(made, **{name: milliampere})), "csv")
+    assert f'column = "{name}"' in text
+    [channel] = take_in(tmp_path / "log.csv", "csv", read_mapping(tmp_path / "map.toml")).run.channels[1:]
+    assert np.nanmax(channel.values) == pytest.approx(0.06, rel=0.01)
+
+
 def test_temperature_current_gravity_and_a_quaternion_are_seen(tmp_path: Path) -> None:
     made = tumble()
     n = len(made.t_s)

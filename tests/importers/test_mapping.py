@@ -28,6 +28,12 @@ WRONG = {  # change, more at the end, line, words
         24,
         "segments.1.kind",
     ),
+    "a segment that ends before it begins": (
+        ("", ""),
+        '[[segments]]\nid = "a"\nstart_s = 9.0\nend_s = 3.0\n',
+        20,
+        "ends at 3 s",
+    ),
     "two segments of a name": (("", ""), '[[segments]]\nid = "a"\n[[segments]]\nid = "a"\n', None, "same id"),
     "counts without their size": (('unit = "nT"\n\n[ref', 'unit = "count"\n\n[ref'), "", None, "nominal_nT_per_count"),
     "an attitude of a body's reference": (

@@ -144,6 +144,29 @@ def test_segments_by_time_and_by_a_column(tmp_path: Path) -> None:
     assert [s.id for s in run.segments] == ["1.0", "2.0", "1.0-2"]
 
 
+def test_a_segment_without_an_end_lasts_until_the_next_begins(tmp_path: Path) -> None:
+    named = zip("cab", (15.0, 0.0, 5.0), strict=True)
+    more = "".join(f'[[segments]]\nid = "{name}"\nstart_s = {start}\n' for name, start in named)
+    run = imported(tmp_path, tumble(100), more=more).run  # 25 s
+    assert {segment.id: len(run.rows(i)) for i, segment in enumerate(run.segments)} == {"a": 20, "b": 40, "c": 40}
+
+
+def test_what_lies_in_no_segment_is_said(tmp_path: Path) -> None:
+    more = '[[segments]]\nid = "a"\nend_s = 5.0\n[[segments]]\nid = "b"\nstart_s = 900.0\n'
+    remarks = imported(tmp_path, tumble(100), more=more).remarks
+    assert [one for one in remarks if "80 of 100 readings lie in none" in one]
+    assert [one for one in remarks if "no reading lies in segment b" in one]
+
+
+def test_a_missing_angle_is_one_missing_angle(tmp_path: Path) -> None:
+    angle = np.mod(np.linspace(300.0, 420.0, 100), 360.0)
+    angle[40] = np.nan
+    run = imported(tmp_path, tumble(100), more='[angle]\ncolumn = "turn"\nunit = "deg"\n', turn=angle).run
+    assert run.angle_deg is not None
+    assert np.flatnonzero(np.isnan(run.angle_deg)).tolist() == [40]
+    assert run.angle_deg[-1] == pytest.approx(420.0)
+
+
 WRONG = {
     "a row too short": ("t,mx,my,mz,rx,ry,rz\n0,1,2,3,4,5,6\n1,1,2,3\n", 3, "expected 7 cells"),
     "a word for a number": ("t,mx,my,mz,rx,ry,rz\n0,1,2,3,4,5,6\n1,1,two,3,4,5,6\n", 3, "expected a number"),
@@ -156,6 +179,8 @@ WRONG = {
     "a header alone": ("t,mx,my,mz,rx,ry,rz\n", None, "found none"),
     "nothing": ("", None, "empty"),
     "bytes": ("\x01\x02\x03", None, "found none"),
+    "two bytes a letter": ("t,mx,my,mz\n0,1,2,3\n".encode("utf-16-le").decode(), None, "byte order mark"),
+    "lines of CR alone": ("t,mx,my,mz,rx,ry,rz\r0,1,2,3,4,5,6\r", 1, "CR alone"),
     "columns without end": (",".join(map(str, range(5000))) + "\n", None, "more than 4096"),
 }  # fmt: skip
 

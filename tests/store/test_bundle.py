@@ -102,15 +102,24 @@ def test_the_attitude_carries_one_axis_from_the_other(bundle, absent: str) -> No
     assert list(getattr(read_bundle(bundle(change)).segments[0], absent)) == axes[absent]
 
 
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+def test_the_last_line_needs_no_line_end(bundle, line_end: str, sample_rows: str) -> None:
+    whole = read_bundle(bundle(rows=sample_rows))
+    bare = read_bundle(bundle(rows=sample_rows.rstrip().replace("\n", line_end).encode()))
+    assert np.array_equal(bare.t_s, whole.t_s)
+    assert np.array_equal(bare.reading, whole.reading, equal_nan=True)
+    assert np.array_equal(bare.channels[-1].values, whole.channels[-1].values, equal_nan=True)
+
+
 @pytest.mark.parametrize(
     ("encoded", "words"),
     [
         (lambda text: text.encode("utf-16"), "line 1: expected UTF-8 text, found byte 0xff"),
         (lambda text: text.replace("\n", "\r").encode(), "line 1: lines end in CR alone; expected LF or CRLF"),
-        (lambda text: text.rstrip().encode(), "the last line has no line end: the file looks cut off"),
+        (lambda text: text.rpartition(",")[0].encode(), "line 4, column 12: expected 12 cells"),
     ],
 )
-def test_a_file_that_does_not_end_in_a_line_end_says_why(bundle, encoded: Any, words: str, sample_rows: str) -> None:
+def test_a_file_of_other_lines_or_letters_says_why(bundle, encoded: Any, words: str, sample_rows: str) -> None:
     with pytest.raises(InputError, match=words):
         read_bundle(bundle(rows=encoded(sample_rows)))
 
@@ -151,15 +160,16 @@ def test_a_wrong_cell_is_named_by_file_line_and_column(
         assert caught.value.column == column
 
 
-def test_every_truncation_of_the_rows_is_refused_or_ends_at_a_row(bundle, sample_rows: str) -> None:
-    data = sample_rows.encode()
+def test_a_truncation_of_the_rows_is_refused_unless_it_leaves_every_cell(bundle, sample_rows: str) -> None:
+    data, cells = sample_rows.encode(), sample_rows.partition("\n")[0].count(",")
     for length in range(len(data)):
-        path = bundle(rows=data[:length])
-        if data[:length].endswith(b"\n") and data[:length].count(b"\n") > 1:
-            assert len(read_bundle(path)) == data[:length].count(b"\n") - 1
-            continue
-        with pytest.raises(InputError):
-            read_bundle(path)
+        left = data[:length].decode()
+        rows = left.splitlines()[1:]
+        if left.endswith("\n") and rows:
+            assert len(read_bundle(bundle(rows=left))) == len(rows)
+        elif not rows or rows[-1].count(",") < cells:
+            with pytest.raises(InputError):
+                read_bundle(bundle(rows=left))
 
 
 @pytest.mark.parametrize(

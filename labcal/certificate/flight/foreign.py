@@ -22,6 +22,7 @@ from labcal.errors import InputError
 from labcal.files.plain_file import read_limited
 from labcal.model import AffineMap, Calibration, Validity
 from labcal.record import Dut
+from labcal.record.physical import LARGEST_NUMBER
 from labcal.version import __version__
 
 Array = NDArray[np.float64]
@@ -110,11 +111,15 @@ def _numbers(stated: Mapping[str, Any], name: str, count: int) -> Array:
     if name not in stated:
         raise InputError(f"{name} is missing: {WANTED}")
     try:
+        if np.iscomplexobj(stated[name]):
+            raise ValueError
         found = np.asarray(stated[name], dtype=float).ravel()
     except (TypeError, ValueError):
-        raise InputError(f"{name} is no numbers: {WANTED}") from None
+        raise InputError(f"{name} is no numbers, or complex ones: {WANTED}") from None
     if len(found) != count or not np.isfinite(found).all():
         raise InputError(f"{name} has {len(found)} numbers, not {count} finite ones: {WANTED}")
+    if np.abs(found).max() > LARGEST_NUMBER:
+        raise InputError(f"{name} has a number beyond {LARGEST_NUMBER:g}")
     return found
 
 
