@@ -198,8 +198,8 @@ class Bench:
         self.dut.start()
         self._listened_s = self._next_angle_s = self._next_coils_s = now = self.clock.now()
         self._watches = [
-            StreamWatch(sensor.name, stated.silent_s, stated.stuck_s, now)
-            for sensor, stated in ((self.dut, self.config.dut), (self.reference, self.config.reference))
+            StreamWatch(stream.name, stated.silent_s, stated.stuck_s, now, stream.period_s)
+            for stream, stated in ((self._streams[0], self.config.dut), (self._streams[1], self.config.reference))
         ]
         self._limits = self._temperature_limits(now)
         self._streaming = self.cage.check.streaming = True
@@ -287,7 +287,7 @@ class Bench:
     def _listens_s(self) -> float:
         """When the streams are listened to next; what is asked, or is lost, says when."""
         soon_s = math.inf if math.isinf(self.clock.listen_s) else self._listened_s + LISTEN_S
-        return min(soon_s, *(stream.due_s() for stream in self._streams))
+        return min(soon_s, *(stream.due_s() for stream in self._streams if not self._left_alone(stream)))
 
     def _reference_missed_s(self) -> float:
         """How long the reference may be missed: with coils on, what two seconds leave after the ramp to zero."""
@@ -332,7 +332,7 @@ class Bench:
         left_s = math.inf, self._reference_missed_s()
         for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:
-                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left)
+                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left, stream.spoilt)
             except InstrumentError as fault:
                 faults.append(fault)
         if faults:
@@ -343,7 +343,13 @@ class Bench:
             self._field_limit.see(readings[1], float(np.linalg.norm(self.cage.ambient_nT)))
         self.cage.refuse_what_is_not_seen()
 
+    def _left_alone(self, stream: Reconnecting) -> bool:
+        """Whether it fails and would be waited for: not while the coils come down."""
+        return bool(stream.wrong) and self.cage.to_zero_since_s is not None and math.isfinite(stream.due_s())
+
     def _read(self, stream: Reconnecting, now: float, faults: list[InstrumentError]) -> list[Block]:
+        if self._left_alone(stream):
+            return []
         try:
             return stream.read_until(now)
         except InstrumentError as fault:
