@@ -1,4 +1,4 @@
-"""FileEntry points, read from the files of packages: `importlib.metadata` takes longer to load than a supply to be asked.
+"""Entry points, read from the files of packages: `importlib.metadata` takes longer to load than a supply to be asked.
 
 Only what lies in folders of `sys.path` is seen: where a name is not found here, `importlib.metadata` knows better.
 """
