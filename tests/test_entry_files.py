@@ -38,9 +38,8 @@ def installed(folder: Path, package: str, text: str) -> None:
 def test_of_a_package_that_is_there_twice_the_first_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     installed(tmp_path / "a", "one-1", "[labcal.drivers]\nnew = os.path:join\n[others]\nodd = os:x\n")
     installed(tmp_path / "b", "One-2", "[labcal.drivers]\nold = os.path:join\n")
-    installed(tmp_path / "b", "two-2", "# nothing\n\n[ labcal.drivers ]\n[labcal.drivers]\n; x\n")
+    installed(tmp_path / "b", "two-2", "# nothing\n\n[ labcal.drivers ]\n[labcal.drivers]\n")
     monkeypatch.setattr(sys, "path", [str(tmp_path / "a"), str(tmp_path / "b"), str(tmp_path / "not there")])
-    assert {name: entry.value for name, entry in entry_files.entries("labcal.drivers").items()} == {
-        "new": "os.path:join"
-    }
+    found = {name: entry.value for name, entry in entry_files.entries("labcal.drivers").items()}
+    assert found == {"new": "os.path:join"}
     assert [entry.name for entry in entry_points(group="labcal.drivers")] == ["new"]
