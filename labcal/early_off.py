@@ -69,7 +69,7 @@ def reported(file: Path, ended: list[AtZero]) -> int:
     """Say on stdout how each coil ended, and what may be said of all; the exit code."""
     for end in ended:
         current = "unknown " if end.current_A is None else f"{end.current_A:+.4f} A  {BY_WORD}:"
-        print(one_line(f"coil {end.axis}: {current} {end.words}"), flush=True)
+        print(one_line(f"coil {end.axis}: {current} {end.words}{end.age_words}"), flush=True)
     from labcal.bench.coils.doubt import left_so  # when all that was read back is said
     from labcal.bench.shutdown import unread
 
