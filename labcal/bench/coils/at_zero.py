@@ -9,7 +9,7 @@ from labcal.errors import InstrumentError
 
 BY_WORD = "by the supply's word only"  # of who has no reference to ask
 ORDERED = "taking the coils to zero: ordered, and no read-back told yet …"
-FROM_HERE = "what no guardian holds is to be asked for zero from here; no read-back is told yet …"
+FROM_HERE = "taking to zero from here what no guardian holds: no read-back told yet …"
 NOT_ORDERED = "zero is to be ordered: no guardian has answered yet …"
 FRESH_S = 2.0  # what was read back longer ago is told as past
 SLOW_S = 0.7  # so long after it was wanted that is said
