@@ -42,6 +42,7 @@ class Lemi025(Listener):
     """Readings keep the spacing of GPS seconds; a second that is missing is reported as a gap of ten samples."""
 
     roles = ("reference",)
+    period_s = 1.0  # between two records
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.settings = settings

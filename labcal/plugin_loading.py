@@ -7,12 +7,14 @@ import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from labcal.errors import InputError
 from labcal.files.text_safety import one_line
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 KINDS = {  # entry-point groups, and what one of them is called
     "labcal.drivers": "driver",
@@ -24,6 +26,29 @@ KINDS = {  # entry-point groups, and what one of them is called
     "labcal.pages": "page",
 }
 OURS = (str(Path(__file__).parent), str(Path(importlib.__file__).parent), "<frozen ")
+
+
+class AnyEntry(Protocol):
+    """An entry point, however it was found."""
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        ...
+
+    @property
+    def value(self) -> str:
+        """module:attribute."""
+        ...
+
+    @property
+    def group(self) -> str:
+        """One of KINDS."""
+        ...
+
+    def load(self) -> Any:
+        """Import it."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +64,8 @@ class Part:
 
 def parts() -> list[Part]:
     """What packages other than labcal bring, by kind and name; each is loaded once, to see that it can be."""
+    from importlib.metadata import entry_points  # slow to load, and who only switches coils off does not need it
+
     found = [e for group in KINDS for e in sorted(entry_points(group=group), key=lambda e: e.name)]
     return [_part(entry) for entry in found if entry.dist is None or entry.dist.name != "labcal"]
 
@@ -52,13 +79,13 @@ def _part(entry: EntryPoint) -> Part:
     return Part(KINDS[entry.group], entry.name, package, entry.value)
 
 
-def load(entry: EntryPoint) -> Any:
+def load(entry: AnyEntry) -> Any:
     """What `entry` names. Raises InputError with the file and line of the fault, an exit too."""
     with blamed(named(entry), "as it is loaded"):
         return entry.load()
 
 
-def named(entry: EntryPoint) -> str:
+def named(entry: AnyEntry) -> str:
     """How an entry point is spoken of."""
     return f"entry point {entry.name!r} of {entry.group} ({entry.value})"
 

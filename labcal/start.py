@@ -19,8 +19,8 @@ def main() -> None:
 
         from labcal.bench import early_off
 
-        if early_off.is_off(sys.argv[1:]):
-            early_off.begin(Path(sys.argv[3]))
+        if early_off.is_off(sys.argv[1:]) and (code := early_off.off(Path(sys.argv[3]))) is not None:
+            sys.exit(code)
     from labcal import cli
 
     signal.signal(signal.SIGINT, orders)

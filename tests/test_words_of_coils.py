@@ -87,6 +87,7 @@ NO_CLAIM = {
     "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
     "`labcal bench off` sets zero and reads it back. Then start the run again.": HELP,
     "taking the coils to zero: ordered, and no read-back told yet …": REFUSED,
+    "taking to zero from here what no guardian holds: no read-back told yet …": REFUSED,
     "to zero: {}": REFUSED,
     "taken to zero": REFUSED,
     "{} was to be made safe": REFUSED,

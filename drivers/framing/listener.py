@@ -71,6 +71,11 @@ class Listener:
         self._mishaps = Mishaps(self.name)
         self._parser = self._begin(self._mishaps)
 
+    @property
+    def spoilt(self) -> int:
+        """How many messages came since `start` that were no good."""
+        return self._mishaps.total.total()
+
     def read_until(self, t_s: float) -> list[Block]:
         """What arrived up to `t_s`."""
         return self._parser.feed(self._link.receive(t_s))

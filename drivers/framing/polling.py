@@ -10,6 +10,8 @@ from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.record.stream import Event
 
+REPLY_S, BEATS = 0.5, 2.0
+
 
 class Polls:
     """Moments to ask at, `rate` a second; a beat that was missed is left out, not made up for."""
@@ -28,6 +30,11 @@ class Polls:
     def next_s(self) -> float:
         """The next moment; inf where there is none."""
         return self._next_s
+
+    @property
+    def reply_s(self) -> float:
+        """How long a reply may take of an instrument that keeps up with the rate."""
+        return max(REPLY_S, BEATS * self._period_s)
 
     def due(self, t_s: float) -> Iterator[float]:
         """Wait for each moment up to `t_s` and give the time when it is there; then wait for `t_s`."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import deque
 from collections.abc import Callable
@@ -45,14 +46,17 @@ class Scpi:
         self._in_step = InStep(self.name, self.link, self.clock)
         self.refuse_earlier = self._in_step.refuse_earlier
 
-    def query(self, text: str) -> str:
-        """Ask and return the reply. Raises InstrumentError: silent, or refused where the question was lost."""
+    def query(self, text: str, within_s: float = math.inf) -> str:
+        """Ask and return the reply, waited for `within_s` where that is less than `timeout_s`.
+
+        Raises InstrumentError: silent, or refused where the question was lost.
+        """
         self._in_step.settle()
         self.send(text)
-        reply = self._line()
+        reply = self._line(within_s)
         for _ in range(MOST_ECHOES * self.may_echo):
             if reply in self._sent:
-                reply = self._line()
+                reply = self._line(within_s)
         self._free_s = self.clock.now() + self.gap_s
         if NAK in reply:
             raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
@@ -76,8 +80,9 @@ class Scpi:
         self._sent.append(text.encode())
         self._free_s = self.clock.now() + self.gap_s
 
-    def _line(self) -> bytes:
-        return self.link.ask(b"", end=self.end[-1:], timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
+    def _line(self, within_s: float) -> bytes:
+        timeout_s = min(self.timeout_s, within_s)
+        return self.link.ask(b"", end=self.end[-1:], timeout_s=timeout_s).strip(FLOW + b"\r\n ")
 
     def _none(self, error: str) -> bool:
         return error.startswith(("0,", "+0,")) or _evenly(error) == _evenly(self.no_error)

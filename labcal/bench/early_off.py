@@ -1,4 +1,7 @@
-"""`labcal bench off FILE` begins here: to load the command line first would take longer than the way to zero."""
+"""`labcal bench off FILE`: to load the command line first would take longer than the way to zero.
+
+What was read back is said here too, within a moment of its reading; what went wrong is for the command line to say.
+"""
 
 from __future__ import annotations
 
@@ -10,20 +13,35 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labcal.bench.coils.at_zero import SLOW_S
+from labcal.bench.coils.at_zero import BY_WORD, SLOW_S
 from labcal.files.home import SECRETS
-from labcal.files.text_safety import one_line
+from labcal.files.text_safety import in_utf8, one_line
 from labcal.system.private_memory import kept_private
 
 if TYPE_CHECKING:
     from labcal.bench.coils.at_zero import AtZero
 
+DONE, INSTRUMENT_FAILED = 0, 3  # as the command line's
 _ended: dict[Path, list[AtZero] | Exception] = {}
 
 
 def is_off(words: Sequence[str]) -> bool:
     """Whether this is `bench off FILE` and nothing else: what has options is for the command line to read."""
     return len(words) == 3 and [*words[:2]] == ["bench", "off"] and not words[2].startswith("-")
+
+
+def off(file: Path) -> int | None:
+    """Bring the coils down and say how they ended; the exit code, None where the command line has more to say."""
+    in_utf8()
+    begin(file)
+    ended = _ended[file]
+    if isinstance(ended, Exception):
+        return None
+    try:
+        return reported(file, ended)
+    except Exception as error:  # nobody reads, or a fault of ours: as above
+        _ended[file] = error
+        return None
 
 
 def begin(file: Path) -> None:
@@ -45,6 +63,20 @@ def coils_off(file: Path) -> list[AtZero]:
     if isinstance(ended, Exception):
         raise ended
     return ended
+
+
+def reported(file: Path, ended: list[AtZero]) -> int:
+    """Say on stdout how each coil ended, and what may be said of all; the exit code."""
+    for end in ended:
+        current = "unknown " if end.current_A is None else f"{end.current_A:+.4f} A  {BY_WORD}:"
+        print(one_line(f"coil {end.axis}: {current} {end.words}{end.age_words}"), flush=True)
+    from labcal.bench.coils.doubt import left_so  # when all that was read back is said
+    from labcal.bench.shutdown import unread
+
+    if why := unread(file):
+        aloud(f"! {why}. Reported above is what was driven under this name.")
+    print(one_line(left_so(file, ended)), flush=True)
+    return INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE
 
 
 @contextmanager

@@ -69,8 +69,8 @@ class Listening:
         self._dut.start()
         self._listened_s = now = self._clock.now()
         self._watches = [
-            StreamWatch(sensor.name, stated.silent_s, stated.stuck_s, now)
-            for sensor, stated in ((self._dut, self._config.dut), (self._reference, self._config.reference))
+            StreamWatch(stream.name, stated.silent_s, stated.stuck_s, now, stream.period_s)
+            for stream, stated in zip(self._streams, (self._config.dut, self._config.reference), strict=True)
         ]
         self._limits = self._temperature_limits(now)
         self.on = self._cage.check.streaming = True
@@ -85,13 +85,13 @@ class Listening:
     def due_s(self) -> float:
         """When to listen next; what is asked, or is lost, says when."""
         soon_s = math.inf if math.isinf(self._clock.listen_s) else self._listened_s + LISTEN_S
-        return min(soon_s, *(stream.due_s() for stream in self._streams))
+        return min(soon_s, *(stream.due_s() for stream in self._streams if not self._left_alone(stream)))
 
     def listen(self) -> None:
         """Take in what has come. What one stream or one watch finds wrong is raised when all have been looked at."""
         self._listened_s = now = self._clock.now()
         faults = list[InstrumentError]()
-        dut, reference = (_read(stream, now, faults) for stream in self._streams)
+        dut, reference = (self._read(stream, now, faults) for stream in self._streams)
         readings = dut, [self._into_cage(block) for block in reference]
         self._arrived += [*readings[0], *readings[1]]
         self._cage.check.unheard(self._streams[1].wrong)
@@ -102,7 +102,7 @@ class Listening:
         left_s = math.inf, self._reference_missed_s()
         for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:
-                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left)
+                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left, stream.spoilt)
             except InstrumentError as fault:
                 faults.append(fault)
         if faults:
@@ -141,6 +141,19 @@ class Listening:
         lines = [stream.wrong for stream in self._streams if stream.name == name]
         return [*lines, *(watch.wrong(name) for watch in self._watches)]
 
+    def _left_alone(self, stream: Reconnecting) -> bool:
+        """Whether it fails and would be waited for: not while the coils come down."""
+        return bool(stream.wrong) and self._cage.to_zero_since_s is not None and math.isfinite(stream.due_s())
+
+    def _read(self, stream: Reconnecting, now: float, faults: list[InstrumentError]) -> list[Block]:
+        if self._left_alone(stream):
+            return []
+        try:
+            return stream.read_until(now)
+        except InstrumentError as fault:
+            faults.append(fault)
+            return []
+
     def _reference_missed_s(self) -> float:
         """How long the reference may be missed: with coils on, what two seconds leave after the ramp to zero."""
         on = self._cage.on and not blind(self._config.reference)
@@ -178,14 +191,6 @@ class Listening:
             return block
         field = into_cage(block.values, self._config.reference)
         return replace(block, values=field if self._carry is None else field + self._carry.at(self._cage.flowing_A))
-
-
-def _read(stream: Reconnecting, now: float, faults: list[InstrumentError]) -> list[Block]:
-    try:
-        return stream.read_until(now)
-    except InstrumentError as fault:
-        faults.append(fault)
-        return []
 
 
 def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:

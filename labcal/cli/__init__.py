@@ -7,7 +7,6 @@ import gc
 import os
 import re
 import sys
-from io import TextIOWrapper
 from typing import Any, cast
 
 import typer
@@ -16,7 +15,7 @@ from typer.core import TyperGroup
 from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.files.home import SECRETS
-from labcal.files.text_safety import without_passwords
+from labcal.files.text_safety import in_utf8, without_passwords
 from labcal.system.private_memory import kept_private
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
@@ -56,10 +55,7 @@ app = typer.Typer(
 
 def main() -> None:
     """Run the command line; every fault ends in one sentence and its exit code (contract: commands)."""
-    sys.stdout, sys.stderr = sys.stdout or open(os.devnull, "w"), sys.stderr or open(os.devnull, "w")  # noqa: SIM115
-    for stream in (sys.stdout, sys.stderr):  # whatever the system's own encoding: JSON is UTF-8
-        if isinstance(stream, TextIOWrapper):
-            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
+    in_utf8()
     if any(name in os.environ for name in SECRETS):
         kept_private()
     gc.set_threshold(50_000)  # libraries that load make many objects, and nearly all of them stay

@@ -83,21 +83,9 @@ def find(
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
-    from labcal.bench.coils.at_zero import BY_WORD
-    from labcal.bench.early_off import coils_off
+    from labcal.bench.early_off import coils_off, reported
 
-    ended = coils_off(file)
-    from labcal.bench.shutdown import unread
-
-    for end in ended:
-        current = "unknown " if end.current_A is None else f"{end.current_A:+.4f} A  {BY_WORD}:"
-        say(f"coil {end.axis}: {current} {end.words}")
-    from labcal.bench.coils.doubt import left_so  # when all that was read back is said: this takes a moment to load
-
-    if why := unread(file):
-        say(f"! {why}. Reported above is what was driven under this name.", err=True)
-    say(left_so(file, ended))
-    raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
+    raise typer.Exit(reported(file, coils_off(file)))
 
 
 @bench.command()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -57,6 +56,8 @@ def replaceable(path: Path) -> None:
 
 def _beside(path: Path) -> Path:
     """An empty file of a new name in the folder of `path`."""
+    import tempfile  # loads what chance needs: not for who only asks for a path
+
     try:
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:60]}.", suffix=".part")
     except OSError as error:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import sys
+from io import TextIOWrapper
 from typing import Any
 
 # What a terminal obeys, what turns the direction of reading, and what XML or UTF-8 cannot write.
@@ -15,6 +18,14 @@ _UNSEEN = re.compile(
 )
 # Of a URL: up to the last @, for one that is not written %40 is part of the password; or as a setting after the ?.
 _PASSWORD = re.compile(r"(?<=://)([^\s/:@]*:)\S*(?=@)|([?&](?:ssl)?password=)[^\s&]*")
+
+
+def in_utf8() -> None:
+    """What this process says is UTF-8, as JSON is, whatever the system's own encoding; nowhere, if nobody listens."""
+    sys.stdout, sys.stderr = sys.stdout or open(os.devnull, "w"), sys.stderr or open(os.devnull, "w")  # noqa: SIM115
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
 
 
 def without_passwords(text: str) -> str:

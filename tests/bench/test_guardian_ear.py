@@ -8,6 +8,7 @@ import select
 import socket
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import closing, suppress
 from pathlib import Path
@@ -123,6 +124,20 @@ def test_a_session_that_talks_nonsense_is_gone(ear: Ear, line: bytes) -> None:
         assert hung_up(caller)
     assert session is not None
     until(lambda: session.gone)
+
+
+def test_a_person_hears_of_zero_before_the_panels_are_given_back(ear: Ear, monkeypatch: pytest.MonkeyPatch) -> None:
+    heard, given_back = threading.Event(), threading.Event()
+
+    def slow() -> None:  # as on a line that takes a second for it
+        assert heard.wait(LONG_S)
+        given_back.set()
+
+    monkeypatch.setattr(ear.coils, "give_back", slow)
+    assert ear.asked({"order": "zero"})[0]["value"] == []
+    assert not given_back.is_set()
+    heard.set()
+    assert given_back.wait(LONG_S)
 
 
 @pytest.mark.parametrize(

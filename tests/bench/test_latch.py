@@ -229,11 +229,14 @@ def test_a_connection_that_was_forgotten_at_its_other_end_is_opened_anew_in_time
     wire = bench.spoil(["unheard"] * 10_000, 0.0)
     monkeypatch.setattr(bench._link, "reopen", wire.fates.clear)
     begun = bench.clock.now()
-    bench.guardian.zero("the session ends")
+    ended = bench.guardian.zero("the session ends")
     after = begun + np.arange(0.0, 2.0, 0.01)
     flowing = np.abs(np.column_stack([coil.current.at(after) for coil in bench.lab.coils.values()])).max(axis=1)
     assert flowing[0] > 0.9
     assert flowing[-1] < 0.01
+    silent = [(end.axis, end.fault.what) for end in ended if end.fault]
+    assert silent
+    assert [what for axis, what in silent if f"supply_{axis}" not in what] == []
     assert all(abs(end.current_A) < 0.01 for end in bench.guardian.zero("once more"))
 
 

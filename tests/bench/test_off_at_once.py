@@ -22,7 +22,7 @@ from labcal.errors import InputError
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs ptys, which Windows lacks")
 UNLOCKED = example().replace("interface_lock = true, ", "")
-SLOW_TO_LOAD = {"numpy", "scipy", "pydantic", "typer", "rich"}
+SLOW_TO_LOAD = {"numpy", "scipy", "pydantic", "typer", "rich", "annotated_types", "importlib.metadata"}
 LOADED_AT_THE_FIRST_WORD = f"""
 import os, sys
 from labcal.bench.links import wired
@@ -46,6 +46,17 @@ def test_nothing_slow_is_loaded_before_the_supplies_are_asked(lab: Served) -> No
     assert said.stdout.count("zero, open") == 3
     assert said.stderr.count("loaded:") > 3
     assert {line for line in said.stderr.splitlines() if line.startswith("loaded:")} == {"loaded:"}
+
+
+@POSIX
+@pytest.mark.parametrize("bench_text", [UNLOCKED], ids=["unlocked"])
+def test_nothing_slow_is_loaded_before_its_last_word_so_that_what_was_read_is_not_old_by_then(lab: Served) -> None:
+    words = [sys.executable, "-X", "importtime", *LABCAL[1:], "bench", "off", str(lab.file)]
+    said = subprocess.run(words, capture_output=True, text=True, timeout=LONG_S)
+    loaded = {line.rpartition("|")[2].strip() for line in said.stderr.splitlines()}
+    assert "labcal.bench.coils.doubt" in loaded
+    assert loaded & SLOW_TO_LOAD == set()
+    assert said.stdout.splitlines()[-1] == "zero by the supply's word only: no reference was asked"
 
 
 def test_with_an_option_the_command_line_is_asked_what_was_meant() -> None:

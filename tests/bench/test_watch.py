@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -23,6 +24,42 @@ def test_a_silent_stream_is_noticed_and_a_slow_one_is_not() -> None:
     with pytest.raises(InstrumentError) as caught:
         watch.see([], 4.1)
     assert caught.value.fault == "silent"
+
+
+def sends(watch: StreamWatch, times: np.ndarray, left_s: float) -> None:
+    """A reading at each of these times, seen at once."""
+    for t in times:
+        watch.see([reference(np.array([t]), np.full((1, 3), t))], float(t), left_s=left_s)
+
+
+@pytest.mark.parametrize(("period_s", "missed_s"), [(1.0, 1.2), (None, 2.0)])
+def test_one_that_sends_once_a_second_is_missed_by_its_own_rate_where_that_is_stated(
+    period_s: float | None, missed_s: float
+) -> None:
+    watch = StreamWatch("ref", 3.0, 60.0, 0.0, period_s)
+    sends(watch, np.arange(10.0), 0.5)
+    watch.see([], 9.0 + missed_s - 0.01, left_s=0.5)
+    with pytest.raises(InstrumentError, match="no sample"):
+        watch.see([], 9.0 + missed_s + 0.01, left_s=0.5)
+
+
+def test_one_that_is_slower_than_stated_is_missed_by_the_longest_of_its_pauses() -> None:
+    watch = StreamWatch("ref", 3.0, 60.0, 0.0, 1.0)
+    sends(watch, np.array([0.0, 1.0, 2.1]), 0.5)
+    watch.see([], 3.39, left_s=0.5)  # 1.1 s was not too long before
+    sends(watch, np.array([3.4, 4.9]), math.inf)
+    watch.see([], 6.59, left_s=0.5)
+    with pytest.raises(InstrumentError, match="no sample"):
+        watch.see([], 6.61, left_s=0.5)
+
+
+def test_one_whose_message_was_spoilt_is_there() -> None:
+    watch = StreamWatch("ref", 3.0, 60.0, 0.0, 1.0)
+    sends(watch, np.arange(10.0), 0.5)
+    watch.see([], 10.0, left_s=0.5, spoilt=1)
+    watch.see([], 11.1, left_s=0.5, spoilt=1)
+    with pytest.raises(InstrumentError, match="no sample"):
+        watch.see([], 11.3, left_s=0.5, spoilt=1)
 
 
 def test_a_stuck_stream_is_noticed_however_it_is_cut() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import threading
+import time
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from test_latch import Bench, one_tti
 
 from labcal.bench import early_off
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.at_zero import FROM_HERE
+from labcal.bench.coils.at_zero import FROM_HERE, AtZero
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.last_read import LastRead
 from labcal.cli import execute
@@ -92,7 +93,7 @@ def test_a_successor_tells_what_it_knows_of_the_one_before(pair: Pair) -> None:
     handed = handed_over(pair)
     coils = {**handed.coils, "y": Held(0.7, True, handed.coils["y"].who, falling=True)}
     ended = {end.axis: end for end in pair.guardian(Handover(handed.exchanges_s, coils)).zero("it is gone")}
-    told = "zero, open; before that: coil y: the guardian before is gone; it had ordered zero and told of no read-back."
+    told = "zero, open; before that: coil y: the guardian before is gone; it had ordered zero and told of no read-back"
     assert [ended[axis].words for axis in "xyz"] == ["zero, open", told, "zero, open"]
     assert [axis for axis, end in ended.items() if end.abrupt] == ["y"]
 
@@ -146,6 +147,16 @@ def test_off_says_what_it_does_where_that_takes_long_and_by_whose_word_it_was_re
     assert err == f"{FROM_HERE}\n"
     read = r"coil ([xyz]): [+-]\d\.\d{4} A  by the supply's word only: zero, open"
     assert re.findall(read, out) == ["x", "y", "z"]
+
+
+def test_off_says_when_a_coil_was_read_back_where_that_is_not_just_now(capsys: pytest.CaptureFixture[str]) -> None:
+    now = time.monotonic()
+    ended = [AtZero(axis, 0.0, True, read_s=now - age) for axis, age in (("x", 0.1), ("y", 3.1), ("z", 1.5))]
+    assert early_off.reported(EXAMPLE, ended) == 0
+    x, y, z, last = capsys.readouterr().out.splitlines()
+    assert [line.endswith(": zero, open") for line in (x, z)] == [True, True]
+    assert y.endswith(": zero, open, read back 3 s ago")
+    assert last == "coils last read back below their zero 3 s ago, not since"
 
 
 def test_off_says_nothing_of_an_order_that_was_read_back_in_time(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -86,13 +86,13 @@ class Bench:
         return json.loads(self._lines.readline())
 
     def env(self, home: Path) -> dict[str, str]:
-        """Of a labcal on this bench: locks and sockets of its own, nothing of this user's."""
+        """Of this folder's labcal, whichever is installed, on this bench; nothing of this user's but his home."""
         runtime = self.folder / "run"
         runtime.mkdir(exist_ok=True)
         kept = {key: value for key, value in os.environ.items() if key in ("PATH", "HOME", "LANG")}
         return kept | {
             "TMPDIR": str(runtime), "LABCAL_HOME": str(home), "OPENBLAS_NUM_THREADS": "1",
-            "QT_QPA_PLATFORM": "offscreen", "TERM": "xterm",
+            "QT_QPA_PLATFORM": "offscreen", "TERM": "xterm", "PYTHONPATH": str(EXAMPLE.parents[1]),
         }  # fmt: skip
 
     def line_of(self, axis: str) -> str:

@@ -48,12 +48,12 @@ def results(path: Path) -> list[dict[str, Any]]:
     return found
 
 
-def tasks(words: list[str], number: int, done: set[tuple[str, int]]) -> list[Task]:
+def tasks(words: list[str], number: int, done: set[tuple[str, int]], first: int = 0) -> list[Task]:
     """What is left to do, a round over all kinds for each seed, mixed: whoever stops early has some of each."""
     wanted = [kind for name, kind in kinds().items() if not words or any(re.search(word, name) for word in words)]
     able = [kind for kind in wanted if not kind.needs or shutil.which(kind.needs)]
     in_turn = sorted(able, key=lambda kind: random.Random(kind.name).random())
-    return [(kind, seed) for seed in range(number) for kind in in_turn if (kind.name, seed) not in done]
+    return [(kind, seed) for seed in range(first, first + number) for kind in in_turn if (kind.name, seed) not in done]
 
 
 class Campaign:
@@ -158,6 +158,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("campaign-out"))
     parser.add_argument("--number", type=int, default=20, help="of each kind")
+    parser.add_argument("--first", type=int, default=0, help="seed, where others were tried elsewhere")
     parser.add_argument("--benches", type=int, default=2, help="at once")
     parser.add_argument("--kinds", nargs="*", default=[], help="patterns of their names")
     parser.add_argument("--minutes", type=float, default=1e6)
@@ -165,7 +166,7 @@ def main() -> None:
     given.out.mkdir(parents=True, exist_ok=True)
     path = given.out / "results.jsonl"
     done = {(record["kind"], record["seed"]) for record in results(path) if "not_tried" not in record}
-    left = tasks(given.kinds, given.number, done)
+    left = tasks(given.kinds, given.number, done, given.first)
     print(f"{len(done)} done, {len(left)} to do")
     campaign = Campaign(path, left, 60 * given.minutes)
     for name in (signal.SIGINT, signal.SIGTERM):

@@ -1,5 +1,8 @@
 """The table of docs/reliability.md from a campaign's results, and its sentences for people to read.
 
+`… add campaign-out docs/reliability.md` counts more trials of the kinds that stand there, of other seeds (`--first` of
+the campaign), once: a row is then of all of them.
+
 `python tests/campaign/reliability.py table campaign-out docs/reliability.md` writes the table between its two marks.
 Rows of kinds that these results do not have stay as they are, with what was said below the table of earlier ones.
 `… words campaign-out 20` prints twenty trials of each kind word for word, with what flowed when each was said.
@@ -28,15 +31,20 @@ HEAD = (
 Read = Mapping[tuple[str, int], bool]
 
 
-def table(records: Sequence[dict[str, Any]], read: Read, before: str = "") -> str:
+def table(records: Sequence[dict[str, Any]], read: Read, before: str = "", *, more: bool = False) -> str:
     """A row for each kind that was tried; `read`: whether people found all words of a trial true.
 
-    `before`: a table whose rows, and words below it, stay where these results have none of their own.
+    `before`: a table whose rows, and words below it, stay where these results have none of their own; with `more`
+    these results are counted with theirs. Raises ValueError where that was done already.
     """
     tried = [record for record in records if "not_tried" not in record]
     of_kind = {name: [r for r in tried if r["kind"] == name] for name in kinds()}
     rows = {name: _row(kinds()[name], found, read) for name, found in of_kind.items() if found}
+    if more and _in_all(tried).strip() in before:
+        raise ValueError("these results are counted there already")
     kept = {line.split("|")[1].strip(): f"{line}\n" for line in before.splitlines() if line.startswith("| ")}
+    if more:
+        rows = {name: _together(kept[name], row) if name in kept else row for name, row in rows.items()}
     rows = {name: row for name in kinds() if (row := rows.get(name, kept.get(name)))}
     last = _in_all(tried)
     words = [line for line in before.splitlines() if line and not line.startswith("|") and line != last.strip()]
@@ -55,6 +63,24 @@ def _row(kind: Kind, found: Sequence[dict[str, Any]], read: Read) -> str:
         str(sum(bool(SAID_WRONGLY & set(w)) for w in wrong)), _by_people(found, read),
     ]  # fmt: skip
     return f"| {' | '.join(cells)} |\n"
+
+
+def _together(one: str, other: str) -> str:
+    """One row of two: what was counted is added, of times the worst stands."""
+    cells = zip(*([cell.strip() for cell in row.strip().strip("|").split("|")] for row in (one, other)), strict=True)
+    name, *rest = (a if a == b and k == 0 else _sum(a, b) for k, (a, b) in enumerate(cells))
+    return f"| {' | '.join([name, *rest])} |\n"
+
+
+def _sum(a: str, b: str) -> str:
+    if "never" in (a, b):
+        return "never"
+    if "none read" in (a, b):
+        return b if a == "none read" else a
+    if " of " in a:
+        (well, n), (more, m) = (map(int, cell.split(" of ")) for cell in (a, b))
+        return f"{well + more} of {n + m}"
+    return f"{max(float(a), float(b)):.2f}" if "." in a + b else str(int(a) + int(b))
 
 
 def _by_people(found: Sequence[dict[str, Any]], read: Read) -> str:
@@ -120,8 +146,8 @@ def put(report: Path, between: str) -> None:
 
 if __name__ == "__main__":
     found = results(Path(sys.argv[2]) / "results.jsonl")
-    if sys.argv[1] == "table":
-        report = Path(sys.argv[3])
-        put(report, table(found, read_by_people(Path(sys.argv[2]) / "read.tsv"), between_marks(report)))
+    if sys.argv[1] in ("table", "add"):
+        report, read = Path(sys.argv[3]), read_by_people(Path(sys.argv[2]) / "read.tsv")
+        put(report, table(found, read, between_marks(report), more=sys.argv[1] == "add"))
     else:
         print(words(found, int(sys.argv[3])))

@@ -9,8 +9,9 @@ from labcal.errors import InstrumentError
 
 BY_WORD = "by the supply's word only"  # of who has no reference to ask
 ORDERED = "taking the coils to zero: ordered, and no read-back told yet …"
-FROM_HERE = "what no guardian holds is to be asked for zero from here; no read-back is told yet …"
+FROM_HERE = "taking to zero from here what no guardian holds: no read-back told yet …"
 NOT_ORDERED = "zero is to be ordered: no guardian has answered yet …"
+FRESH_S = 2.0  # what was read back longer ago is told as past
 SLOW_S = 0.7  # so long after it was wanted that is said
 
 
@@ -41,7 +42,13 @@ class AtZero:
         if self.current_A is None:
             return self._not_read
         ended = "zero, open" if self.opened else "zero, not open"
-        return ended if self.fault is None else f"{ended}; before that: {self.fault.what}"
+        return ended if self.fault is None else f"{ended}; before that: {self.fault.what.removesuffix('.')}"
+
+    @property
+    def age_words(self) -> str:
+        """When it was read back, where that is not just now."""
+        age_s = 0.0 if self.read_s is None else time.monotonic() - self.read_s
+        return f", read back {age_s:.0f} s ago" if age_s > FRESH_S else ""
 
     @property
     def _not_read(self) -> str:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
 from labcal.bench.coils.zero import AtZero
-from labcal.bench.config import read_config
+from labcal.bench.essentials import essentials
 from labcal.bench.links.ports import as_spelt, port_of
 from labcal.errors import InputError, InstrumentError
 from labcal.files.atomic import write_text
@@ -56,6 +56,10 @@ def doubt_of(path: Path) -> str:
 
 def _of(path: Path) -> Doubt | None:
     try:
+        if (stated := essentials(path)) is not None:
+            return StoredDoubt(stated.guarded_links).doubt
+        from labcal.bench.config import read_config  # all of it, which takes longest to load
+
         return StoredDoubt(read_config(path).guarded_links).doubt
     except (InputError, OSError):
         return None

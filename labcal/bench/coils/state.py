@@ -11,9 +11,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
 
+from labcal.bench.coils.at_zero import FRESH_S as FRESH_S
 from labcal.bench.coils.zero import AtZero
 
-FRESH_S = 2.0  # what was read back longer ago is told as past
 MEAN_OF = 20  # readings of a reference are shown as one
 AT_ZERO = "coils at zero"
 BY_WORD = "zero by the supply's word only"

@@ -203,6 +203,18 @@ class Pollable(Magnetometer, Protocol):
 
 
 @runtime_checkable
+class Steady(Magnetometer, Protocol):
+    """A magnetometer that sends by itself at a rate that its maker states: it is missed by that."""
+
+    period_s: float  # between two messages
+
+    @property
+    def spoilt(self) -> int:
+        """How many messages came since `start` that were no good: they tell nothing, but that it is there."""
+        ...
+
+
+@runtime_checkable
 class Paced(Magnetometer, Protocol):
     """A magnetometer that can be told how fast to sample."""
 

@@ -6,7 +6,6 @@ import json
 import os
 import select
 import socket
-import subprocess
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -18,12 +17,13 @@ from labcal.bench.essentials import Essentials, of_table
 from labcal.bench.guardian import hung, wire
 from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.last_read import LastRead
-from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
 from labcal.files.atomic import absolute
 
 if TYPE_CHECKING:
+    import subprocess
+
     from labcal.bench.clock import Clock
     from labcal.bench.config import BenchConfig
 
@@ -240,6 +240,8 @@ class GuardianClient:
         if all(ports.holder(url) is None for url in self._urls):
             if not self._start_after_s:  # a successor asks nobody
                 ports.refuse_connected(self._urls)
+            from labcal.bench.guardian.spawn import SUCCESSOR, spawn  # not for who only says off
+
             self._started = spawn(self._bench, *([SUCCESSOR] if self._start_after_s else []))
 
     def _meet(self) -> dict[str, dict[str, Any]]:

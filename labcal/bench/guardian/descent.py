@@ -60,7 +60,8 @@ def _greet(coil: GuardedCoil, within_s: float) -> None:
                 held_A = coil.bare.set_point()
                 coil.held_A = held_A if coil.held_A is None else coil.held_A
     except InstrumentError as fault:
-        coil.doubt = fault
+        named = fault.what if coil.name in fault.what else f"{coil.name}: {fault.what}"
+        coil.doubt = InstrumentError(named, fault=fault.fault, remedy=fault.remedy)
 
 
 def _write_zeros(coils: Sequence[GuardedCoil], others: Sequence[str]) -> None:

@@ -35,7 +35,7 @@ class Gate:
 
     def close(self, why: str = "") -> None:
         """From now on the line belongs to whoever passes; `why`, who ordered zero, is told to whoever gives way."""
-        self._why = why or self._why
+        self._why = why.removesuffix(".") or self._why
         self._closed.set()
 
     @contextmanager

@@ -148,6 +148,8 @@ class Server:
             reply = {"error": fault_message(InstrumentError(what, fault="guardian failed"))}
         caller.room.release()
         caller.send({"id": message.get("id")} | reply)
+        if message["order"] == "zero" and caller is not self.session:  # a person at the bench, who first hears of it
+            self._guardian.give_back()
 
     def _obey(self, caller: Caller, message: Message) -> Any:
         order, what = message["order"], message.get("with", {})
@@ -163,10 +165,7 @@ class Server:
             }
         if order == "zero":
             by_session = caller is self.session
-            ended = self._guardian.zero(_why(caller, message), by_session=by_session)
-            if not by_session:  # a person at the bench
-                self._guardian.give_back()
-            return [zero_message(end) for end in ended]
+            return [zero_message(end) for end in self._guardian.zero(_why(caller, message), by_session=by_session)]
         if order in FOR_THE_SESSION and caller is not self.session:
             raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")
         if not all(isinstance(what[name], kinds) for name, kinds in KINDS.items() if name in what):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import secrets
 import socket
 import struct
 import sys
@@ -29,11 +28,11 @@ def listen() -> tuple[socket.socket, Card]:
 
     A Unix socket has the mode 0600, in the folder of a group 0660.
     """
-    card: Card = {"pid": os.getpid(), "token": secrets.token_hex(16), ACKNOWLEDGES: True}
+    card: Card = {"pid": os.getpid(), "token": os.urandom(16).hex(), ACKNOWLEDGES: True}
     if sys.platform == "win32":
         listener = socket.create_server(("127.0.0.1", 0))
         return listener, card | {"address": listener.getsockname()[1]}
-    path = runtime_folder() / f"guardian-{os.getpid()}-{secrets.token_hex(4)}.sock"  # a dead one's may lie there yet
+    path = runtime_folder() / f"guardian-{os.getpid()}-{os.urandom(4).hex()}.sock"  # a dead one's may lie there yet
     _sweep(path.parent)
     listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     unheard = path.with_suffix(".new")  # until somebody listens it is not found, nor swept away

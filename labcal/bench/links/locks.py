@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import os
-import secrets
 import stat
 import sys
 import time
@@ -33,7 +32,7 @@ def take(path: Path) -> IO[str] | None:
         file, odd = _taken_in_time(path)
         if not odd:
             return file
-        path.rename(path.with_name(f".{path.name}.{secrets.token_hex(4)}.aside"))
+        path.rename(path.with_name(f".{path.name}.{os.urandom(4).hex()}.aside"))
     return None
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import stat
 import sys
-import tempfile
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -185,11 +184,15 @@ if sys.platform != "win32":
 
     @cache
     def _nowhere_else() -> Path:
+        import tempfile
+
         return Path(tempfile.mkdtemp(prefix="labcal-"))
 else:
 
     def own_folder() -> Path:
         """The folder of this user."""
+        import tempfile
+
         folder = Path(tempfile.gettempdir()) / f"labcal-{os.environ.get('USERNAME', 'user')}"
         folder.mkdir(mode=0o700, exist_ok=True)
         return folder

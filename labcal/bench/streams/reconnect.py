@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from labcal.bench.clock import Clock
-from labcal.bench.driver_kit.roles import Magnetometer, Pollable
+from labcal.bench.driver_kit.roles import Magnetometer, Pollable, Steady
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
@@ -85,6 +85,16 @@ class Reconnecting:
         if self._lost is not None:
             return min(self._next_s, self._given_up_s())
         return self._sensor.due_s() if isinstance(self._sensor, Pollable) else math.inf
+
+    @property
+    def period_s(self) -> float | None:
+        """Between two of its messages, as its maker states it; None where it sends as it is set or asked."""
+        return self._sensor.period_s if isinstance(self._sensor, Steady) else None
+
+    @property
+    def spoilt(self) -> int:
+        """How many messages came that were no good, as far as it counts them."""
+        return self._sensor.spoilt if isinstance(self._sensor, Steady) else 0
 
     def events(self) -> list[Event]:
         """What the sensor lost since this was asked last: frames, samples."""

@@ -15,6 +15,7 @@ from labcal.record.stream import Block, Event
 Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
 NOTICED_S, SILENCES, PAUSES = 2.0, 5.0, 2.0
+LATE_S = 0.2  # later than its rate says, on its line and in this computer
 LOOK_S = 2.0
 UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
 SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
@@ -24,15 +25,17 @@ class StreamWatch:
     """Raises InstrumentError where nothing has come for `silent_s`, or the same values for `stuck_s`.
 
     With coils on, the sensor that watches them may be missed for less: `left_s` of `see`, but `PAUSES` times the
-    longest of the last pauses between two looks that found something.
+    longest of the last pauses between two looks that found something; where its maker states its `period_s`, `LATE_S`
+    more than that or the longest of them.
 
     A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
     While something else that was told keeps the stream from sending, it is none; it counts from the end of that.
     """
 
-    def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float) -> None:
+    def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float, period_s: float | None = None) -> None:
         self.name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
         self._last_s = self._changed_s = self._excused_s = now_s
+        self._period_s, self._spoilt = period_s, 0
         self._longest_s: float | None = None  # between two samples; None before there were two
         self._came_s: float | None = None  # when a look found samples last
         self._pauses_s = deque[float](maxlen=20)  # between two such looks
@@ -55,8 +58,16 @@ class StreamWatch:
         pending, self._pending = self._pending, []
         return pending
 
-    def see(self, blocks: list[Block], now_s: float, wrong: str = "", left_s: float = math.inf) -> None:
-        """Look at what has come up to `now_s`; `wrong` is what is known to keep it from sending."""
+    def see(
+        self, blocks: list[Block], now_s: float, wrong: str = "", left_s: float = math.inf, spoilt: int = 0
+    ) -> None:
+        """Look at what has come up to `now_s`; `wrong` is what is known to keep it from sending.
+
+        `spoilt`: how many messages came so far that were no good: whoever sends them is not missed.
+        """
+        if spoilt > self._spoilt:
+            self._spoilt = spoilt
+            self._came(now_s)
         for block in blocks:
             if block.stream in ("dut", "reference") and len(block):
                 self._note(block)
@@ -83,8 +94,11 @@ class StreamWatch:
 
     def _missed(self, now_s: float, left_s: float) -> bool:
         """Whether it is missed for too long; of a stream whose pauses are not known, `silent_s` alone tells."""
-        known = self._came_s is not None and self._pauses_s
-        return bool(known) and now_s - (self._came_s or 0.0) > max(left_s, PAUSES * max(self._pauses_s))
+        longest_s = max(self._pauses_s, default=0.0)
+        if self._came_s is None or not (longest_s or self._period_s):
+            return False
+        usual_s = PAUSES * longest_s if self._period_s is None else max(self._period_s, longest_s) + LATE_S
+        return now_s - self._came_s > max(left_s, usual_s)
 
     def _notice(self, now_s: float) -> None:
         """Say so once where it has fallen silent; a stream of which no two samples are known is given its time."""
