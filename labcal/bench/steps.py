@@ -20,6 +20,7 @@ from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Matrix, Segment
 from labcal.record.stream import (
+    FAULT,
     NOT_USED,
     Block,
     Event,
@@ -194,7 +195,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
         try:
             return (yield from work())
         except InstrumentError as fault:
-            yield Event(bench.clock.now(), "fault", str(fault), {"step": name, "fault": fault.fault})
+            yield Event(bench.clock.now(), FAULT, str(fault), {"step": name, "fault": fault.fault})
             yield from coils_off(bench)
             text = f"{name}: {fault} ({bench.sentence()})"
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, ("stop", "retry", "skip"))
