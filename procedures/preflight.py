@@ -180,7 +180,8 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
 def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
     """The DUT mounted along `axis`: by a person now, or as it was before the interruption where that stands."""
     if resume is not None:
-        text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
+        up = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
+        text = f"{up} Hands off then: the platform turns to angle 0."
         drawing = {"body_from_cage": attitude(bench, axis).tolist()}
         if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":
             yield from to_angle(bench, 0.0)

@@ -34,9 +34,10 @@ from labcal.bench.guarded_greeting import all_greeted
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.handover import patience
 from labcal.bench.links.urls import is_connection
+from labcal.bench.named_links import named_links
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
-from labcal.bench.streams.reconnect import Reconnecting, bring_back
+from labcal.bench.streams.reconnect import AWAY, Reconnecting, bring_back
 from labcal.bench.streams.reference import blind, into_cage
 from labcal.bench.streams.samples import block_of, merged
 from labcal.bench.streams.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
@@ -102,18 +103,20 @@ class Bench:
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
         self._streams = [
-            Reconnecting(dut, partial(self.reconnect, dut.name), PATIENCE * config.dut.silent_s),
+            Reconnecting(
+                dut, partial(self.reconnect, dut.name), PATIENCE * config.dut.silent_s, waited_for=self._waited_for
+            ),
             Reconnecting(
                 reference,
                 partial(self.reconnect, reference.name),
                 PATIENCE * config.reference.silent_s,
                 lambda: PATIENCE * self._reference_missed_s(),
                 tried=not is_connection(config.instruments[reference.name].link),
+                waited_for=self._waited_for,
             ),
         ]
         if isinstance(platform, BenchPlatform):
-            again = partial(self.reconnect, platform.name)
-            platform.bring_back = partial(bring_back, again, clock, look=lambda: self.look())
+            platform.bring_back = self._bring_stage_back
         self._pending: list[Block] = []
         self._polled: dict[tuple[Stream, str, tuple[str, ...]], list[tuple[float, ...]]] = {}  # rows of t_s and values
         self._watches: list[StreamWatch] = []
@@ -126,6 +129,7 @@ class Bench:
         self._heard_s: dict[str, float] = {}  # what is polled, by name
         self._field = FieldReading()
         self._look = Look(self._at_rest_only(), self._ask_again)
+        self.asking = False  # a person: with the coils at zero nothing is missed until the answer
 
     def state(self) -> LabState:
         """The lab as it was last read, each part with its time on the bench's clock."""
@@ -221,6 +225,10 @@ class Bench:
         news = [event for stream in self._streams for event in stream.news()]
         news += [event for watch in self._watches for event in watch.news()] + self._look.news()
         return sorted(news, key=lambda event: event.t_s)
+
+    def named(self, text: str, *, brief: bool = False) -> str:
+        """`text` with the instruments' names before their links, or in their place."""
+        return named_links(text, {name: one.link for name, one in self.config.instruments.items()}, brief=brief)
 
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
@@ -332,13 +340,13 @@ class Bench:
         left_s = math.inf, self._reference_missed_s()
         for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:
-                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left)
+                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left, self._waited_for())
             except InstrumentError as fault:
                 faults.append(fault)
         if faults:
             raise faults[0]
         for limit in self._limits:
-            limit.see(readings[0], now)
+            limit.see(readings[0], now, self._waited_for())
         if self._field_limit is not None and self.cage.on:
             self._field_limit.see(readings[1], float(np.linalg.norm(self.cage.ambient_nT)))
         self.cage.refuse_what_is_not_seen()
@@ -381,13 +389,32 @@ class Bench:
             self._poll_coils()
         self._look.at(self.clock.now())
 
+    def _waited_for(self) -> bool:
+        """Whether what is lost may come back as late as it likes: a person is asked, and no coil is on."""
+        return self.asking and not self.cage.on
+
+    def _bring_stage_back(self, lost: InstrumentError) -> None:
+        """Wait for the stage's line; while a person is asked it is looked for again and again instead."""
+        if self._waited_for():
+            raise lost
+        bring_back(partial(self.reconnect, self.platform.name), self.clock, lost, look=lambda: self.look())
+
     def _poll_platform(self) -> None:
-        t = self.clock.now()
-        angle, moving = self.platform.state()
-        self._heard_s[self.platform.name] = t
+        t, name = self.clock.now(), self.platform.name
+        if self._waited_for() and self._look.wrong(name):
+            return  # it is asked again there
+        try:
+            angle, moving = self.platform.state()
+        except InstrumentError as fault:
+            if not self._waited_for() or fault.fault not in AWAY:
+                raise
+            self._look.gone(name, fault, t)
+            return
+        self._look.heard(name, t)
+        self._heard_s[name] = t
         if self.by_hand is None or not moving:  # hands tell no angle before they are taken off
-            self._keep("angle", self.platform.name, ("angle_deg",), t, angle)
-        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
+            self._keep("angle", name, ("angle_deg",), t, angle)
+        self._keep("channel", name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
 
     def _poll_coils(self) -> None:
         t, currents = self.clock.now(), self.cage.currents_A()

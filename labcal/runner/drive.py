@@ -168,13 +168,14 @@ class Drive:
         answers: queue.Queue[str | BaseException] = queue.Queue()
         asking = threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True)
         asking.start()
-        while answers.empty():
-            self._check()
-            if isinstance(self.bench.clock, VirtualClock):
-                asking.join(LISTEN_S)
-                self._show()  # no time passes in the lab: what was read grows no older
-            else:
-                self._listen()
+        with self._person_awaited():
+            while answers.empty():
+                self._check()
+                if isinstance(self.bench.clock, VirtualClock):
+                    asking.join(LISTEN_S)
+                    self._show()  # no time passes in the lab: what was read grows no older
+                else:
+                    self._listen()
         given = answers.get()
         if isinstance(given, BaseException):
             raise given
@@ -186,14 +187,24 @@ class Drive:
         self.bench.cage.zero()
         currents = self.bench.cage.currents_A().tolist()
         self._keep(read_back(self.bench, "pause", "paused, ", current_A=currents))
-        while self.control.paused():
-            self._check()
-            if isinstance(self.bench.clock, VirtualClock):
-                self.control.wait_for_resume(LISTEN_S)
-                self._show()
-            else:
-                self._listen()
+        with self._person_awaited():
+            while self.control.paused():
+                self._check()
+                if isinstance(self.bench.clock, VirtualClock):
+                    self.control.wait_for_resume(LISTEN_S)
+                    self._show()
+                else:
+                    self._listen()
         self._keep(self._event("pause", "goes on"))
+
+    @contextmanager
+    def _person_awaited(self) -> Iterator[None]:
+        """With the coils at zero a cable may be out meanwhile, as one is while a device is mounted."""
+        self.bench.asking = True
+        try:
+            yield
+        finally:
+            self.bench.asking = False
 
     def _check(self) -> None:
         """Raise where the operator wants the end; an abort zeroes the coils before the procedure hears of it."""
@@ -302,8 +313,8 @@ class Drive:
 
     def _keep_fault(self, fault: BaseException | None) -> None:
         """Which instrument ended the run, unless the procedure has said so itself: `interrupted` does not."""
-        if isinstance(fault, InstrumentError) and str(fault) != self._fault_kept:
-            self._keep(self._event(FAULT, str(fault), fault=fault.fault))
+        if isinstance(fault, InstrumentError) and (said := self.bench.named(str(fault))) != self._fault_kept:
+            self._keep(self._event(FAULT, said, fault=fault.fault))
 
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
         """The currents as read back, an axis that does not answer as None, and what went wrong on the way.

@@ -817,8 +817,8 @@
         <translation>um 180° um seine Achse {0} gedreht</translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
-        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung?</translation>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
+        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung? Dann Hände weg: der Tisch dreht auf den Winkel 0.</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -4187,8 +4187,8 @@
         <translation>Messung stoppen</translation>
     </message>
     <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
+        <source>Hands off: try again</source>
+        <translation>Hände weg: noch einmal</translation>
     </message>
     <message>
         <source>Skip this step</source>

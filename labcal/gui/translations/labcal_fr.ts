@@ -817,8 +817,8 @@
         <translation>tourné de 180° autour de son {0}</translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
-        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ?</translation>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
+        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ? Alors ne touchez à rien : le plateau tourne à lla plate-forme tourne à l&apos;angle 0apos;angle 0.</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -4187,8 +4187,8 @@
         <translation>Arrêter la mesure</translation>
     </message>
     <message>
-        <source>Try again</source>
-        <translation>Réessayer</translation>
+        <source>Hands off: try again</source>
+        <translation>Mains éloignées : réessayer</translation>
     </message>
     <message>
         <source>Skip this step</source>

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.coils.state import LabState
+from labcal.bench.named_links import named_links
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.messages import (
@@ -32,7 +33,18 @@ from labcal.gui.ipc.wire import Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+from labcal.record.stream import (
+    FAULT,
+    NOT_USED,
+    Block,
+    Event,
+    Item,
+    Measurement,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 Mark = Literal["done", "now", "next", "skipped", "broken"]
@@ -49,6 +61,11 @@ AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements 
     "delay": "delay {axis}",
     "closure": "closure {axis}",
 }
+
+
+def asked_text(prompt: Prompt) -> str:
+    """The words of a question; where an instrument failed what it was, for step and coils stand beside it."""
+    return str(prompt.drawing.get(FAULT, prompt.text))
 
 
 class RunViewModel(QObject):
@@ -260,7 +277,7 @@ class RunViewModel(QObject):
             case Prompt():
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
-                    self.prompt, self.state, self.message = item, "asking", item.text
+                    self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
@@ -289,7 +306,9 @@ class RunViewModel(QObject):
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
-            self.message = event.text
+            self.message = named_links(event.text, self.links)
+            if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
+                self.message = f"{self.message.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""
@@ -327,7 +346,7 @@ class RunViewModel(QObject):
         self._over()
 
     def _last_words(self) -> str:
-        said = in_words(self._ending or self.status)
+        said = in_words(named_links(self._ending or self.status, self.links))
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
