@@ -156,7 +156,7 @@ def test_while_a_person_is_asked_with_the_coils_at_zero_a_cable_may_be_out_and_a
         assert {one.name: one.fault for one in bench.state().instruments}[name] == "link lost"
         plug.put_in(there)
         until_back(bench, name)
-        assert [event.data["fault"] for event in bench.news()][0] == "link lost"
+        assert next(event.data["fault"] for event in bench.news()) == "link lost"
         plug.pull()
         bench.stream_until(bench.clock.now() + AWAY_S)
         bench.asking = False

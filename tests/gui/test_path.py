@@ -165,7 +165,7 @@ def test_the_end_of_a_run_fills_the_page_with_its_verdict(still, qtbot, verdict)
     worker.answer(RunProcedure, Ended("r1", "finished"))
     card = live.verdict
     assert live.middle.currentWidget() is card
-    assert (card.serial.text(), card.word.text().split(" ", 1)[1]) == ("EM-07", verdict)
+    assert (card.serial.text(), card.word.text().split("\N{NO-BREAK SPACE}", 1)[1]) == ("EM-07", verdict)
     assert verdict in card.rule.text()
     assert verdict == "PASS" or "noise" in card.rule.text()
     assert card.next.text()

@@ -11,7 +11,7 @@ from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import ListRuns, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.run_verdict import run_verdict
-from labcal.record.stream import Measurement, Step
+from labcal.record.stream import FAULT, Measurement, Prompt, Step
 
 FIRST = Step(0.0, 1, 2, "x+20uT-nominal", 60.0, ("x+20uT-nominal", "closing"))
 STOPPED = Fault("stopped", "stopped by the operator")
@@ -47,6 +47,26 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "■ STOPPED"
     assert "go on with it on the Start page" in verdict.next
+
+
+def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gone_on_with(running):
+    lost = Fault("instrument", "stage: the link is lost.", "Plug it in.")
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
+    verdict = run_verdict(running.app_state.run)
+    assert verdict.word == "▲ INTERRUPTED"
+    assert "Mend what is said above, then go on with it on the Start page" in verdict.next
+    assert running.page("Run").live.fault.text.text() == "stage: the link is lost."
+
+
+def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_blue_one(running):
+    long = "x+20uT-nominal: stage (serial:///dev/ttyUSB0): the link is lost. Plug it in. (coils at zero)"
+    choices, drawing = ("stop", "retry", "skip"), {FAULT: "stage: the link is lost. Plug it in."}
+    running.app_state.bench_worker.items.emit((Prompt(1.0, "failed-x", long, choices, drawing=drawing),))
+    card = running.page("Run").live.prompt
+    assert card.text.text() == "stage: the link is lost. Plug it in."
+    assert {choice: made.objectName() for choice, made in card.choices.items()}["retry"] == "primary"
+    assert [made.objectName() for made in card.choices.values()].count("primary") == 1
+    assert card.choices["retry"].text().startswith("Hands off")
 
 
 def test_what_was_measured_before_an_interruption_counts_in_the_verdict_after_it(running):

@@ -4771,6 +4771,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -4771,6 +4771,10 @@
         <translation>Nichts Gemessenes ist verloren: auf der Seite Start fortsetzen.</translation>
     </message>
     <message>
+        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
+        <translation>Nichts Gemessenes ist verloren. Oben Genanntes beheben, dann auf der Seite Start fortsetzen.</translation>
+    </message>
+    <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
     </message>

@@ -4771,6 +4771,10 @@
         <translation>Rien de mesuré n&apos;est perdu : reprenez à la page Accueil.</translation>
     </message>
     <message>
+        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
+        <translation>Rien de mesuré n&apos;est perdu. Réparez ce qui est dit plus haut, puis reprenez à la page Accueil.</translation>
+    </message>
+    <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
