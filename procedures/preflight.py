@@ -15,7 +15,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Limits
 from labcal.bench.position import Position, position
-from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
+from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, refuse_unseen, rotate_once
 from labcal.bench.steps import (
     Blocks,
     Plan,
@@ -258,7 +258,9 @@ def _one_turn(
         name, AXES[axis], mode, setting.rate_deg_per_s, to_deg, mounting, setting.step_deg, setting.dwell_s,
         setting.u_mounting_deg, setting.u_time_s,
     )  # fmt: skip
-    return (yield from rotate_once(bench, rotation))
+    blocks = yield from rotate_once(bench, rotation)
+    refuse_unseen(bench, blocks)  # the DUT still stands there: the turn can be begun again
+    return blocks
 
 
 def _closing(bench: Bench, setting: PreflightPlan, first: First, last: str) -> Work[None]:

@@ -15,7 +15,7 @@ from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.errors import InstrumentError, LimitError
-from labcal.record.stream import FAULT, Event, Item, Step
+from labcal.record.stream import FAULT, Event, Item, Prompt, Step
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.store import Store
 
@@ -24,16 +24,25 @@ TWO_FIELDS = SHORT | {"magnitudes_nT": "20000,30000"}
 SECOND = "z+30uT-nominal"
 
 
-def begun(bench: Path, name: str, happens: Callable[[Any], None], given: dict[str, str], at: str) -> Outcome:
+def begun(
+    bench: Path,
+    name: str,
+    happens: Callable[[Any], None],
+    given: dict[str, str],
+    at: str,
+    answer: Callable[[Prompt], str] = yes_to_all(True),
+) -> Outcome:
     """Run R, to which something happens when the step `at` begins; a step that failed is not tried again."""
+    there = list[bool]()
     clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
     with closing(open_bench(bench, clock=clock, seed=2)) as lab, Store.open() as store:
 
         def tell(item: Item) -> None:
-            if isinstance(item, Step) and item.name == at:
+            if isinstance(item, Step) and item.name == at and not there:
+                there.append(True)
                 happens(lab)
 
-        return run_procedure(lab, find(name), given, store=store, answer=yes_to_all(True), tell=tell, run_id="R")
+        return run_procedure(lab, find(name), given, store=store, answer=answer, tell=tell, run_id="R")
 
 
 def pulled(name: str) -> Callable[[Any], None]:
@@ -47,6 +56,26 @@ def pulled(name: str) -> Callable[[Any], None]:
         link.send = link.receive = link.ask = gone
 
     return happens
+
+
+def pulled_for(name: str, seconds: float) -> Callable[[Any], None]:
+    """Its plug is out, and in again after that time."""
+
+    def happens(lab: Any) -> None:
+        link, back_s = lab.instruments()[name]._link, lab.clock.now() + seconds
+        for call in ("send", "receive", "ask"):
+            setattr(link, call, _gone_until(back_s, lab.clock, name, getattr(link, call)))
+
+    return happens
+
+
+def _gone_until(back_s: float, clock: VirtualClock, name: str, call: Callable[..., Any]) -> Callable[..., Any]:
+    def answers(*given: Any, **more: Any) -> Any:
+        if clock.now() < back_s:
+            raise InstrumentError(f"{name}: the link is gone.", fault="link lost")
+        return call(*given, **more)
+
+    return answers
 
 
 def events(kind: str) -> list[str]:
@@ -72,6 +101,20 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     first, *_, last = (one for n, one in enumerate(run.segments) if len(run.rows(n)) > 150)
     assert (first.id, first.mounting, last.mounting) == ("z+20uT-nominal", "z", "z.again")
     assert last.id.startswith(SECOND)
+
+
+def test_a_turn_of_which_the_dut_missed_a_part_is_asked_about_and_begun_again(bench_file: BenchFile) -> None:
+    asked = list[str]()
+
+    def answer(prompt: Prompt) -> str:
+        asked.append(prompt.key)
+        return "retry" if "retry" in prompt.choices else yes_to_all(True)(prompt)
+
+    ended = begun(bench_file(), "preflight", pulled_for("dut", 8.0), TWO_FIELDS, SECOND, answer)
+    assert (ended.status, ended.failed) == ("finished", ())
+    assert asked.count(f"failed-{SECOND}") == 1
+    (said,) = events(FAULT)
+    assert said.startswith("dut: it sent nothing in ")
 
 
 def beyond(lab: Any) -> None:

@@ -51,6 +51,7 @@ Mark = Literal["done", "now", "next", "skipped", "broken"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
+UNSEEN_S = 2.0  # without a reading so long, a DUT has not seen where the platform turned
 SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
 SAID_ELSEWHERE = ("answer", "set-point", "read-back")  # by whoever answered, and by the lab's state
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
@@ -102,6 +103,7 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self.sectors: set[int] = set()
         self._seen_s = 0.0
+        self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
         self.lab: LabState | None = None  # by the computer's monotonic clock
@@ -329,12 +331,14 @@ class RunViewModel(QObject):
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
+            self._dut_s = float(block.t_s[-1])
             if self.segment is not None:
                 self.locus[self.segment].push(block.t_s, values)
         elif block.stream == "reference" and block.values.shape[1] == 3:
             self.reference.push(block.t_s, block.values)
         elif block.stream == "angle" and self.segment is not None:
-            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[:, 0]}
+            seen = block.t_s < (self._dut_s or np.inf) + UNSEEN_S
+            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[seen, 0]}
 
     def _be(self, state: State) -> None:
         self.state = state
