@@ -141,9 +141,14 @@ def test_a_method_that_was_fitted_marks_fit(still, path):
     study.open("r1")
     study.waiting = []
     study.fit("ml")
-    assert marks(still)[1] == "●"
+    assert (marks(still)[1], still.next.text()) == ("●", "Next: See what is found")  # and not what comes after that
+    assert still.next.isEnabled()
+    still.open_page("Fit")
+    assert not still.next.isEnabled()
     still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
-    assert marks(still)[1] == "✓"
+    assert (marks(still)[1], still.next.text()) == ("✓", "Next: Trace the residual")
+    study.close_loop()
+    assert (marks(still)[2], still.next.text()) == ("●", "Next: See what is found")
 
 
 MEASURED = {
@@ -179,6 +184,7 @@ def test_next_begins_what_it_says(still, path, qtbot):
     path.take_runs((RUN,))
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.commands(FitRun) == [FitRun("r1", "ml")]
+    still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
     path.take_calibrations((calibration(signed=False),))
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.commands(CloseLoop) == [CloseLoop("r1")]

@@ -465,6 +465,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3468,6 +3472,10 @@
     </message>
     <message>
         <source>Calibrate {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See what is found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -465,6 +465,10 @@
         <translation>Nach Namen, nach Zweck oder nach Bedarf</translation>
     </message>
     <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation>Keine gefunden. Weniger Wörter, oder ein Teil davon?</translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -3469,6 +3473,10 @@
     <message>
         <source>Calibrate {0}</source>
         <translation>{0} kalibrieren</translation>
+    </message>
+    <message>
+        <source>See what is found</source>
+        <translation>Sehen, was gefunden wird</translation>
     </message>
     <message>
         <source>Fit the run</source>

@@ -465,6 +465,10 @@
         <translation>Par nom, par but, ou par besoin</translation>
     </message>
     <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation>Rien trouvé. Moins de mots, ou une partie ?</translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
@@ -3469,6 +3473,10 @@
     <message>
         <source>Calibrate {0}</source>
         <translation>Étalonner {0}</translation>
+    </message>
+    <message>
+        <source>See what is found</source>
+        <translation>Voir ce qui est trouvé</translation>
     </message>
     <message>
         <source>Fit the run</source>
