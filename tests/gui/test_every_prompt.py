@@ -41,7 +41,18 @@ DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.
-SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away", "half", "reversed", "serial", FAULT}
+SAID_IN_WORDS = {
+    "mode",
+    "load",
+    "on",
+    "reference_m",
+    "reference_turned",
+    "dut_away",
+    "half",
+    "reversed",
+    "serial",
+    FAULT,
+}
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError
@@ -193,9 +204,7 @@ class Asked:
         assert card.isVisible()
         assert card.text.text() == words
         assert form_of(prompt.text) or prompt.key == "failed-turn", f"not in other languages: {prompt.text}"
-        room = QFontMetrics(card.text.font()).boundingRect(
-            card.text.contentsRect(), Qt.TextFlag.TextWordWrap, words
-        )
+        room = QFontMetrics(card.text.font()).boundingRect(card.text.contentsRect(), Qt.TextFlag.TextWordWrap, words)
         assert card.text.contentsRect().contains(room), f"{prompt.text} is cut off"
         lights = self.window.page("Run").live.lights
         assert lights.height() >= lights.minimumSizeHint().height(), "the lights of the axes are squeezed"

@@ -108,3 +108,13 @@ def test_how_long_a_procedure_takes_is_said_of_its_own_settings_alone(still):
     assert "min of measuring" in choose.needs.text()
     choose.form.set_text("magnitudes_nT", "20000")
     assert "min of measuring" not in choose.needs.text()
+
+
+def test_who_goes_to_another_page_by_keyboard_does_not_land_in_the_serial(still, qtbot):
+    still.open_page("History")
+    still.page("History").search.setFocus()
+    qtbot.keyClick(still, Qt.Key.Key_1, Qt.KeyboardModifier.ControlModifier)
+    assert still.page_shown() == "Start"
+    assert QApplication.focusWidget() is still.sidebar_buttons.checkedButton()
+    qtbot.keyClicks(QApplication.focusWidget(), "X", delay=60)
+    assert still.app_state.lab.state.dut_serial == "EM-07"

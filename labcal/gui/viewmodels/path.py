@@ -24,7 +24,7 @@ EXPLAINED = ("clean", "explained")
 
 @dataclass(frozen=True, slots=True)
 class Next:
-    """What is to be done, in words, and the page for it; with the run to be studied there. `waits`: it goes on there."""
+    """What is to be done, in words, and the page for it; with the run to be studied there. `waits`: it works."""
 
     page: str
     words: str
