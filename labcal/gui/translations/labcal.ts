@@ -3439,6 +3439,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Run {0} {1}. {2}</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3439,6 +3439,10 @@
         <translation>Was sie nicht gemessen hat, würde der Kalibrierung fehlen. Auf der Seite Messen neu messen.</translation>
     </message>
     <message>
+        <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
+        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start fortsetzen.</translation>
+    </message>
+    <message>
         <source>Run {0} {1}. {2}</source>
         <translation>Messung {0} {1}. {2}</translation>
     </message>

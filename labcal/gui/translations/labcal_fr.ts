@@ -3439,6 +3439,10 @@
         <translation>Ce qu&apos;elle n&apos;a pas mesuré manquerait à l&apos;étalonnage. Remesurez à la page Mesure.</translation>
     </message>
     <message>
+        <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
+        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : reprenez à la page Accueil.</translation>
+    </message>
+    <message>
         <source>Run {0} {1}. {2}</source>
         <translation>La mesure {0} {1}. {2}</translation>
     </message>

@@ -67,6 +67,8 @@ class PathViewModel(QObject):
             "running": self.tr("still goes on"),
         }
         remedy = self.tr("What it did not measure would be missing in the calibration. Measure again on the Run page.")
+        if status == "interrupted":
+            remedy = self.tr("What it has not measured yet would be missing: go on with it on the Start page.")
         return self.tr("Run {0} {1}. {2}").format(run_id, known.get(status, failed), remedy)
 
     def last(self) -> RunLine | None:
