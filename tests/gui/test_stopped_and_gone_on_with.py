@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 from test_path import RUN
 
 from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import ListRuns, RunProcedure
+from labcal.gui.ipc.messages import ListRuns, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record.stream import FAULT, Measurement, Prompt, Step
@@ -56,6 +56,17 @@ def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gon
     assert verdict.word == "▲ INTERRUPTED"
     assert "Mend what is said above, then go on with it on the Start page" in verdict.next
     assert running.page("Run").live.fault.text.text() == "stage: the link is lost."
+
+
+@pytest.mark.parametrize(("kind", "word"), [("instrument", "▲ INTERRUPTED"), ("input", "✕ FAILED")])
+def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, word):
+    still.app_state.resume("r1", "preflight", "EM-07")
+    (asked,) = (one for one in still.app_state.bench_worker.asked if isinstance(one.command, ResumeRun))
+    asked.failed(Fault(kind, "stage: the link is lost."))
+    run = still.app_state.run
+    assert run_verdict(run).word == word
+    assert ("go on with it on the Start page" in run_verdict(run).next) == (kind == "instrument")
+    assert run.message.startswith("Run r1: ")
 
 
 def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_blue_one(running):

@@ -102,6 +102,7 @@ class RunViewModel(QObject):
         self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
         self.sectors: set[int] = set()
+        self._goes_on = False  # a run that was interrupted
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -131,6 +132,7 @@ class RunViewModel(QObject):
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
         self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
+        self.run_id, self._goes_on = run_id, True
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -355,7 +357,8 @@ class RunViewModel(QObject):
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(fault, self.links)
-        self.status = f"failed: {self.fault.text}"
+        left = self._goes_on and fault.kind == "instrument"  # as it was: it goes on when that is mended
+        self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 
     def _over(self) -> None:
