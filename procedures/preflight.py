@@ -15,7 +15,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Limits
 from labcal.bench.position import Position, position
-from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
+from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, refuse_unseen, rotate_once
 from labcal.bench.steps import (
     Blocks,
     Plan,
@@ -180,7 +180,8 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
 def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
     """The DUT mounted along `axis`: by a person now, or as it was before the interruption where that stands."""
     if resume is not None:
-        text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
+        up = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
+        text = f"{up} Hands off then: the platform turns to angle 0."
         drawing = {"body_from_cage": attitude(bench, axis).tolist()}
         if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":
             yield from to_angle(bench, 0.0)
@@ -257,7 +258,9 @@ def _one_turn(
         name, AXES[axis], mode, setting.rate_deg_per_s, to_deg, mounting, setting.step_deg, setting.dwell_s,
         setting.u_mounting_deg, setting.u_time_s,
     )  # fmt: skip
-    return (yield from rotate_once(bench, rotation))
+    blocks = yield from rotate_once(bench, rotation)
+    refuse_unseen(bench, blocks)  # the DUT still stands there: the turn can be begun again
+    return blocks
 
 
 def _closing(bench: Bench, setting: PreflightPlan, first: First, last: str) -> Work[None]:

@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,6 +31,14 @@ SIZE, WALL = (1360, 860), (1920, 1080)
 SHEETS = {"small": ((1024, 700), False), "desk": ((1920, 1080), False), "4k": ((3840, 2160), True)}  # and F11
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 SHEET_PX, ACROSS, GAP_PX = 620, 2, 8  # of one page on a sheet, how many stand beside each other, and between them
+PULLED = {
+    "axes": "z",
+    "modes": "nominal",
+    "magnitudes_nT": "20000",
+    "rate_deg_per_s": "20",
+    "zero_s": "2",
+    "dwell_s": "1",
+}
 METHODS = ("ml", "centered", "twostep", "ekf", "foster-elkaim")
 NAMES = (
     "start",
@@ -228,10 +237,17 @@ def main() -> None:
 
 
 def render(studio: Studio) -> None:
+    """What is asked for."""
+    if studio.wants(*(name for name in NAMES if name != "fault")):
+        the_work(studio)
+    if studio.wants("fault"):
+        with_a_plug_pulled(studio)
+
+
+def the_work(studio: Studio) -> None:
     """All pages in the order of the work."""
     from labcal.gui.ipc.answers import RunLine
     from labcal.gui.ipc.messages import ListRuns
-    from labcal.gui.ipc.wire import Fault
     from labcal.gui.pages.bench import BenchPage
 
     app_state = studio.app_state
@@ -261,15 +277,29 @@ def render(studio: Studio) -> None:
         studio.shoot("history", "History")
     if studio.wants("pages"):
         studio.sheets()
-    app_state.fault.emit(
-        Fault(
-            "instrument",
-            "The reference sensor has sent nothing for 2 s.",
-            "Check its plug.",
-            "…",
-        )
-    )
-    studio.shoot("fault", "Run")
+
+
+def with_a_plug_pulled(studio: Studio) -> None:
+    """A run on the same lab, served on ports of this computer: the reference's plug is pulled in a turn."""
+    sys.path.insert(0, str(ROOT / "tests" / "campaign"))
+    sys.path.insert(0, str(ROOT / "tests" / "runner"))
+    bench = import_module("benches").Bench("tti", served=True)
+    app_state, run = studio.app_state, studio.app_state.run
+    try:
+        app_state.open_bench(str(bench.file))
+        studio.wait(lambda: app_state.bench == str(bench.file) and app_state.facts is not None)
+        app_state.start("preflight", PULLED)
+        while not studio.in_the_middle_of("z"):
+            studio.live(0.1)
+            if run.state == "asking" and run.prompt is not None:
+                run.answer(run.prompt.choices[0])
+        bench.ask("unplug", name="reference")
+        studio.wait(lambda: run.state == "asking", 60)
+        studio.shoot("fault", "Run")
+        run.answer("stop")
+        studio.wait(lambda: run.state == "ended", 60)
+    finally:
+        bench.close()
 
 
 if __name__ == "__main__":

@@ -32,12 +32,14 @@ from labcal.bench.driver_kit.roles import (
 from labcal.bench.guarded_greeting import all_greeted
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.listening import Listening
+from labcal.bench.named_links import named_links
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
-from labcal.bench.streams.reconnect import bring_back
+from labcal.bench.streams.reconnect import AWAY, bring_back
 from labcal.bench.streams.reference import blind
 from labcal.bench.streams.samples import block_of
 from labcal.bench.streams.watch import Look
+from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream
 
 COIL_POLL_S = 1.0
@@ -96,15 +98,15 @@ class Bench:
         )  # fmt: skip
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
-        self._listening = Listening(config, clock, self.cage, dut, reference, self.reconnect, carry)
+        self._listening = Listening(config, clock, self.cage, dut, reference, self.reconnect, carry, self._waited_for)
         if isinstance(platform, BenchPlatform):
-            again = partial(self.reconnect, platform.name)
-            platform.bring_back = partial(bring_back, again, clock, look=lambda: self.look())
+            platform.bring_back = self._bring_stage_back
         self._polled: dict[tuple[Stream, str, tuple[str, ...]], list[tuple[float, ...]]] = {}  # rows of t_s and values
         self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
         self._heard_s: dict[str, float] = {}  # what is polled, by name
         self._look = Look(self._at_rest_only(), self._ask_again)
+        self.asking = False  # a person: with the coils at zero nothing is missed until the answer
 
     def state(self) -> LabState:
         """The lab as it was last read, each part with its time on the bench's clock."""
@@ -190,6 +192,10 @@ class Bench:
         """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
         return sorted(self._listening.news() + self._look.news(), key=lambda event: event.t_s)
 
+    def named(self, text: str, *, brief: bool = False) -> str:
+        """`text` with the instruments' names before their links, or in their place."""
+        return named_links(text, {name: one.link for name, one in self.config.instruments.items()}, brief=brief)
+
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
         asked = set(prompt.drawing)
@@ -268,13 +274,32 @@ class Bench:
             self._poll_coils()
         self._look.at(self.clock.now())
 
+    def _waited_for(self) -> bool:
+        """Whether what is lost may come back as late as it likes: a person is asked, and no coil is on."""
+        return self.asking and not self.cage.on
+
+    def _bring_stage_back(self, lost: InstrumentError) -> None:
+        """Wait for the stage's line; while a person is asked it is looked for again and again instead."""
+        if self._waited_for():
+            raise lost
+        bring_back(partial(self.reconnect, self.platform.name), self.clock, lost, look=lambda: self.look())
+
     def _poll_platform(self) -> None:
-        t = self.clock.now()
-        angle, moving = self.platform.state()
-        self._heard_s[self.platform.name] = t
+        t, name = self.clock.now(), self.platform.name
+        if self._waited_for() and self._look.wrong(name):
+            return  # it is asked again there
+        try:
+            angle, moving = self.platform.state()
+        except InstrumentError as fault:
+            if not self._waited_for() or fault.fault not in AWAY:
+                raise
+            self._look.gone(name, fault, t)
+            return
+        self._look.heard(name, t)
+        self._heard_s[name] = t
         if self.by_hand is None or not moving:  # hands tell no angle before they are taken off
-            self._keep("angle", self.platform.name, ("angle_deg",), t, angle)
-        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
+            self._keep("angle", name, ("angle_deg",), t, angle)
+        self._keep("channel", name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
 
     def _poll_coils(self) -> None:
         t, currents = self.clock.now(), self.cage.currents_A()

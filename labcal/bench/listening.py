@@ -31,7 +31,10 @@ PATIENCE = 0.9  # of the time after which a sensor is called silent: a lost line
 
 
 class Listening:
-    """Both sensors, read in one go. `reconnect` opens the lost line of one by its name; `carry` is the bench's."""
+    """Both sensors, read in one go. `reconnect` opens the lost line of one by its name; `carry` is the bench's.
+
+    While one is `waited_for`, nothing is missed.
+    """
 
     def __init__(
         self,
@@ -42,19 +45,21 @@ class Listening:
         reference: Magnetometer,
         reconnect: Callable[[str], object],
         carry: Place | None,
+        waited_for: Callable[[], bool],
     ) -> None:
         self.on = False
         self.field = FieldReading()
         self._config, self._clock, self._cage, self._carry = config, clock, cage, carry
-        self._dut, self._reference = dut, reference
+        self._dut, self._reference, self._waited_for = dut, reference, waited_for
         self._streams = [
-            Reconnecting(dut, partial(reconnect, dut.name), PATIENCE * config.dut.silent_s),
+            Reconnecting(dut, partial(reconnect, dut.name), PATIENCE * config.dut.silent_s, waited_for=waited_for),
             Reconnecting(
                 reference,
                 partial(reconnect, reference.name),
                 PATIENCE * config.reference.silent_s,
                 lambda: PATIENCE * self._reference_missed_s(),
                 tried=not is_connection(config.instruments[reference.name].link),
+                waited_for=waited_for,
             ),
         ]
         self._arrived: list[Block] = []
@@ -70,7 +75,7 @@ class Listening:
         self._listened_s = now = self._clock.now()
         self._watches = [
             StreamWatch(stream.name, stated.silent_s, stated.stuck_s, now, stream.period_s)
-            for stream, stated in zip(self._streams, (self._config.dut, self._config.reference), strict=True)
+            for stream, stated in ((self._streams[0], self._config.dut), (self._streams[1], self._config.reference))
         ]
         self._limits = self._temperature_limits(now)
         self.on = self._cage.check.streaming = True
@@ -102,13 +107,14 @@ class Listening:
         left_s = math.inf, self._reference_missed_s()
         for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:
-                watch.see(blocks, now, stream.wrong, math.inf if stream.wrong else left, stream.spoilt)
+                may_s = math.inf if stream.wrong else left
+                watch.see(blocks, now, stream.wrong, may_s, spoilt=stream.spoilt, waited_for=self._waited_for())
             except InstrumentError as fault:
                 faults.append(fault)
         if faults:
             raise faults[0]
         for limit in self._limits:
-            limit.see(readings[0], now)
+            limit.see(readings[0], now, self._waited_for())
         if self._field_limit is not None and self._cage.on:
             self._field_limit.see(readings[1], float(np.linalg.norm(self._cage.ambient_nT)))
         self._cage.refuse_what_is_not_seen()

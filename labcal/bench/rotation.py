@@ -19,6 +19,7 @@ from labcal.record.stream import Block
 SECTOR_DEG = 15.0
 MOST_NOISE = 1.5  # times what the bench file states
 TRIES_BY_HAND = 3
+GAP = 5.0  # times the DUT's usual pause between two readings: so far from any it has seen nothing
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,11 +95,33 @@ def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
 
 
 def missing_sectors(blocks: Sequence[Block], sector_deg: float = SECTOR_DEG) -> list[int]:
-    """The starting angles [deg] of the sectors of the circle in which no angle was recorded."""
-    angle = np.sort(samples(blocks, "angle", "angle_deg").values[:, 0])
-    between = _filled(angle, sector_deg)
-    seen = {int(a // sector_deg) for a in np.mod(between, 360.0)}
-    return [int(n * sector_deg) for n in range(round(360 / sector_deg)) if n not in seen]
+    """The starting angles [deg] of the sectors of the circle in which no angle was recorded that the DUT saw."""
+    angle = samples(blocks, "angle", "angle_deg")
+    seen = _filled(np.sort(angle.values[_beside_the_dut(angle.t_s, blocks), 0]), sector_deg)
+    there = {int(a // sector_deg) for a in np.mod(seen, 360.0)}
+    return [int(n * sector_deg) for n in range(round(360 / sector_deg)) if n not in there]
+
+
+def refuse_unseen(bench: Bench, blocks: Blocks) -> None:
+    """Raise InstrumentError where the platform passed sectors of the circle while the DUT sent nothing."""
+    passed = missing_sectors([block for block in blocks if block.stream == "angle"])
+    unseen = [sector for sector in missing_sectors(blocks) if sector not in passed]
+    if unseen:
+        raise InstrumentError(
+            f"{bench.dut.name}: it sent nothing in {len(unseen)} of {round(360 / SECTOR_DEG)} sectors of this turn.",
+            fault="coverage",
+            remedy="See that it sends, then begin this step again.",
+        )
+
+
+def _beside_the_dut(t_s: NDArray[np.float64], blocks: Sequence[Block]) -> NDArray[np.bool_]:
+    """Which of these stamps lie near a sample of the DUT, by its usual pauses; all where none of it is given."""
+    sent = np.unique(np.concatenate([np.empty(0), *(block.t_s for block in blocks if block.stream == "dut")]))
+    if len(sent) < 2:
+        return np.full(len(t_s), len(sent) == 0)
+    after = np.clip(np.searchsorted(sent, t_s), 1, len(sent) - 1)
+    nearest = np.minimum(np.abs(t_s - sent[after - 1]), np.abs(sent[after] - t_s))
+    return np.asarray(nearest <= GAP * np.median(np.diff(sent)))
 
 
 def _filled(angle: NDArray[np.float64], sector_deg: float) -> NDArray[np.float64]:

@@ -20,6 +20,7 @@ from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Matrix, Segment
 from labcal.record.stream import (
+    FAULT,
     NOT_USED,
     Block,
     Event,
@@ -194,10 +195,13 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
         try:
             return (yield from work())
         except InstrumentError as fault:
-            yield Event(bench.clock.now(), "fault", str(fault), {"step": name, "fault": fault.fault})
+            said = bench.named(str(fault))
+            yield Event(bench.clock.now(), FAULT, said, {"step": name, "fault": fault.fault})
             yield from coils_off(bench)
-            text = f"{name}: {fault} ({bench.sentence()})"
-            answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, ("stop", "retry", "skip"))
+            text = f"{name}: {said} ({bench.sentence()})"
+            drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not be told
+            choices = ("stop", "retry", "skip")
+            answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
             if answer == "stop":
                 raise
             if answer == "skip":

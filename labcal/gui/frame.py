@@ -33,6 +33,7 @@ from labcal.gui.viewmodels.number_format import format_field, format_number, ste
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import ReadoutGrid, Surface, button, label, named, plain, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
@@ -291,7 +292,7 @@ class Frame(QMainWindow):
         switches = (self.lock_switch, self.language_switch, self.theme_switch, self.size_switch, self.sound_switch)
         for widget in (*switches, self.help):
             column.addWidget(widget)
-        self.sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
+        self.sidebar_buttons.idClicked.connect(self._open_at)
         return sidebar
 
     def _status_line(self) -> QWidget:
@@ -317,7 +318,12 @@ class Frame(QMainWindow):
         """Show the page called `name`."""
         index = self._names.index(name)
         self.sidebar_buttons.button(index).setChecked(True)
-        self.stack.setCurrentIndex(index)
+        self._open_at(index)
+
+    def _open_at(self, index: int) -> None:
+        """Who worked on the page before has the focus on the name of this one."""
+        with focus_kept_in(self.stack, self.sidebar_buttons.button(index)):
+            self.stack.setCurrentIndex(index)
 
     def page_shown(self) -> str:
         """The name of the page that is in sight."""

@@ -235,9 +235,9 @@ class Window(Frame):
         self._show_next()
 
     def _show_next(self) -> None:
-        """Who sees the run already, and is not asked, has nothing to do but to wait."""
-        run = self.app_state.run
-        self.next.setDisabled(run.alive and run.state != "asking" and self.page_shown() == "Run")
+        """Who sees already what goes on, and is not asked, has nothing to do but to wait."""
+        to = self.app_state.path.next()
+        self.next.setDisabled(to.waits and self.page_shown() == to.page)
 
     def _go_on(self) -> None:
         """To what is next; where it is to say who and what, into the field that is wanted."""

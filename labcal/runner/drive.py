@@ -16,13 +16,14 @@ from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
-from labcal.record.stream import NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 PROMPT_S = 1.0  # what is told later than this says so
 UNDONE_S = 0.3  # that a procedure is given, once it was told to end, before its coils are taken to zero
+CLOCK_BACK = "clock set back"
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 OnItem = Callable[[Item], None]
 Show = Callable[[LabState], None]
@@ -63,6 +64,7 @@ class Drive:
     _rows_wait: bool = field(default=False, init=False)
     _end_requested_s: float | None = field(default=None, init=False)
     _announced: str = field(default="", init=False)  # which takes long
+    _fault_kept: str = field(default="", init=False)  # the words of the last fault in the record
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -141,6 +143,8 @@ class Drive:
         item = _later(item, self.offset_s) if self.offset_s else item
         with self._zero_unless_kept():
             self.write(item)
+        if isinstance(item, Event) and item.kind == FAULT:
+            self._fault_kept = item.text
         if isinstance(item, Event) and age_s > PROMPT_S:
             item = replace(item, text=f"{age_s:.1f} s ago: {item.text}")
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
@@ -164,13 +168,14 @@ class Drive:
         answers: queue.Queue[str | BaseException] = queue.Queue()
         asking = threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True)
         asking.start()
-        while answers.empty():
-            self._check()
-            if isinstance(self.bench.clock, VirtualClock):
-                asking.join(LISTEN_S)
-                self._show()  # no time passes in the lab: what was read grows no older
-            else:
-                self._listen()
+        with self._person_awaited():
+            while answers.empty():
+                self._check()
+                if isinstance(self.bench.clock, VirtualClock):
+                    asking.join(LISTEN_S)
+                    self._show()  # no time passes in the lab: what was read grows no older
+                else:
+                    self._listen()
         given = answers.get()
         if isinstance(given, BaseException):
             raise given
@@ -182,14 +187,24 @@ class Drive:
         self.bench.cage.zero()
         currents = self.bench.cage.currents_A().tolist()
         self._keep(read_back(self.bench, "pause", "paused, ", current_A=currents))
-        while self.control.paused():
-            self._check()
-            if isinstance(self.bench.clock, VirtualClock):
-                self.control.wait_for_resume(LISTEN_S)
-                self._show()
-            else:
-                self._listen()
+        with self._person_awaited():
+            while self.control.paused():
+                self._check()
+                if isinstance(self.bench.clock, VirtualClock):
+                    self.control.wait_for_resume(LISTEN_S)
+                    self._show()
+                else:
+                    self._listen()
         self._keep(self._event("pause", "goes on"))
+
+    @contextmanager
+    def _person_awaited(self) -> Iterator[None]:
+        """With the coils at zero a cable may be out meanwhile, as one is while a device is mounted."""
+        self.bench.asking = True
+        try:
+            yield
+        finally:
+            self.bench.asking = False
 
     def _check(self) -> None:
         """Raise where the operator wants the end; an abort zeroes the coils before the procedure hears of it."""
@@ -267,7 +282,7 @@ class Drive:
         if behind > CLOCK_BACK_S:
             raise InstrumentError(
                 f"the computer's clock was set back by {behind:.1f} s.",
-                fault="clock set back",
+                fault=CLOCK_BACK,
                 remedy="Set the clock right and start the run again.",
             )
 
@@ -282,6 +297,8 @@ class Drive:
         try:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
+            if not ending.by_store:
+                self._keep_fault(ending.fault or next(iter(faults), None))
             read_back = self._read_back(faults, lost)
             self._keep_news()
             for event in bench.events():  # what a stream lost on the way: the read-back is the last word
@@ -293,6 +310,11 @@ class Drive:
         if not self._at_zero:
             return Ending(f"failed: {self._said}{_what_else(first, self._said)}", first)
         return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
+
+    def _keep_fault(self, fault: BaseException | None) -> None:
+        """Which instrument ended the run, unless the procedure has said so itself: `interrupted` does not."""
+        if isinstance(fault, InstrumentError) and (said := self.bench.named(str(fault))) != self._fault_kept:
+            self._keep(self._event(FAULT, said, fault=fault.fault))
 
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
         """The currents as read back, an axis that does not answer as None, and what went wrong on the way.

@@ -19,14 +19,14 @@ from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.parameters import settings
 from labcal.bench.stated import refuse_overdue, stated_administrative, stated_environment, stated_reference
 from labcal.bench.steps import Resume
-from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
+from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
 from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, Event, Item, Measurement, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
-from labcal.runner.drive import Drive, Ending, OnItem, Show
+from labcal.runner.drive import CLOCK_BACK, Drive, Ending, OnItem, Show
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 from labcal.store.writer import iso
@@ -221,8 +221,9 @@ def _drive(
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
-    if drive.control.to_be_resumed and procedure.resumable and isinstance(ending.fault, Stopped):
-        ending = Ending(INTERRUPTED, ending.fault)
+    wanted = drive.control.to_be_resumed and isinstance(ending.fault, Stopped)
+    if procedure.resumable and (wanted or _may_go_on(ending.fault)):
+        ending = Ending(INTERRUPTED, ending.fault, ending.by_store)
     lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
     writer.waits = lambda fault: seen.not_kept(bench.clock.now() + offset_s, fault)
     status, fault, words = _written(writer, ending)
@@ -231,6 +232,15 @@ def _drive(
     if status == INTERRUPTED and not procedure.resumable:
         words = f"{words}; {procedure.name} cannot be gone on with: start it anew"
     return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, words, resumable)
+
+
+def _may_go_on(fault: BaseException | None) -> bool:
+    """Whether an instrument ended the run: it goes on when that is mended.
+
+    A set-point beyond a limit would be refused again, and what a clock that was set back has stamped stands.
+    """
+    lost = isinstance(fault, InstrumentError) and not isinstance(fault, LimitError)
+    return lost and getattr(fault, "fault", "") != CLOCK_BACK
 
 
 def _still_counts(item: Item) -> bool:

@@ -135,6 +135,48 @@ def test_a_stage_that_was_pulled_is_read_again_once_it_is_back(tmp_path: Path, m
     plug.pull()
 
 
+AWAY_S, SHORT_S = 1.2, 0.4  # out for three times as long as it may be while nobody is asked
+
+
+@pytest.mark.parametrize(("role", "name"), [("reference", "reference"), ("platform", "stage")])
+def test_while_a_person_is_asked_with_the_coils_at_zero_a_cable_may_be_out_and_after_that_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, role: str, name: str
+) -> None:
+    monkeypatch.setattr(reconnect, "BACK_S", SHORT_S)
+    monkeypatch.setattr("test_reconnect.PATIENCE_S", SHORT_S)
+    plug, lab = Plug(tmp_path / "ttyUSB0"), open_twin({}, 1)
+    there = sensor() if role == "reference" else ZaberEmulator(lab, {}, SimpleNamespace(address=1, axis=1))
+    plug.put_in(there)
+    with bench_with(plug, role) as bench:
+        bench.start()
+        bench.stream_until(bench.clock.now() + 0.5)
+        bench.asking = True
+        plug.pull()
+        bench.stream_until(bench.clock.now() + AWAY_S)
+        assert {one.name: one.fault for one in bench.state().instruments}[name] == "link lost"
+        plug.put_in(there)
+        until_back(bench, name)
+        assert next(event.data["fault"] for event in bench.news()) == "link lost"
+        plug.pull()
+        bench.stream_until(bench.clock.now() + AWAY_S)
+        bench.asking = False
+        with pytest.raises(InstrumentError) as caught:
+            bench.stream_until(bench.clock.now() + 60.0)
+        assert caught.value.fault == "link lost"
+        plug.put_in(there)
+        bench.asking = True
+        until_back(bench, name)  # else the way to rest has nobody to speak to
+    plug.pull()
+
+
+def until_back(bench: Bench, name: str) -> None:
+    """Wait until nothing is wrong with it; the clock is only there to end what hangs."""
+    deadline = bench.clock.now() + 60.0
+    while {one.name: one.fault for one in bench.state().instruments}[name]:
+        assert bench.clock.now() < deadline
+        bench.stream_until(bench.clock.now() + 0.1)
+
+
 class Lost:
     """A sensor whose line is lost for good; what `reopen` does is given."""
 

@@ -176,7 +176,7 @@ def test_a_slow_stream_is_given_its_time() -> None:
     assert len(watch.news()) == 1
 
 
-def test_what_rests_is_looked_at_every_two_seconds_and_its_loss_is_told_once() -> None:
+def test_what_rests_is_looked_at_every_second_and_its_loss_is_told_once() -> None:
     asked, faults = list[str](), [InstrumentError("reversers: gone.", fault="link lost")] * 2
 
     def ask(name: str) -> None:
@@ -188,8 +188,8 @@ def test_what_rests_is_looked_at_every_two_seconds_and_its_loss_is_told_once() -
     for t in np.arange(0.0, 9.0, 0.5).tolist():
         look.at(t)
         told += [(event.t_s, event.data["fault"]) for event in look.news()]
-    assert len(asked) == 5
-    assert told == [(2.0, "link lost"), (6.0, "heard again")]
+    assert len(asked) == 9
+    assert told == [(1.0, "link lost"), (3.0, "heard again")]
     assert look.wrong("reversers") == ""
 
 
@@ -199,3 +199,27 @@ def test_another_instrument_in_its_place_is_refused() -> None:
 
     with pytest.raises(InstrumentError, match="another"):
         Look(["reversers"], another).at(0.0)
+
+
+def test_what_is_gone_is_asked_until_it_answers_and_no_longer() -> None:
+    asked = list[str]()
+    look = Look([], asked.append)
+    look.gone("stage", InstrumentError("the link is lost.", fault="link lost"), 0.0)
+    assert look.wrong("stage") == "link lost"
+    for t in (0.0, 0.5, 2.0, 4.0):
+        look.at(t)
+    assert asked == ["stage"]
+    assert [event.text for event in look.news()] == ["stage: the link is lost.", "stage: it answers again"]
+
+
+def test_nothing_is_missed_while_it_is_waited_for_and_patience_begins_anew() -> None:
+    watch, hot = StreamWatch("dut", 3.0, 60.0, 0.0), TemperatureLimit((-20.0, 60.0), ("temp",), "", 0.0)
+    for t in np.arange(0.0, 100.0, 0.5).tolist():
+        watch.see([], t, waited_for=True)
+        hot.see([], t, waited_for=True)
+    watch.see([], 102.0)
+    hot.see([], 102.0)
+    with pytest.raises(InstrumentError, match="no sample for 103"):
+        watch.see([], 103.0)
+    with pytest.raises(InstrumentError, match="no temperature for 61 s"):
+        hot.see([], 99.5 + 61.0)

@@ -62,16 +62,16 @@ def _without(text: str, name: str) -> str:
 
 
 class Bench:
-    """One bench, served by a process; `ask` asks that one what is true."""
+    """One bench, served by a process; `ask` asks that one what is true. `served`: it says that it is simulated."""
 
-    def __init__(self, kind: str) -> None:
+    def __init__(self, kind: str, *, served: bool = False) -> None:
         self.kind, self.folder = kind, Path(tempfile.mkdtemp(prefix="camp-", dir="/tmp"))
         source, self.file = self.folder / "bench.toml", self.folder / "served.toml"
         source.write_text(bench_text(kind), encoding="utf-8")
         address = str(self.folder / "truth")
         env = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
         self._process = subprocess.Popen(
-            [sys.executable, str(SERVES), str(source), str(self.file), address],
+            [sys.executable, str(SERVES), str(source), str(self.file), address, *(["served"] if served else [])],
             stdout=subprocess.PIPE, text=True, env=env,
         )  # fmt: skip
         assert self._process.stdout is not None

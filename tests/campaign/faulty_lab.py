@@ -1,7 +1,8 @@
 """A bench's emulated instruments on faulty lines, in a process of its own, and a socket that tells the truth.
 
-`python faulty_lab.py BENCH OUT SOCKET` writes OUT, the bench file with real links, and prints `ready`. The socket takes
-one JSON object a line, {"do": NAME, …}, and answers with one: labcal does not know of it.
+`python faulty_lab.py BENCH OUT SOCKET [served]` writes OUT, the bench file with real links, and prints `ready`; with
+`served` all of them are ports, and OUT says that it is simulated, as `labcal bench serve` does. The socket takes one
+JSON object a line, {"do": NAME, …}, and answers with one: labcal does not know of it.
 """
 
 from __future__ import annotations
@@ -40,8 +41,8 @@ AHEAD = -10  # instruments do not wait for this machine; where it may not be ask
 class FaultyLab:
     """The simulated lab, its lines, and everything that can go wrong with them."""
 
-    def __init__(self, path: Path, out: Path) -> None:
-        self.clock = RealClock()
+    def __init__(self, path: Path, out: Path, served: bool = False) -> None:
+        self.clock, self._served = RealClock(), served
         self._zero_s = time.monotonic() - self.clock.now()  # of the bench's clock, on the machine's
         self._loader = Loader(path, config := read_config(path), self.clock, 0)
         self._loader.twin = self._loader._twin()
@@ -55,7 +56,7 @@ class FaultyLab:
         for name in config.instruments:
             self._lay(name, out.parent)
         self._plugged = {name: line.hears for name, line in self.lines.items()}
-        table = config.model_dump(mode="json", exclude_defaults=True)
+        table = config.model_dump(mode="json", exclude_defaults=True) | ({"served": True} if served else {})
         for name in config.instruments:
             table["instruments"][name]["link"] = self._line(name).end.url
         write_text(out, toml(table))
@@ -69,11 +70,11 @@ class FaultyLab:
             supply = entry.role.startswith("coil-")
             overhears = self._overhearing.emulator(name) if supply else Nobody()
             end: End
+            scheme = "modbus-rtu" if speaks_modbus(self._loader.driver(name)[1]) else "serial"
             if getattr(device, "wire", "serial") == "tcp":
                 end = TcpEnd("tcp")
             else:
-                modbus = speaks_modbus(self._loader.driver(name)[1])
-                end = PtyEnd("modbus-rtu" if modbus else "serial", folder / name)
+                end = TcpEnd(scheme) if self._served else PtyEnd(scheme, folder / name)
             self.lines[url] = FaultyLine(name, end, device, overhears)
 
     def _line(self, name: str) -> FaultyLine:
@@ -219,12 +220,12 @@ class Telling:
         self._callers[file].sendall(json.dumps(do(**said)).encode() + b"\n")
 
 
-def main(bench: Path, out: Path, address: str) -> None:
+def main(bench: Path, out: Path, address: str, served: bool) -> None:
     """Serve until the process is ended, or the one that began it is gone."""
     parent = os.getppid()
     with suppress(PermissionError):
         os.nice(AHEAD)
-    lab = FaultyLab(bench, out)
+    lab = FaultyLab(bench, out, served)
     telling = Telling(address, lab)
     print("ready", flush=True)
     while os.getppid() == parent:
@@ -238,4 +239,4 @@ def main(bench: Path, out: Path, address: str) -> None:
 
 if __name__ == "__main__":
     assert set(AXES) == set("xyz")
-    main(Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3])
+    main(Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3], sys.argv[4:] == ["served"])

@@ -15,7 +15,7 @@ from labcal.gui.ipc.answers import CoilEnd, Doubt, Greeting, Identified, Switche
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.pages.bench import reading_text
+from labcal.gui.pages.bench import HEADINGS, reading_text
 from labcal.record.stream import Block
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -132,6 +132,18 @@ def test_what_the_earth_s_field_is_at_the_bench_s_place_stands_beside_the_ambien
     assert facts.earth.magnitude_nT == pytest.approx(48_100, abs=600)  # of middle Europe in these years
     assert 200 < facts.earth.U_nT < 500
     assert f"{facts.earth.model} here, outdoors: 48 " in bench.cage_words.text().replace("\u202f", " ")
+
+
+def test_how_an_instrument_stands_is_in_sight_beside_its_name_however_long_its_link(still):
+    still.resize(1360, 860)
+    still.open_page("Bench")
+    bench = still.page("Bench")
+    bench.table.set_cell(5, 2, "serial:///dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A10XYZ12-if00-port0?baud=115200")
+    QApplication.processEvents()
+    header, seen = bench.table.horizontalHeader(), bench.table.viewport().width()
+    assert [HEADINGS[header.logicalIndex(n)] for n in range(4)] == ["role", "instrument", "state", "last reading"]
+    state = HEADINGS.index("state")
+    assert header.sectionViewportPosition(state) + header.sectionSize(state) <= seen
 
 
 def test_no_heading_of_the_table_is_cut_where_room_is_least(still, bench, qtbot):

@@ -39,7 +39,11 @@ def test_procedures_stand_in_groups_and_are_found_by_what_they_do(choose):
     assert in_sight(choose) == []
     choose.search.setText("cage-map")
     assert in_sight(choose) == ["The cage and its reference", "cage-map"]
+    assert not choose.none_found.isVisible()
+    choose.search.setText("nothing of the kind")
+    assert choose.none_found.isVisible()  # an empty list says why
     choose.search.setText("")
+    assert not choose.none_found.isVisible()
     assert len(in_sight(choose)) == choose.list.count()
 
 

@@ -25,9 +25,10 @@ from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations.sentences import form_of
+from labcal.gui.viewmodels.run import asked_text
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
 from labcal.gui.widgets.prompt_card import WORDS, acting
-from labcal.record.stream import Prompt
+from labcal.record.stream import FAULT, Prompt
 from labcal.runner import find, run_procedure
 from labcal.runner.prompts import first_choice
 from labcal.store import Store
@@ -40,7 +41,18 @@ DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.
-SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away", "half", "reversed", "serial"}
+SAID_IN_WORDS = {
+    "mode",
+    "load",
+    "on",
+    "reference_m",
+    "reference_turned",
+    "dut_away",
+    "half",
+    "reversed",
+    "serial",
+    FAULT,
+}
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError
@@ -188,12 +200,11 @@ class Asked:
 
     def is_shown(self):
         card, prompt = self.card, self.prompt
+        words = asked_text(prompt)
         assert card.isVisible()
-        assert card.text.text() == prompt.text
+        assert card.text.text() == words
         assert form_of(prompt.text) or prompt.key == "failed-turn", f"not in other languages: {prompt.text}"
-        room = QFontMetrics(card.text.font()).boundingRect(
-            card.text.contentsRect(), Qt.TextFlag.TextWordWrap, prompt.text
-        )
+        room = QFontMetrics(card.text.font()).boundingRect(card.text.contentsRect(), Qt.TextFlag.TextWordWrap, words)
         assert card.text.contentsRect().contains(room), f"{prompt.text} is cut off"
         lights = self.window.page("Run").live.lights
         assert lights.height() >= lights.minimumSizeHint().height(), "the lights of the axes are squeezed"

@@ -71,6 +71,9 @@ def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
     assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link is lost."
     assert ("reference", "fault", "failed") in still.app_state.lab.state.now.lights
     assert with_instrument_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
+    for said in ("reference (serial:///dev/ttyUSB9): it is lost.", "reference: serial:///dev/ttyUSB9: it is lost."):
+        known = with_instrument_names(Fault("instrument", said), LINKS).text
+        assert known == "reference (serial:///dev/ttyUSB9): it is lost."  # the name is said once
 
 
 def test_a_full_disk_is_said_as_such_and_is_no_fault_of_labcal_s():

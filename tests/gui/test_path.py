@@ -116,7 +116,11 @@ def test_a_run_that_goes_on_is_now(still, path):
 
 @pytest.mark.parametrize(
     ("status", "why"),
-    [("stopped", "was stopped before its end"), ("failed: dut is silent", "failed: dut is silent")],
+    [
+        ("stopped", "was stopped before its end"),
+        ("failed: dut is silent", "failed: dut is silent"),
+        ("interrupted", "was interrupted"),
+    ],
 )
 @pytest.mark.parametrize("name", ["Fit", "Loop"])
 def test_a_run_that_did_not_come_to_its_end_gives_no_calibration_and_it_is_said_why(still, path, name, status, why):
@@ -132,7 +136,7 @@ def test_a_run_that_did_not_come_to_its_end_gives_no_calibration_and_it_is_said_
     still.app_state.quick_worker.answer(ListRuns, (replace(RUN, status=status),))
     assert not any(one.isEnabled() for one in buttons)
     assert why in page.empty.text()
-    assert "Measure again" in page.empty.text()
+    assert ("on the Start page" if status == "interrupted" else "Measure again") in page.empty.text()
 
 
 def test_a_method_that_was_fitted_marks_fit(still, path):
@@ -141,9 +145,14 @@ def test_a_method_that_was_fitted_marks_fit(still, path):
     study.open("r1")
     study.waiting = []
     study.fit("ml")
-    assert marks(still)[1] == "●"
+    assert (marks(still)[1], still.next.text()) == ("●", "Next: See what is found")  # and not what comes after that
+    assert still.next.isEnabled()
+    still.open_page("Fit")
+    assert not still.next.isEnabled()
     still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
-    assert marks(still)[1] == "✓"
+    assert (marks(still)[1], still.next.text()) == ("✓", "Next: Trace the residual")
+    study.close_loop()
+    assert (marks(still)[2], still.next.text()) == ("●", "Next: See what is found")
 
 
 MEASURED = {
@@ -165,7 +174,7 @@ def test_the_end_of_a_run_fills_the_page_with_its_verdict(still, qtbot, verdict)
     worker.answer(RunProcedure, Ended("r1", "finished"))
     card = live.verdict
     assert live.middle.currentWidget() is card
-    assert (card.serial.text(), card.word.text().split(" ", 1)[1]) == ("EM-07", verdict)
+    assert (card.serial.text(), card.word.text().split("\N{NO-BREAK SPACE}", 1)[1]) == ("EM-07", verdict)
     assert verdict in card.rule.text()
     assert verdict == "PASS" or "noise" in card.rule.text()
     assert card.next.text()
@@ -179,6 +188,7 @@ def test_next_begins_what_it_says(still, path, qtbot):
     path.take_runs((RUN,))
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.commands(FitRun) == [FitRun("r1", "ml")]
+    still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
     path.take_calibrations((calibration(signed=False),))
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.commands(CloseLoop) == [CloseLoop("r1")]
@@ -287,6 +297,7 @@ def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
     still.app_state.bench_worker.items.emit((Step(0.0, 1, 1, "zero", 60.0, ("zero",)),))
     still.app_state.bench_worker.items.emit((Measurement(1.0, "closure x", 1.0, 1.0, "nT", 30.0),))
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", status))
-    assert run_verdict(run).word == word == live.verdict.word.text()
+    assert run_verdict(run).word == word
+    assert live.verdict.word.text().split() == word.split()
     assert "no verdict" in live.verdict.rule.text()
     assert not live.fit.isVisible()

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QApplication
 from test_path import RUN
 
 from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import ListRuns, RunProcedure
+from labcal.gui.ipc.messages import ListRuns, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.run_verdict import run_verdict
-from labcal.record.stream import Measurement, Step
+from labcal.record.stream import FAULT, Measurement, Prompt, Step
 
 FIRST = Step(0.0, 1, 2, "x+20uT-nominal", 60.0, ("x+20uT-nominal", "closing"))
 STOPPED = Fault("stopped", "stopped by the operator")
@@ -47,6 +47,37 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "■ STOPPED"
     assert "go on with it on the Start page" in verdict.next
+
+
+def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gone_on_with(running):
+    lost = Fault("instrument", "stage: the link is lost.", "Plug it in.")
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
+    verdict = run_verdict(running.app_state.run)
+    assert verdict.word == "▲ INTERRUPTED"
+    assert "Mend what is said above, then go on with it on the Start page" in verdict.next
+    assert running.page("Run").live.fault.text.text() == "stage: the link is lost."
+
+
+@pytest.mark.parametrize(("kind", "word"), [("instrument", "▲ INTERRUPTED"), ("input", "✕ FAILED")])
+def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, word):
+    still.app_state.resume("r1", "preflight", "EM-07")
+    (asked,) = (one for one in still.app_state.bench_worker.asked if isinstance(one.command, ResumeRun))
+    asked.failed(Fault(kind, "stage: the link is lost."))
+    run = still.app_state.run
+    assert run_verdict(run).word == word
+    assert ("go on with it on the Start page" in run_verdict(run).next) == (kind == "instrument")
+    assert run.message.startswith("Run r1: ")
+
+
+def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_blue_one(running):
+    long = "x+20uT-nominal: stage (serial:///dev/ttyUSB0): the link is lost. Plug it in. (coils at zero)"
+    choices, drawing = ("stop", "retry", "skip"), {FAULT: "stage: the link is lost. Plug it in."}
+    running.app_state.bench_worker.items.emit((Prompt(1.0, "failed-x", long, choices, drawing=drawing),))
+    card = running.page("Run").live.prompt
+    assert card.text.text() == "stage: the link is lost. Plug it in."
+    assert {choice: made.objectName() for choice, made in card.choices.items()}["retry"] == "primary"
+    assert [made.objectName() for made in card.choices.values()].count("primary") == 1
+    assert card.choices["retry"].text().startswith("Hands off")
 
 
 def test_what_was_measured_before_an_interruption_counts_in_the_verdict_after_it(running):
@@ -88,3 +119,13 @@ def test_how_long_a_procedure_takes_is_said_of_its_own_settings_alone(still):
     assert "min of measuring" in choose.needs.text()
     choose.form.set_text("magnitudes_nT", "20000")
     assert "min of measuring" not in choose.needs.text()
+
+
+def test_who_goes_to_another_page_by_keyboard_does_not_land_in_the_serial(still, qtbot):
+    still.open_page("History")
+    still.page("History").search.setFocus()
+    qtbot.keyClick(still, Qt.Key.Key_1, Qt.KeyboardModifier.ControlModifier)
+    assert still.page_shown() == "Start"
+    assert QApplication.focusWidget() is still.sidebar_buttons.checkedButton()
+    qtbot.keyClicks(QApplication.focusWidget(), "X", delay=60)
+    assert still.app_state.lab.state.dut_serial == "EM-07"

@@ -86,6 +86,22 @@ def test_missing_sectors_of_a_turn_by_hand_are_named() -> None:
     assert stops(0.0, 90.0, 30.0) == [30.0, 60.0, 90.0]
 
 
+@pytest.mark.parametrize(("every_s", "burst"), [(0.1, 1), (1.0, 1), (1.0, 20)])
+def test_a_sector_that_the_platform_passed_while_the_dut_sent_nothing_is_missing(every_s: float, burst: int) -> None:
+    t = np.arange(0.0, 180.0, 0.2)
+    angle = Block("angle", "stage", ("angle_deg",), t, 2.0 * t[:, None])
+    sent = np.repeat(np.arange(0.0, 180.0, every_s), burst)
+
+    def dut(stamps: np.ndarray) -> Block:
+        return Block("dut", "dut", ("x", "y", "z"), stamps, np.zeros((len(stamps), 3)))
+
+    assert missing_sectors([angle, dut(sent)]) == []
+    away = (sent > 40.0) & (sent < 100.0)  # 80 to 200 degrees; what it sees on either side is its usual pause
+    missing = missing_sectors([angle, dut(sent[~away])])
+    assert set(missing) >= {105, 120, 135, 150, 165}
+    assert set(missing) <= {90, 105, 120, 135, 150, 165, 180}
+
+
 def test_blocks_of_one_source_become_one_and_nothing_is_lost() -> None:
     parts = [
         Block("angle", "dial", ("angle_deg",), np.array([float(n)]), np.array([[2.0 * n]]), b"x") for n in range(3)

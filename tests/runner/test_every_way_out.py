@@ -18,7 +18,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.steps import Procedure, energise, record
 from labcal.errors import InstrumentError
-from labcal.record.stream import Event, Item, Step
+from labcal.record.stream import FAULT, Event, Item, Step
 from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
 from labcal.runner.drive import Drive
 from labcal.store import Store
@@ -108,19 +108,20 @@ def failing_clean_up(lab: Lab) -> None:
     supply.measure_current = failing
 
 
-UNPLUGGED = "failed: ({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first
+UNPLUGGED = "({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first
+LOST = "interrupted"  # by an instrument: the record says by which
 ALWAYS = ("zero", "z+20uT-nominal", "closing")  # the other steps in the slow set
 EVERYWHERE = [
-    (stop, "stopped"),
-    (exception, "failed: a fault in the procedure"),
-    (unplug("reference"), UNPLUGGED.format("reference")),
-    (failing_clean_up, "failed: coil x: no answer"),
+    (stop, "stopped", ""),
+    (exception, "failed: a fault in the procedure", ""),
+    (unplug("reference"), LOST, UNPLUGGED.format("reference")),
+    (failing_clean_up, LOST, "coil x: no answer"),
 ]
 ONCE = [
-    (abort, "failed: aborted by the operator"),
-    (ctrl_c, "stopped"),
-    (unplug("dut"), UNPLUGGED.format("dut")),
-    (unplug("stage"), "failed: stage: the link is gone"),
+    (abort, "failed: aborted by the operator", ""),
+    (ctrl_c, "stopped", ""),
+    (unplug("dut"), LOST, UNPLUGGED.format("dut")),
+    (unplug("stage"), LOST, "stage: the link is gone"),
 ]
 
 
@@ -177,7 +178,9 @@ def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_c
     with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
         lab = Lab(bench, "closing", unplug("supply_x"))
         outcome, items = lab.run()
-        assert outcome.status.startswith("failed: coils NOT confirmed at zero: supply_x: the link is gone")
+        assert outcome.status == LOST
+        assert "supply_x: the link is gone" in outcome.ending
+        assert outcome.at_rest.startswith(NOT_CONFIRMED)
         assert max(map(abs, lab.true_currents_A()[1:])) < 1e-3
     last = items[-1]
     assert isinstance(last, Event)
@@ -188,18 +191,22 @@ def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_c
 
 
 @pytest.mark.parametrize(
-    ("at", "happens", "status"),
+    ("at", "happens", "status", "fault"),
     [pytest.param(at, *case, marks=() if at in ALWAYS else pytest.mark.slow) for at in STEPS for case in EVERYWHERE]
     + [("z+20uT-nominal", *case) for case in ONCE],
     ids=lambda value: value.__name__ if callable(value) else "",
 )
 def test_the_coils_are_at_zero_and_that_is_recorded(
-    bench_file: BenchFile, at: str, happens: Callable[[Lab], None], status: str
+    bench_file: BenchFile, at: str, happens: Callable[[Lab], None], status: str, fault: str
 ) -> None:
     with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
         lab = Lab(bench, at, happens)
         outcome, items = lab.run()
-        assert re.match(status, outcome.status)
+        assert outcome.status == status
+        assert outcome.resumable == (status == LOST)
+        said = [i.text for i in items if isinstance(i, Event) and i.kind == FAULT]
+        assert len(said) == bool(fault)
+        assert re.match(fault, "".join(said))
         assert max(map(abs, lab.true_currents_A())) < 1e-3
     last = items[-1]
     assert isinstance(last, Event)

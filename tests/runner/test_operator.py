@@ -22,7 +22,7 @@ from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import BY_WORD
 from labcal.errors import InputError, InstrumentError, LimitNotMet
-from labcal.record.stream import Event, Item, Measurement, Prompt, Step
+from labcal.record.stream import FAULT, Event, Item, Measurement, Prompt, Step
 from labcal.runner import Control, Outcome, find, run_procedure
 from labcal.store import Store
 
@@ -61,7 +61,8 @@ def with_a_stuck_stage(bench: Path, said: dict[str, str]) -> tuple[Outcome, list
 
 def test_a_failed_step_does_not_start_again_by_itself(bench_file: BenchFile) -> None:
     outcome, items = with_a_stuck_stage(bench_file(), {})
-    assert outcome.status == "failed: stage: it does not move."
+    assert (outcome.status, str(outcome.fault)) == ("interrupted", "stage: it does not move.")
+    assert [i.text for i in items if isinstance(i, Event) and i.kind == FAULT] == ["stage: it does not move."]
     prompt = next(i for i in items if isinstance(i, Prompt) and i.key == "failed-z+20uT-nominal")
     assert prompt.choices[0] == "stop"
 

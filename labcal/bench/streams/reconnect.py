@@ -45,7 +45,8 @@ class Reconnecting:
     """Reads a sensor; while its line is lost nothing is read and it is tried again, for `patience_s` at the most.
 
     `reopen` opens the line and raises InstrumentError where another instrument answers than before. `left_s`: how long
-    the sensor may be missed now, with coils on; a line whose opening may itself take longer is then not `tried`.
+    the sensor may be missed now, with coils on; a line whose opening may itself take longer is then not `tried`. While
+    a person is asked, `waited_for`, it may be away as long as it likes.
     """
 
     def __init__(
@@ -55,12 +56,13 @@ class Reconnecting:
         patience_s: float,
         left_s: Callable[[], float] = lambda: math.inf,
         tried: bool = True,
+        waited_for: Callable[[], bool] = lambda: False,
     ) -> None:
         self.name, self.wrong = sensor.name, ""  # `wrong`: the fault that keeps it from sending, until it sends again
         self._sensor, self._reopen, self._patience_s = sensor, reopen, patience_s
-        self._left_s, self._tried = left_s, tried
+        self._left_s, self._tried, self._waited_for = left_s, tried, waited_for
         self._lost: InstrumentError | None = None
-        self._since_s = self._next_s = 0.0
+        self._since_s = self._missed_s = self._next_s = 0.0  # it is missed from when nobody was asked any more
         self._events: list[Event] = []
 
     def read_until(self, t_s: float) -> list[Block]:
@@ -74,7 +76,7 @@ class Reconnecting:
             self.wrong = fault.fault
             if fault.fault != "link lost":
                 raise
-            self._lost, self._since_s, self._next_s = fault, t_s, t_s + RETRY_S
+            self._lost, self._since_s, self._missed_s, self._next_s = fault, t_s, t_s, t_s + RETRY_S
             self._note(t_s, "link lost", fault.what)
             return []
         self.wrong = "" if blocks else self.wrong
@@ -106,6 +108,8 @@ class Reconnecting:
         return noted
 
     def _try_again(self, t_s: float, lost: InstrumentError) -> None:
+        if self._waited_for():
+            self._missed_s = t_s
         if t_s >= self._given_up_s():
             raise lost
         if t_s < self._next_s:
@@ -124,8 +128,8 @@ class Reconnecting:
     def _given_up_s(self) -> float:
         left_s = self._left_s()
         if left_s < self._patience_s and not self._tried:
-            return self._since_s
-        return self._since_s + min(self._patience_s, left_s)
+            return self._missed_s
+        return self._missed_s + min(self._patience_s, left_s)
 
     def _note(self, t_s: float, fault: str, text: str) -> None:
         self._events.append(Event(t_s, "stream", f"{self._sensor.name}: {text}", {"fault": fault}))

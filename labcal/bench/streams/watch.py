@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
 NOTICED_S, SILENCES, PAUSES = 2.0, 5.0, 2.0
 LATE_S = 0.2  # later than its rate says, on its line and in this computer
-LOOK_S = 2.0
+LOOK_S = 1.0  # as the coils: what is heard so often is never told as old
 UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
 SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
 
@@ -29,12 +29,13 @@ class StreamWatch:
     more than that or the longest of them.
 
     A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
-    While something else that was told keeps the stream from sending, it is none; it counts from the end of that.
+    While something else that was told keeps the stream from sending, it is none; it counts from the end of that. While
+    a person is asked, `waited_for` of `see`, nothing is raised, and patience begins anew with the answer.
     """
 
     def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float, period_s: float | None = None) -> None:
         self.name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
-        self._last_s = self._changed_s = self._excused_s = now_s
+        self._last_s = self._changed_s = self._excused_s = self._waited_s = now_s
         self._period_s, self._spoilt = period_s, 0
         self._longest_s: float | None = None  # between two samples; None before there were two
         self._came_s: float | None = None  # when a look found samples last
@@ -59,7 +60,14 @@ class StreamWatch:
         return pending
 
     def see(
-        self, blocks: list[Block], now_s: float, wrong: str = "", left_s: float = math.inf, spoilt: int = 0
+        self,
+        blocks: list[Block],
+        now_s: float,
+        wrong: str = "",
+        left_s: float = math.inf,
+        *,
+        spoilt: int = 0,
+        waited_for: bool = False,
     ) -> None:
         """Look at what has come up to `now_s`; `wrong` is what is known to keep it from sending.
 
@@ -74,7 +82,10 @@ class StreamWatch:
                 self._came(now_s)
         self._excused_s = now_s if wrong else self._excused_s
         self._notice(now_s)
-        if now_s - self._last_s > self._silent_s or self._missed(now_s, left_s):
+        self._waited_s = now_s if waited_for else self._waited_s
+        if waited_for:
+            return
+        if now_s - max(self._last_s, self._waited_s) > self._silent_s or self._missed(now_s, left_s):
             raise InstrumentError(
                 f"{self.name}: no sample for {now_s - self._last_s:.1f} s.",
                 fault="silent",
@@ -131,7 +142,7 @@ class StreamWatch:
 
 
 class Look:
-    """Asks what is not heard otherwise whether it still answers, one after another; what has gone, or is back, is told.
+    """Asks what is not heard otherwise, and what is `gone`, whether it answers; what has gone, or is back, is told.
 
     `ask` raises InstrumentError where it does not answer.
     """
@@ -146,7 +157,7 @@ class Look:
         if now_s < self._next_s:
             return
         self._next_s = now_s + LOOK_S
-        for name in self._names:
+        for name in dict.fromkeys((*self._names, *self._wrong)):
             self._look(name, now_s)
 
     def wrong(self, name: str) -> str:
@@ -158,18 +169,25 @@ class Look:
         pending, self._pending = self._pending, []
         return pending
 
+    def gone(self, name: str, fault: InstrumentError, now_s: float) -> None:
+        """It does not answer."""
+        if name not in self._wrong:
+            self._pending.append(Event(now_s, "stream", f"{name}: {fault.what}", {"fault": fault.fault}))
+        self._wrong[name] = fault.fault
+
+    def heard(self, name: str, now_s: float) -> None:
+        """It answers."""
+        if self._wrong.pop(name, None) is not None:
+            self._pending.append(Event(now_s, "stream", f"{name}: it answers again", {"fault": "heard again"}))
+
     def _look(self, name: str, now_s: float) -> None:
         try:
             self._ask(name)
         except InstrumentError as fault:
             if fault.fault == "another instrument":
                 raise
-            if name not in self._wrong:
-                self._pending.append(Event(now_s, "stream", f"{name}: {fault.what}", {"fault": fault.fault}))
-            self._wrong[name] = fault.fault
-            return
-        if self._wrong.pop(name, None) is not None:
-            self._pending.append(Event(now_s, "stream", f"{name}: it answers again", {"fault": "heard again"}))
+            return self.gone(name, fault, now_s)
+        return self.heard(name, now_s)
 
 
 class TemperatureLimit:
@@ -179,8 +197,9 @@ class TemperatureLimit:
         self._allowed, self._channels, self._remedy = allowed_C, channels, remedy
         self._last_s = dict.fromkeys(channels, now_s)
 
-    def see(self, blocks: list[Block], now_s: float) -> None:
-        """Look at the housekeeping that has come up to `now_s`."""
+    def see(self, blocks: list[Block], now_s: float, waited_for: bool = False) -> None:
+        """Look at the housekeeping that has come up to `now_s`; while it is `waited_for` none need come."""
+        self._last_s = dict.fromkeys(self._channels, now_s) if waited_for else self._last_s
         for block in blocks:
             for name in set(self._channels) & set(block.columns):
                 values = block.values[:, block.columns.index(name)]

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from labcal.bench.named_links import named_links
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record.stream import Item
 
@@ -68,11 +69,7 @@ def _of_files(error: OSError) -> str:
 
 def with_instrument_names(fault: Fault, links: Mapping[str, str]) -> Fault:
     """`fault` with the instrument's name before its link; `links` by name."""
-    for link in sorted({*links.values()}, key=len, reverse=True):
-        if link in fault.text:
-            names = ", ".join(name for name, its in links.items() if its == link)
-            return replace(fault, text=fault.text.replace(link, f"{names} ({link})", 1))
-    return fault
+    return replace(fault, text=named_links(fault.text, links))
 
 
 def pack(values: ArrayLike) -> dict[str, Any]:

@@ -111,7 +111,10 @@ class BenchPage(QWidget):
         row.addStretch()
         for widget in (simulated, self.choose, self.reconnect, self.check):
             row.addWidget(widget)
-        self.table = Table(HEADINGS, 3, 5)
+        self.table = Table(HEADINGS, 3)
+        for column in ("last reading", "state"):  # beside the name, where a narrow window shows them too
+            header, at = self.table.horizontalHeader(), HEADINGS.index(column)
+            header.moveSection(header.visualIndex(at), 2)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)

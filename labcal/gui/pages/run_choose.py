@@ -61,7 +61,10 @@ class Choose(QWidget):
         self.search.setToolTip(self.tr("By name, by what it does, or by what it needs"))
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(self._show_found)
+        self.none_found = label(self.tr("None is found. Fewer words, or a part of one?"), wrap=True)
+        self.none_found.hide()
         card.body.addWidget(self.search)
+        card.body.addWidget(self.none_found)
         card.body.addWidget(self.list)
         return card
 
@@ -205,6 +208,7 @@ class Choose(QWidget):
                 item.setHidden(not self._is_found(item.text().removeprefix("✕ ")))
                 if heading is not None and not item.isHidden():
                     heading.setHidden(False)
+        self.none_found.setVisible(all(self.list.item(row).isHidden() for row in range(self.list.count())))
 
     def _is_found(self, name: str) -> bool:
         one = self._procedures.get(name)

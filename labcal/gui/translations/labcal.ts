@@ -465,6 +465,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation type="unfinished"></translation>
     </message>
@@ -817,7 +821,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3435,6 +3439,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Run {0} {1}. {2}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3468,6 +3476,10 @@
     </message>
     <message>
         <source>Calibrate {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See what is found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4187,7 +4199,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Try again</source>
+        <source>Hands off: try again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4768,6 +4780,10 @@
     </message>
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -465,6 +465,10 @@
         <translation>Nach Namen, nach Zweck oder nach Bedarf</translation>
     </message>
     <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation>Keine gefunden. Weniger Wörter, oder ein Teil davon?</translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -817,8 +821,8 @@
         <translation>um 180° um seine Achse {0} gedreht</translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
-        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung?</translation>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
+        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung? Dann Hände weg: der Tisch dreht auf den Winkel 0.</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -3435,6 +3439,10 @@
         <translation>Was sie nicht gemessen hat, würde der Kalibrierung fehlen. Auf der Seite Messen neu messen.</translation>
     </message>
     <message>
+        <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
+        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start fortsetzen.</translation>
+    </message>
+    <message>
         <source>Run {0} {1}. {2}</source>
         <translation>Messung {0} {1}. {2}</translation>
     </message>
@@ -3469,6 +3477,10 @@
     <message>
         <source>Calibrate {0}</source>
         <translation>{0} kalibrieren</translation>
+    </message>
+    <message>
+        <source>See what is found</source>
+        <translation>Sehen, was gefunden wird</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -4187,8 +4199,8 @@
         <translation>Messung stoppen</translation>
     </message>
     <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
+        <source>Hands off: try again</source>
+        <translation>Hände weg: noch einmal</translation>
     </message>
     <message>
         <source>Skip this step</source>
@@ -4769,6 +4781,10 @@
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
         <translation>Nichts Gemessenes ist verloren: auf der Seite Start fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
+        <translation>Nichts Gemessenes ist verloren. Oben Genanntes beheben, dann auf der Seite Start fortsetzen.</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>

@@ -465,6 +465,10 @@
         <translation>Par nom, par but, ou par besoin</translation>
     </message>
     <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation>Rien trouvé. Moins de mots, ou une partie ?</translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
@@ -817,8 +821,8 @@
         <translation>tourné de 180° autour de son {0}</translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
-        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ?</translation>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
+        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ? Alors ne touchez à rien : le plateau tourne à lla plate-forme tourne à l&apos;angle 0apos;angle 0.</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -3435,6 +3439,10 @@
         <translation>Ce qu&apos;elle n&apos;a pas mesuré manquerait à l&apos;étalonnage. Remesurez à la page Mesure.</translation>
     </message>
     <message>
+        <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
+        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : reprenez à la page Accueil.</translation>
+    </message>
+    <message>
         <source>Run {0} {1}. {2}</source>
         <translation>La mesure {0} {1}. {2}</translation>
     </message>
@@ -3469,6 +3477,10 @@
     <message>
         <source>Calibrate {0}</source>
         <translation>Étalonner {0}</translation>
+    </message>
+    <message>
+        <source>See what is found</source>
+        <translation>Voir ce qui est trouvé</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -4187,8 +4199,8 @@
         <translation>Arrêter la mesure</translation>
     </message>
     <message>
-        <source>Try again</source>
-        <translation>Réessayer</translation>
+        <source>Hands off: try again</source>
+        <translation>Mains éloignées : réessayer</translation>
     </message>
     <message>
         <source>Skip this step</source>
@@ -4769,6 +4781,10 @@
     <message>
         <source>Nothing that was measured is lost: go on with it on the Start page.</source>
         <translation>Rien de mesuré n&apos;est perdu : reprenez à la page Accueil.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
+        <translation>Rien de mesuré n&apos;est perdu. Réparez ce qui est dit plus haut, puis reprenez à la page Accueil.</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>

@@ -61,7 +61,11 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "as it always stands"),
     QT_TRANSLATE_NOOP("Data", "turned by 180° about its own {0}"),
     QT_TRANSLATE_NOOP("Data", "turned by 180° about its {0}"),
-    QT_TRANSLATE_NOOP("Data", "Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the "
+        "platform turns to angle 0.",
+    ),
     QT_TRANSLATE_NOOP("Data", "Why is axis {0} redone? What was measured stays in the record, marked as not used."),
     QT_TRANSLATE_NOOP("Data", "Why is {0} skipped?"),
     QT_TRANSLATE_NOOP("Data", "Switch the DUT to power mode {0}."),

@@ -45,7 +45,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Yes"),
     QT_TRANSLATE_NOOP("Words", "No"),
     QT_TRANSLATE_NOOP("Words", "Stop the run"),
-    QT_TRANSLATE_NOOP("Words", "Try again"),
+    QT_TRANSLATE_NOOP("Words", "Hands off: try again"),
     QT_TRANSLATE_NOOP("Words", "Skip this step"),
     QT_TRANSLATE_NOOP("Words", "Send"),
     QT_TRANSLATE_NOOP("Words", "✕ This cannot be done as asked"),

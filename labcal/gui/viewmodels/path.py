@@ -24,11 +24,12 @@ EXPLAINED = ("clean", "explained")
 
 @dataclass(frozen=True, slots=True)
 class Next:
-    """What is to be done, in words, and the page for it; with the run to be studied there."""
+    """What is to be done, in words, and the page for it; with the run to be studied there. `waits`: it works."""
 
     page: str
     words: str
     run: str = ""
+    waits: bool = False
 
 
 class PathViewModel(QObject):
@@ -66,6 +67,8 @@ class PathViewModel(QObject):
             "running": self.tr("still goes on"),
         }
         remedy = self.tr("What it did not measure would be missing in the calibration. Measure again on the Run page.")
+        if status == "interrupted":
+            remedy = self.tr("What it has not measured yet would be missing: go on with it on the Start page.")
         return self.tr("Run {0} {1}. {2}").format(run_id, known.get(status, failed), remedy)
 
     def last(self) -> RunLine | None:
@@ -93,7 +96,7 @@ class PathViewModel(QObject):
             return Next("Bench", self.tr("Open a bench"))
         if self._run.alive:
             asked = self._run.state == "asking"
-            return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"))
+            return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
         if mark_of(state.now.coil_words)[1] == "bad":
             return Next("Bench", self.tr("See to the coils"))
         if failed := [name for name, light, _ in state.now.lights if light == "fault"]:
@@ -104,6 +107,8 @@ class PathViewModel(QObject):
             return Next("Start", self.tr("Go on with the run"))
         if last is None or marks["Run"] != "done":
             return Next("Run", self.tr("Calibrate {0}").format(state.dut_serial))
+        if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
+            return Next("Loop" if marks["Loop"] == "now" else "Fit", self.tr("See what is found"), waits=True)
         if marks["Fit"] == "open":
             return Next("Fit", self.tr("Fit the run"), last.run_id)
         if marks["Loop"] == "open":

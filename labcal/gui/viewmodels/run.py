@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.coils.state import LabState
+from labcal.bench.named_links import named_links
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.messages import (
@@ -32,13 +33,25 @@ from labcal.gui.ipc.wire import Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+from labcal.record.stream import (
+    FAULT,
+    NOT_USED,
+    Block,
+    Event,
+    Item,
+    Measurement,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 Mark = Literal["done", "now", "next", "skipped", "broken"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
+UNSEEN_S = 2.0  # without a reading so long, a DUT has not seen where the platform turned
 SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
 SAID_ELSEWHERE = ("answer", "set-point", "read-back")  # by whoever answered, and by the lab's state
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
@@ -49,6 +62,11 @@ AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements 
     "delay": "delay {axis}",
     "closure": "closure {axis}",
 }
+
+
+def asked_text(prompt: Prompt) -> str:
+    """The words of a question; where an instrument failed what it was, for step and coils stand beside it."""
+    return str(prompt.drawing.get(FAULT, prompt.text))
 
 
 class RunViewModel(QObject):
@@ -84,7 +102,9 @@ class RunViewModel(QObject):
         self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
         self.sectors: set[int] = set()
+        self._goes_on = False  # a run that was interrupted
         self._seen_s = 0.0
+        self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
         self.lab: LabState | None = None  # by the computer's monotonic clock
@@ -112,6 +132,7 @@ class RunViewModel(QObject):
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
         self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
+        self.run_id, self._goes_on = run_id, True
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -260,7 +281,7 @@ class RunViewModel(QObject):
             case Prompt():
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
-                    self.prompt, self.state, self.message = item, "asking", item.text
+                    self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
@@ -289,7 +310,9 @@ class RunViewModel(QObject):
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
-            self.message = event.text
+            self.message = named_links(event.text, self.links)
+            if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
+                self.message = f"{self.message.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""
@@ -310,12 +333,14 @@ class RunViewModel(QObject):
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
+            self._dut_s = float(block.t_s[-1])
             if self.segment is not None:
                 self.locus[self.segment].push(block.t_s, values)
         elif block.stream == "reference" and block.values.shape[1] == 3:
             self.reference.push(block.t_s, block.values)
         elif block.stream == "angle" and self.segment is not None:
-            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[:, 0]}
+            seen = block.t_s < (self._dut_s or np.inf) + UNSEEN_S
+            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[seen, 0]}
 
     def _be(self, state: State) -> None:
         self.state = state
@@ -327,12 +352,13 @@ class RunViewModel(QObject):
         self._over()
 
     def _last_words(self) -> str:
-        said = in_words(self._ending or self.status)
+        said = in_words(named_links(self._ending or self.status, self.links))
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(fault, self.links)
-        self.status = f"failed: {self.fault.text}"
+        left = self._goes_on and fault.kind == "instrument"  # as it was: it goes on when that is mended
+        self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 
     def _over(self) -> None:

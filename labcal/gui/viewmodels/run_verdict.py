@@ -24,6 +24,9 @@ NEXT = {
     "": QT_TRANSLATE_NOOP("Words", "Nothing of it had a limit: look at what was measured."),
     "stopped": QT_TRANSLATE_NOOP("Words", "What was measured is kept. To measure again: Close, then Begin."),
     "interrupted": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost: go on with it on the Start page."),
+    "lost": QT_TRANSLATE_NOOP(
+        "Words", "Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page."
+    ),
     "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
 }
 TEXTS = (
@@ -56,7 +59,8 @@ def run_verdict(run: RunViewModel) -> RunVerdict:
     if status != "finished":
         word = "stopped" if wanted else status
         shape, state = ENDS.get(word, ENDS["failed"])
-        return RunVerdict(f"{shape} {translated(word).upper()}", state, translated(str(TEXTS[4])), _next(status))
+        what = "lost" if status == "interrupted" and run.fault is not None and not wanted else status
+        return RunVerdict(f"{shape} {translated(word).upper()}", state, translated(str(TEXTS[4])), _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     if not worst:
         return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))

@@ -40,7 +40,7 @@ class Table(QTableWidget):
         self._stretched, self._keeping = stretch or (0,), False
         for column in self._stretched:
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
-        if len(stretch) > 1:  # what is left is shared: a share may be too little
+        if stretch:  # what is left may be too little
             for changed in (header.sectionResized, header.geometriesChanged):
                 changed.connect(self._keep_headings)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
@@ -50,7 +50,7 @@ class Table(QTableWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """More room, or less, is shared anew."""
         super().resizeEvent(event)
-        if len(self._stretched) > 1:
+        if self._stretched != (0,):
             self._keep_headings()
 
     def _keep_headings(self) -> None:

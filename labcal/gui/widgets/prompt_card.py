@@ -15,7 +15,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import mark_of
-from labcal.gui.viewmodels.run import SERIAL
+from labcal.gui.viewmodels.run import SERIAL, asked_text
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, set_state
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
@@ -43,15 +43,18 @@ WORDS = {
     "yes": "Yes",
     "no": "No",
     "stop": "Stop the run",
-    "retry": "Try again",
+    "retry": "Hands off: try again",
     "skip": "Skip this step",
     "send": "Send",
 }
 
 
+RETRY = "retry"  # what is wanted where an instrument failed; a script stops, as the first choice says
+
+
 def acting(prompt: Prompt, choice: str) -> bool:
     """Whether this answer mounts, energises, moves or switches something."""
-    return choice != "no" and (prompt.acts or choice == "retry")
+    return choice != "no" and (prompt.acts or choice == RETRY)
 
 
 def answer_label(prompt: Prompt, choice: str) -> str:
@@ -125,7 +128,7 @@ class PromptCard(Card):
             return
         self._call()
         self.call.start()
-        self.text.set_text(in_words(prompt.text))
+        self.text.set_text(in_words(asked_text(prompt)))
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
@@ -157,7 +160,7 @@ class PromptCard(Card):
         keys = iter(KEYS)
         for choice in prompt.choices:
             made = self._button(answer_label(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
-            named(made, "primary" if choice == prompt.choices[0] else "")
+            named(made, "primary" if choice == (RETRY if RETRY in prompt.choices else prompt.choices[0]) else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
             self._buttons.addWidget(made)

@@ -13,8 +13,8 @@ from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.common import button
 
 VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
-USABLE = ("finished", "imported", "stopped", "failed")
-BROKEN = {"stopped": "■", "failed": "✕"}  # runs that did not come to their end are said to be so, first of all
+LISTED = ("finished", "imported", "stopped", "interrupted", "failed")
+BROKEN = {"stopped": "■", "interrupted": "▲", "failed": "✕"}  # said first of all of a run that did not come to its end
 NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the History page."
 
 
@@ -62,7 +62,7 @@ class RunChooser(QComboBox):
         kept = self._wanted or self.currentData()
         self.clear()
         for one in runs:
-            if one.status.startswith(USABLE):
+            if one.status.startswith(LISTED):
                 self.addItem(run_label(one), one.run_id)
         self.none = self.count() == 0
         self.setCurrentIndex(self.findData(kept))

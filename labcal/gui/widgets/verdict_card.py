@@ -10,6 +10,7 @@ from labcal.gui.viewmodels.run_verdict import RunVerdict
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label
 
 HUGE_PT = 150
+NO_BREAK = "\N{NO-BREAK SPACE}"
 
 
 class VerdictCard(Card):
@@ -39,7 +40,7 @@ class VerdictCard(Card):
         """Show how the run of `serial` came out."""
         self._state = verdict.state
         self.serial.set_text(serial)
-        self.word.set_text(verdict.word)
+        self.word.set_text(verdict.word.replace(" ", NO_BREAK, 1))  # no shape on a line of its own
         self.rule.setText(verdict.rule)
         self.rule.setVisible(bool(verdict.rule))
         self.next.setText(verdict.next)

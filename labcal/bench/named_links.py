@@ -1,0 +1,18 @@
+"""A link in a sentence goes by the name of its instrument: nobody at the bench knows what is on ttyUSB3."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+
+def named_links(text: str, links: Mapping[str, str], *, brief: bool = False) -> str:
+    """`text` with the instrument's name before its link, which stands in brackets, or not at all; `links` by name.
+
+    The name that stands there already is not said twice.
+    """
+    for link in sorted({*links.values()}, key=len, reverse=True):
+        names = ", ".join(name for name, its in links.items() if its == link)
+        if link in text:
+            plain = text.replace(f"{names} ({link})", link, 1).replace(f"{names}: {link}", link, 1)
+            return plain.replace(link, names if brief else f"{names} ({link})", 1)
+    return text

@@ -1,0 +1,133 @@
+"""A run that lost an instrument: coils first, then `interrupted`; with the instrument back it goes on where it was."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import closing
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+from short_preflight import SHORT
+
+from labcal import session
+from labcal.bench import open_bench
+from labcal.bench.clock import VirtualClock
+from labcal.errors import InstrumentError, LimitError
+from labcal.record.stream import FAULT, Event, Item, Prompt, Step
+from labcal.runner import Outcome, find, run_procedure, yes_to_all
+from labcal.store import Store
+
+BenchFile = Callable[..., Path]
+TWO_FIELDS = SHORT | {"magnitudes_nT": "20000,30000"}
+SECOND = "z+30uT-nominal"
+
+
+def begun(
+    bench: Path,
+    name: str,
+    happens: Callable[[Any], None],
+    given: dict[str, str],
+    at: str,
+    answer: Callable[[Prompt], str] = yes_to_all(True),
+) -> Outcome:
+    """Run R, to which something happens when the step `at` begins; a step that failed is not tried again."""
+    there = list[bool]()
+    clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
+    with closing(open_bench(bench, clock=clock, seed=2)) as lab, Store.open() as store:
+
+        def tell(item: Item) -> None:
+            if isinstance(item, Step) and item.name == at and not there:
+                there.append(True)
+                happens(lab)
+
+        return run_procedure(lab, find(name), given, store=store, answer=answer, on_item=tell, run_id="R")
+
+
+def pulled(name: str) -> Callable[[Any], None]:
+    """Its plug is out, and stays out for the rest of this session."""
+
+    def happens(lab: Any) -> None:
+        def gone(*_: Any, **__: Any) -> Any:
+            raise InstrumentError(f"{name}: the link is gone.", fault="link lost")
+
+        link = lab.instruments()[name]._link
+        link.send = link.receive = link.ask = gone
+
+    return happens
+
+
+def pulled_for(name: str, seconds: float) -> Callable[[Any], None]:
+    """Its plug is out, and in again after that time."""
+
+    def happens(lab: Any) -> None:
+        link, back_s = lab.instruments()[name]._link, lab.clock.now() + seconds
+        for call in ("send", "receive", "ask"):
+            setattr(link, call, _gone_until(back_s, lab.clock, name, getattr(link, call)))
+
+    return happens
+
+
+def _gone_until(back_s: float, clock: VirtualClock, name: str, call: Callable[..., Any]) -> Callable[..., Any]:
+    def answers(*given: Any, **more: Any) -> Any:
+        if clock.now() < back_s:
+            raise InstrumentError(f"{name}: the link is gone.", fault="link lost")
+        return call(*given, **more)
+
+    return answers
+
+
+def events(kind: str) -> list[str]:
+    with Store.open() as store:
+        return [i.text for i in store.items("R") if isinstance(i, Event) and i.kind == kind]
+
+
+@pytest.mark.parametrize("name", ["reference", "dut", "stage", "supply_x"])
+def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(bench_file: BenchFile, name: str) -> None:
+    bench, steps = bench_file(), list[str]()
+    lost = begun(bench, "preflight", pulled(name), TWO_FIELDS, SECOND)
+    assert (lost.status, lost.resumable) == ("interrupted", True)
+    with pytest.raises(InstrumentError, match=name):  # exit code 3, as before
+        lost.raise_fault()
+    assert name in lost.ending
+    assert [name in said for said in events(FAULT)] == [True]
+    with Store.open() as store:
+        assert store.status("R") == "interrupted"
+    there = session.resume("R", bench, seed=2, on_item=lambda i: steps.append(i.name) if isinstance(i, Step) else None)
+    assert (there.status, there.fault) == ("finished", None)
+    assert steps == ["zero", "axes-check", "sync-check", "mount-z", SECOND, "closure-z", "closing"]
+    run = session.load_run("R")
+    first, *_, last = (one for n, one in enumerate(run.segments) if len(run.rows(n)) > 150)
+    assert (first.id, first.mounting, last.mounting) == ("z+20uT-nominal", "z", "z.again")
+    assert last.id.startswith(SECOND)
+
+
+def test_a_turn_of_which_the_dut_missed_a_part_is_asked_about_and_begun_again(bench_file: BenchFile) -> None:
+    asked = list[str]()
+
+    def answer(prompt: Prompt) -> str:
+        asked.append(prompt.key)
+        return "retry" if "retry" in prompt.choices else yes_to_all(True)(prompt)
+
+    ended = begun(bench_file(), "preflight", pulled_for("dut", 8.0), TWO_FIELDS, SECOND, answer)
+    assert (ended.status, ended.failed) == ("finished", ())
+    assert asked.count(f"failed-{SECOND}") == 1
+    (said,) = events(FAULT)
+    assert said.startswith("dut: it sent nothing in ")
+
+
+def beyond(lab: Any) -> None:
+    raise LimitError("coil x: 3 A is beyond its limit of 2.5 A", fault="limit reached")
+
+
+def test_what_would_be_refused_again_is_not_gone_on_with(bench_file: BenchFile) -> None:
+    ended = begun(bench_file(), "preflight", beyond, TWO_FIELDS, SECOND)
+    assert ended.status.startswith("failed: coil x: 3 A is beyond its limit of 2.5 A")
+    assert not ended.resumable
+
+
+def test_nor_is_a_procedure_that_cannot_skip_what_it_has_done(bench_file: BenchFile) -> None:
+    ended = begun(bench_file(), "field-hold", pulled("reference"), {"duration_s": "60"}, "held")
+    assert ended.status.startswith("failed: reference: ")
+    assert not ended.resumable
