@@ -31,6 +31,24 @@ def u_by(run: Run, error: DeclaredError, figure: Figure) -> float:
     return float(np.hypot(figure(there) - here, figure(_other_way(run, there)) - here) / np.sqrt(2))
 
 
+def u_of_rms(run: Run, figure: Figure, *, alone: float = 0.0, along: float = 0.0) -> float:
+    """Standard uncertainty of `figure`, a root mean square of errors: what moves it, and what raises it.
+
+    Squares add: errors of mean square s² beside a true t² make m² = t² + s² on the mean. That is not corrected, so it
+    counts whole (GUM, F.2.4.5), however little slope the figure has: as m − √(m² − s²), or as √(m² + s²) − m where m is
+    small and the errors may have cancelled. `alone` is the root mean square that the figure's own noise makes by
+    itself, `along` what that noise moves it by.
+    """
+    here, slopes, squares = figure(run), [along], alone**2
+    for error in declared_errors(run):
+        there = error.change(run)
+        one, other = figure(there), figure(_other_way(run, there))
+        slopes.append((one - other) / 2)
+        squares += max((one**2 + other**2) / 2 - here**2, 0.0)
+    raised = max(here - np.sqrt(max(here**2 - squares, 0.0)), np.sqrt(here**2 + squares) - here)
+    return float(np.hypot(np.linalg.norm(slopes), raised))
+
+
 def in_body(run: Run) -> Array:
     """The reference (n, 3) [nT] carried into B by each segment's attitude."""
     assert run.reference_vector is not None
