@@ -190,7 +190,7 @@ def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[f
     positions = as_positions(bench, sweep.fields_nT)
     if left := uncovered(positions, ["the supplies' read-back", "where the reference was put"]):
         yield note(bench, f"{place}: {left}")
-    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, fit, positions))
+    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, positions))
     u_ppm = 1e6 * u_matrix / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
     yield from measured(bench, f"{place}: uncertainty of the matrix", u_ppm.max(), 0.0, "ppm", limits[0])
     if place == "DUT":
@@ -207,10 +207,13 @@ def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[f
     yield from measured(bench, f"{place}: settling time", sweep.settling_s, 0.0, "s")
 
 
-def u_of_matrix(sweep: Sweep, fit: CageFit, positions: Run) -> Array:
+def u_of_matrix(sweep: Sweep, positions: Run) -> Array:
     """Standard uncertainty (3, 3) [nT/A] of the matrix by all that is declared of the reference."""
-    changed = (error.change(positions) for error in declared_errors(positions))
-    moved = [_fit(_seen_by(sweep, run)).matrix_nT_per_A - fit.matrix_nT_per_A for run in changed]
+
+    def matrix(run: Run) -> Array:
+        return _fit(_seen_by(sweep, run)).matrix_nT_per_A
+
+    moved = [error.moves(positions, matrix) for error in declared_errors(positions)]
     return np.asarray(np.sqrt(np.sum(np.square(moved), axis=0))) if moved else np.zeros((3, 3))
 
 
