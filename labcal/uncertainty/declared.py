@@ -21,6 +21,7 @@ from labcal.record import Run, Segment
 from labcal.uncertainty import conditions
 
 Array = NDArray[np.float64]
+STEP = 0.1  # standard deviations, of a derivative
 
 
 class Change(Protocol):
@@ -43,10 +44,10 @@ class DeclaredError:
     def moves(self, run: Run, of: Callable[[Run], Array]) -> Array:
         """What one standard deviation of it changes of what is read off a run, to first order (GUM, 5.1.3, note 2).
 
-        Half the difference of one either way: what goes with the square of a turn is no sensitivity, and must not look
-        like a change of scale.
+        By the difference of a tenth either way: what goes with the square of a turn is no sensitivity, and must not
+        look like a change of scale.
         """
-        return np.asarray((of(self.change(run)) - of(self.change(run, -1.0))) / 2)
+        return np.asarray((of(self.change(run, STEP)) - of(self.change(run, -STEP))) / (2 * STEP))
 
 
 def declared_errors(run: Run) -> tuple[DeclaredError, ...]:

@@ -121,6 +121,16 @@ def test_the_platform_s_axis_and_a_mounting_are_named_where_nobody_states_them(r
     assert axis not in said(u_axis_cage_deg=None, **at_rest)
 
 
+def test_what_is_stated_as_nothing_is_named_too(run: Run) -> None:
+    """An uncertainty of 0 contributes nothing, and nothing is exact."""
+    reference = replace(run.reference, u_scale_ppm=0.0, u_offset_nT=3.0, u_align_deg=0.0)
+    exact = tuple(replace(s, u_axis_body_deg=0.0, u_axis_cage_deg=0.0, u_time_s=1e-3) for s in run.segments)
+    said = not_covered(replace(run, reference=reference, segments=exact))
+    assert "Of the reference, because the run states it as 0: scale, alignment." in said
+    assert "Frame as mounted; mounting uncertainty not included." in said
+    assert "The direction of the platform's axis in the cage." in said
+
+
 def test_what_is_not_stated_is_named(run: Run) -> None:
     assert not any("temperature" in said or "gradient" in said for said in not_covered(run))
     cold = replace(run, reference=replace(run.reference, certificate={"number": "M-1"}))
