@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 STEP = 0.1  # standard deviations, of a derivative
 
 
-class Change(Protocol):
+class Perturbation(Protocol):
     """What an error does to a run."""
 
     def __call__(self, run: Run, times: float = 1.0) -> Run:
@@ -39,7 +39,7 @@ class DeclaredError:
     source: str
     u: float
     unit: str
-    change: Change
+    change: Perturbation
 
     def moves(self, run: Run, of: Callable[[Run], Array]) -> Array:
         """What one standard deviation of it changes of what is read off a run, to first order (GUM, 5.1.3, note 2).
