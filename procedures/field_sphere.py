@@ -36,7 +36,7 @@ from labcal.model.affine import MAP_PARAMETERS
 from labcal.record import Run
 from labcal.record.stream import Event
 from labcal.uncertainty import declared_errors
-from labcal.uncertainty.verdicts import u_of_rms, uncovered
+from labcal.uncertainty.verdicts import u_declared, uncovered
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration", 12
 
@@ -243,8 +243,7 @@ def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_
         return float(np.sqrt(np.mean(np.sum((calibrated - reference_field_nT(positions)) ** 2, axis=1))))
 
     positions = as_positions(bench, unseen.field_nT)
-    noise = unseen.u_nT
-    u = u_of_rms(positions, rms, alone=noise * np.sqrt(3), along=noise / np.sqrt(len(calibrated)))
+    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(positions, rms)))
     yield from measured(bench, "verify: rms error", rms(positions), u, "nT", error_nT)
     U = 2 * np.sqrt(_variance(fit, unseen.reading) + unseen.u_nT**2)
     largest = float(np.abs((calibrated - unseen.field_nT) / U).max())

@@ -30,7 +30,7 @@ from labcal.fit.scalar_cage import (
 from labcal.record import Run
 from labcal.record.stream import Event, Prompt
 from labcal.uncertainty import declared_errors
-from labcal.uncertainty.verdicts import u_of_rms, uncovered
+from labcal.uncertainty.verdicts import u_declared, uncovered
 from procedures.field_sphere import lattice, strided
 
 NEEDS, LASTS_MIN = "an absolute scalar sensor in the cage's centre", 7
@@ -187,13 +187,13 @@ def _verified(bench: Bench, found: ScalarCage, seen: Magnitudes, fresh: Magnitud
     """
     stated = bench.cage.matrix_nT_per_A
     before = np.linalg.norm(fresh.currents_A @ stated.T + with_matrix(stated, seen), axis=1)
-    noise = float(np.std(found.residual_nT))
+    noise = float(np.std(found.residual_nT)) / np.sqrt(len(fresh))
     positions = as_positions(bench, fresh.magnitude_nT)
     rows = (("verify: rms error with bench.toml's matrix", before, None),
             ("verify: rms error", found.magnitude_nT(fresh), error_nT))  # fmt: skip
     for name, made_nT, limit in rows:
         figure = partial(_rms_error, made_nT)
-        u = u_of_rms(positions, figure, alone=noise, along=noise / np.sqrt(len(fresh)))
+        u = float(np.hypot(noise, u_declared(positions, figure)))
         yield from measured(bench, name, figure(positions), u, "nT", limit)
 
 

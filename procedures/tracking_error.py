@@ -9,7 +9,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.stated import as_positions
 from labcal.bench.steps import Work, measured, note
 from labcal.record import Run
-from labcal.uncertainty.verdicts import u_of_rms, uncovered
+from labcal.uncertainty.verdicts import u_declared, uncovered
 
 Array = NDArray[np.float64]
 
@@ -25,5 +25,5 @@ def rms_error(bench: Bench, name: str, seen_nT: Array, wanted_nT: Array, limit_n
     value = rms(positions)
     if left := uncovered(positions):
         yield note(bench, left)
-    u = u_of_rms(positions, rms, along=value / np.sqrt(2 * len(seen_nT)))
+    u = float(np.hypot(value / np.sqrt(2 * len(seen_nT)), u_declared(positions, rms)))
     yield from measured(bench, name, value, u, "nT", limit_nT)
