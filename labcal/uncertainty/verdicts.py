@@ -35,9 +35,9 @@ def u_of_rms(run: Run, figure: Figure, *, alone: float = 0.0, along: float = 0.0
 
     Squares add: errors of mean square s² beside a true t² make m² = t² + s² on the mean. That is not corrected, so it
     counts whole (GUM, F.2.4.5), however little slope the figure has: as m − √(m² − s²), or as √(m² + s²) − m where m is
-    small and the errors may have cancelled. For errors of one device beside a reference that did not calibrate it: what
-    was fitted to the same reference is not raised by it. `alone` is the root mean square that the figure's own noise makes by
-    itself, `along` what that noise moves it by.
+    small and the errors may have cancelled. What was fitted to the same reference is not raised by it, and is no case
+    for this. `alone` is the root mean square that the figure's own noise makes by itself, `along` what that noise moves
+    it by.
     """
     here, slopes, squares = figure(run), [along], alone**2
     for error in declared_errors(run):
