@@ -52,8 +52,9 @@ class Sweep:
     coil: NDArray[np.intp]
     sign: NDArray[np.intp]
     rising: NDArray[np.bool_]
-    noise_nT: float
+    noise_nT: float  # of one sample
     settling_s: float
+    u_nT: float  # of one step's mean, by noise
 
 
 def cage_calibration(
@@ -109,7 +110,7 @@ def _reference_at(bench: Bench, place: str, position_m: tuple[float, float, floa
 def _sweep(bench: Bench, field_nT: float, rungs: list[Rung], dwell_s: float) -> Work[Sweep]:
     """Every coil by itself, rung by rung."""
     times, currents, fields = list[float](), list[Array](), list[Array]()
-    noises, settling = list[float](), 0.0
+    noises, of_means, settling = list[float](), list[Array](), 0.0
     for coil in range(3):
         largest_A = field_nT / float(np.linalg.norm(bench.cage.matrix_nT_per_A[:, coil]))
         for rung in rungs:
@@ -122,6 +123,7 @@ def _sweep(bench: Bench, field_nT: float, rungs: list[Rung], dwell_s: float) -> 
             times.append(float(still.t_s.mean()))
             currents.append(np.mean([bench.cage.currents_A() for _ in range(READS)], axis=0))
             fields.append(still.mean)
+            of_means.append(still.u_mean)
             noises.append(float(np.sqrt(np.mean(np.diff(still.values, axis=0) ** 2) / 2)))
             ramped = driven - bench.config.cage.settle_s
             settling = max(settling, settling_time(seen.t_s - ramped, seen.values[:, coil], 5 * noises[-1]))
@@ -129,6 +131,7 @@ def _sweep(bench: Bench, field_nT: float, rungs: list[Rung], dwell_s: float) -> 
     return Sweep(
         np.array(times), np.array(currents), np.array(fields), np.repeat(np.arange(3), len(rungs)),
         np.tile([r.sign for r in rungs], 3), np.tile([r.rising for r in rungs], 3), float(np.mean(noises)), settling,
+        float(np.sqrt(np.mean(np.square(of_means)))),
     )  # fmt: skip
 
 
@@ -187,7 +190,7 @@ def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[f
     positions = as_positions(bench, sweep.fields_nT)
     if left := uncovered(positions, ["the supplies' read-back", "where the reference was put"]):
         yield note(bench, f"{place}: {left}")
-    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, fit, positions))
+    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, positions))
     u_ppm = 1e6 * u_matrix / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
     yield from measured(bench, f"{place}: uncertainty of the matrix", u_ppm.max(), 0.0, "ppm", limits[0])
     if place == "DUT":
@@ -204,10 +207,13 @@ def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[f
     yield from measured(bench, f"{place}: settling time", sweep.settling_s, 0.0, "s")
 
 
-def u_of_matrix(sweep: Sweep, fit: CageFit, positions: Run) -> Array:
+def u_of_matrix(sweep: Sweep, positions: Run) -> Array:
     """Standard uncertainty (3, 3) [nT/A] of the matrix by all that is declared of the reference."""
-    changed = (error.change(positions) for error in declared_errors(positions))
-    moved = [_fit(_seen_by(sweep, run)).matrix_nT_per_A - fit.matrix_nT_per_A for run in changed]
+
+    def matrix(run: Run) -> Array:
+        return _fit(_seen_by(sweep, run)).matrix_nT_per_A
+
+    moved = [error.moves(positions, matrix) for error in declared_errors(positions)]
     return np.asarray(np.sqrt(np.sum(np.square(moved), axis=0))) if moved else np.zeros((3, 3))
 
 
@@ -219,7 +225,7 @@ def _seen_by(sweep: Sweep, positions: Run) -> Sweep:
 
 def departure(sweep: Sweep) -> tuple[float, float]:
     """The largest residual of the fit [nT], and its standard uncertainty by noise."""
-    return float(np.abs(_fit(sweep).residual_nT).max()), sweep.noise_nT / 3
+    return float(np.abs(_fit(sweep).residual_nT).max()), sweep.u_nT
 
 
 def _fit(sweep: Sweep) -> CageFit:

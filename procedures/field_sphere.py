@@ -188,7 +188,7 @@ def _means(bench: Bench, found: Sequence[Blocks]) -> Visits:
 
 def _fitted(bench: Bench, seen: Visits) -> SphereFit:
     positions = as_positions(bench, seen.field_nT)
-    others = [(error, reference_field_nT(error.change(positions))) for error in declared_errors(positions)]
+    others = [(e, seen.field_nT + e.moves(positions, reference_field_nT)) for e in declared_errors(positions)]
     try:
         return fit_sphere(seen.reading, seen.field_nT, seen.t_s, others)
     except ValueError as error:

@@ -72,7 +72,8 @@ def linearity(
     true = in_body(positions) @ along_B
     slope, worst, u = straightness(true, along_DUT)
     declared = [u_declared(positions, partial(_figure, which, along_B, along_DUT)) for which in (0, 1)]
-    yield from measured(bench, "slope", slope, float(np.hypot(u / field_nT, declared[0])), "")
+    of_slope = u / float(np.linalg.norm(true - true.mean()))
+    yield from measured(bench, "slope", slope, float(np.hypot(of_slope, declared[0])), "")
     yield from measured(bench, "departure from a straight line", worst, float(np.hypot(u, declared[1])), "nT", limit_nT)
     seen = np.column_stack([true, along_DUT]).tolist()
     yield Event(bench.clock.now(), "linearity", "field and reading along the direction", {"field_reading_nT": seen})
@@ -84,7 +85,7 @@ def _figure(which: int, along_B: Array, along_DUT: Array, positions: Run) -> flo
 
 
 def straightness(field_nT: Array, reading_nT: Array) -> tuple[float, float, float]:
-    """Slope, largest departure (signed) from the line, and the departure's standard uncertainty from repeats."""
+    """Slope, largest departure (signed) from the line, and a reading's standard uncertainty from repeats."""
     slope, offset = np.polyfit(field_nT, reading_nT, 1)
     left = reading_nT - slope * field_nT - offset
     third = len(left) // 3

@@ -41,7 +41,7 @@ def reference_check(
     if bench.config.reference.kind != "vector":
         raise InputError("reference-check needs a vector reference")
     _enforce_due_date(bench, due_days)
-    plan = Plan((("zero by half turns", 4 * (dwell_s + 20)), ("six directions", 6 * (dwell_s + 2))))
+    plan = Plan((("zero by half turns", 5 * (dwell_s + 20)), ("six directions", 6 * (dwell_s + 2))))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "zero by half turns")
@@ -53,7 +53,7 @@ def reference_check(
         }
         if left := [name for name, u in stated.items() if not u]:
             yield note(bench, f"Not covered by the uncertainties, because it is not stated: {', '.join(left)}.")
-        ambient, u = yield from _zero(bench, dwell_s, zero_nT, u_turn_deg)
+        ambient, zero, u = yield from _zero(bench, dwell_s, zero_nT, u_turn_deg)
         if standard_nT:
             off = float(np.linalg.norm(ambient)) - standard_nT
             yield from measured(
@@ -62,7 +62,7 @@ def reference_check(
         yield plan.begin(bench, "six directions")
         bench.cage.ambient_nT = ambient
         yield from ready(bench, f"The field goes to {magnitude_nT / 1000:g} µT in six directions. Hands off?")
-        yield from _six_directions(bench, dwell_s, magnitude_nT, scale_ppm, u_cage_ppm)
+        yield from _six_directions(bench, dwell_s, magnitude_nT, zero, scale_ppm, u_cage_ppm)
         yield from coils_off(bench)
 
 
@@ -76,25 +76,28 @@ def _enforce_due_date(bench: Bench, due_days: int) -> None:
         raise LimitNotMet(f"the reference's calibration of {stated.group()} is {age} days old, beyond {due_days}")
 
 
-def _zero(bench: Bench, dwell_s: float, limit_nT: float, u_turn_deg: float) -> Work[tuple[Array, float]]:
+def _zero(bench: Bench, dwell_s: float, limit_nT: float, u_turn_deg: float) -> Work[tuple[Array, Array, float]]:
     """Four attitudes that add up to nothing: the mean reading is the zero.
 
     An attitude that is missed by a small turn w reads w × b too much: with three of four turned to, each on its own,
-    the mean is uncertain by sqrt(3) / 4 |b| u_w along an axis at the most. Returns the ambient field (3,) [nT, C]
-    without the zero, and the standard uncertainty of one component.
+    the mean is uncertain by sqrt(3) / 4 |b| u_w along an axis at the most. The field of the place changes meanwhile:
+    by how much shows when the reference stands again as at first. Of a random walk of the steps w, with a variance of a
+    quarter of that change each, (w1 + 2 w2 + w3) / 4 is left in a component at the most: sqrt(6) / 8 of the change.
+    Returns the ambient field (3,) and the zero (3,) [nT, C], and the standard uncertainty of one component.
     """
     turned = np.asarray(bench.config.reference.cage_from_sensor)
     seen = [(yield from _standing(bench, "as it always stands", np.eye(3), dwell_s))]
     for name, half in HALF_TURNS.items():
         seen.append((yield from _standing(bench, f"turned by 180° about its own {name}", half, dwell_s)))
-    yield from _ask_to_turn(bench, "as it always stands", np.eye(3))
+    again = yield from _standing(bench, "as it always stands", np.eye(3), dwell_s)
     zero = np.mean([turned.T @ standing.mean for standing in seen], axis=0)
     noise = float(np.linalg.norm([standing.u_mean.max() for standing in seen])) / len(seen)
     missed = np.radians(u_turn_deg) * float(np.linalg.norm(seen[0].mean)) * np.sqrt(len(HALF_TURNS)) / len(seen)
-    u = float(np.hypot(noise, missed))
+    moved = np.sqrt(6) / 8 * float(np.sqrt(np.mean((again.mean - seen[0].mean) ** 2)))
+    u = float(np.linalg.norm([noise, missed, moved]))
     for name, value in zip("xyz", zero, strict=True):
         yield from measured(bench, f"zero {name}", value, u, "nT", limit_nT)
-    return np.asarray(seen[0].mean - turned @ zero), float(np.hypot(u, seen[0].u_mean.max()))
+    return np.asarray(again.mean - turned @ zero), turned @ zero, float(np.hypot(u, again.u_mean.max()))
 
 
 def _standing(bench: Bench, how: str, half: Array, dwell_s: float) -> Work[Samples]:
@@ -109,16 +112,19 @@ def _ask_to_turn(bench: Bench, how: str, half: Array) -> Work[None]:
 
 
 def _six_directions(
-    bench: Bench, dwell_s: float, magnitude_nT: float, limit_ppm: float, u_cage_ppm: float
+    bench: Bench, dwell_s: float, magnitude_nT: float, zero: Array, limit_ppm: float, u_cage_ppm: float
 ) -> Work[None]:
-    """One applied field in six directions: what the magnitude departs from its mean is scale and orthogonality."""
+    """One applied field in six directions: what the magnitude departs from its mean is scale and orthogonality.
+
+    The zero (3,) [nT, C] is taken off; by how much it is wrong the ambient field is too, and both cancel.
+    """
     ratios, u_nT = list[float](), 0.0
     for direction in (*np.eye(3), *-np.eye(3)):
         yield from energise(bench, magnitude_nT * direction)
         blocks = yield from record(bench, dwell_s)
         applied = float(np.linalg.norm(bench.cage.field_nT()))
         seen = samples(blocks, "reference")
-        ratios.append(float(np.linalg.norm(seen.mean)) / applied)
+        ratios.append(float(np.linalg.norm(seen.mean - zero)) / applied)
         u_nT = max(u_nT, float(seen.u_mean.max()))
     spread_ppm, u_ppm = 1e6 * (max(ratios) - min(ratios)) / 2, 1e6 * u_nT / magnitude_nT / np.sqrt(2)
     u = float(np.hypot(u_ppm, u_cage_ppm / np.sqrt(2)))  # half the difference of two directions

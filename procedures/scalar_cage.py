@@ -143,7 +143,8 @@ def _report(
 
     def fitted(seen: Magnitudes, start: ScalarCage | None = None) -> ScalarCage:
         positions = as_positions(bench, seen.magnitude_nT)
-        others = [(error, reference_magnitude_nT(error.change(positions))) for error in declared_errors(positions)]
+        moved = [(e, e.moves(positions, reference_magnitude_nT)) for e in declared_errors(positions)]
+        others = [(error, seen.magnitude_nT + by) for error, by in moved]
         return _asked(lambda: fit_scalar_cage(seen, others=others, start=start))
 
     turning = second.select(~fresh)

@@ -37,7 +37,7 @@ from labcal.model.apply import apply
 from labcal.model.readings import Readings
 from labcal.record import Run
 from labcal.record.stream import Block
-from labcal.uncertainty.verdicts import in_body, u_declared, uncovered
+from labcal.uncertainty.verdicts import in_body, u_of_rms, uncovered
 
 NEEDS, LASTS_MIN = "the DUT on the platform, its calibration file", 8
 
@@ -50,14 +50,14 @@ ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitt
 class PositionMeans:
     """Means at each position: `reading` (n, 3) [DUT unit], the reference and attitudes as a run, channels (n,).
 
-    `u_nT` is the standard uncertainty of one component of DUT less reference, by noise; `u_angle_deg` that of each
-    angle by itself.
+    `u_nT` (n,) is the standard uncertainty of one component of DUT less reference, by noise; `u_angle_deg` that of
+    each angle by itself.
     """
 
     t_s: Array
     reading: Array
     positions: Run  # B but for one phase
-    u_nT: float
+    u_nT: Array
     u_angle_deg: float
     channels: dict[str, Array]
 
@@ -134,7 +134,7 @@ def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: flo
     attitudes = np.array([rotation(AXES[axis], -np.radians(deg)) @ at_zero for deg in angle])
     field = reference[:, 0] if reference.shape[1] == 1 else reference
     positions = as_positions(bench, field, attitudes, u_mounting_deg)
-    u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
+    u = np.array([spot.u for spot in spots])
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
     return PositionMeans(
@@ -156,16 +156,26 @@ def _judge(
     heading_deg: float | None = None,
     error_nT: float | None = None,
 ) -> Work[None]:
-    level = float(np.median(seen.positions.magnitude_nT))
-    u_heading = float(np.hypot(np.degrees(seen.u_nT / level), seen.u_angle_deg))
-    rows = (("heading", u_heading, "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
+    rows = (("heading", _u_heading_deg(seen, axis), "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
     of_a_magnitude = seen.positions.reference_vector is None  # there is no heading in it
     for which, (name, u, unit, limit) in list(enumerate(rows))[of_a_magnitude:]:
-        judged = (("rms", rms, u / np.sqrt(len(field_nT)), limit), ("largest", largest, u, None))
-        for what, figure, noise, allowed in judged:
+        worst = u[np.argmax(np.abs(_errors(which, field_nT, axis, seen.positions)))]
+        judged = (
+            ("rms", rms, rms(u), rms(u) / len(u) ** 0.5, limit),
+            ("largest", largest, rms(u) * largest_of(len(u)), worst, None),
+        )
+        for what, figure, alone, along, allowed in judged:
             of = partial(_figure, figure, which, field_nT, axis)
-            spread = float(np.hypot(noise, u_declared(seen.positions, of)))
-            yield from measured(bench, f"{when}: {what} {name} error", of(seen.positions), spread, unit, allowed)
+            total = u_of_rms(seen.positions, of, alone=alone, along=float(along))
+            yield from measured(bench, f"{when}: {what} {name} error", of(seen.positions), total, unit, allowed)
+
+
+def _u_heading_deg(seen: PositionMeans, axis: str) -> Array:
+    """Of each heading (n,), by noise: that of the field over its part across the axis, and the angle's own."""
+    if seen.positions.reference_vector is None:
+        return np.zeros(len(seen.u_nT))
+    across = np.linalg.norm(np.cross(in_body(seen.positions), AXES[axis]), axis=1)
+    return np.asarray(np.hypot(np.degrees(seen.u_nT / across), seen.u_angle_deg))
 
 
 def rms(values: Array) -> float:
@@ -178,11 +188,22 @@ def largest(values: Array) -> float:
     return float(np.abs(values).max())
 
 
+def largest_of(n: int) -> float:
+    """The median of the largest of n normal errors by size, in standard deviations."""
+    from scipy.special import ndtri
+
+    return float(ndtri((1 + 0.5 ** (1 / n)) / 2))
+
+
 def _figure(figure: Callable[[Array], float], which: int, field_nT: Array, axis: str, positions: Run) -> float:
-    """A figure of the heading errors (`which` 0) or of the magnitude errors (1)."""
+    return figure(_errors(which, field_nT, axis, positions))
+
+
+def _errors(which: int, field_nT: Array, axis: str, positions: Run) -> Array:
+    """The heading errors (n,) [deg] (`which` 0) or the magnitude errors (n,) [nT] (1)."""
     if positions.reference_vector is None:
-        return figure(np.linalg.norm(field_nT, axis=1) - positions.magnitude_nT)
-    return figure(errors(field_nT, in_body(positions), np.asarray(AXES[axis]))[which])
+        return np.asarray(np.linalg.norm(field_nT, axis=1) - positions.magnitude_nT)
+    return errors(field_nT, in_body(positions), np.asarray(AXES[axis]))[which]
 
 
 def errors(field_nT: Array, true_nT: Array, axis: Array) -> tuple[Array, Array]:

@@ -62,7 +62,7 @@ def lines(made: list[Calibration]) -> list[tuple[str, list[str]]]:
     for source in ROWS:
         found.append((f"row “{source}” of b x", [row(one(c, "b x", at), source) for c in made]))
     first = [next(block for block in budget_blocks(c) if isinstance(block, Table)).rows[0] for c in made]
-    return [*found, ("largest contributions, as printed", [str(cells[-1]) for cells in first])]
+    return [*found, ("largest contributions to U(scale x), as printed", [str(cells[-1]) for cells in first])]
 
 
 def one(c: Calibration, quantity: str, at: str) -> Mapping[str, Any]:

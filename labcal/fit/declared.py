@@ -72,7 +72,7 @@ def _of_magnitudes(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:
     size = np.maximum(np.linalg.norm(A, axis=0), 1e-300)
     found = []
     for error in declared_errors(run):
-        moved = np.nan_to_num((error.change(run).magnitude_nT - magnitude)[rows])
+        moved = np.nan_to_num(error.moves(run, lambda there: there.magnitude_nT)[rows])
         shift = SYMMETRIC @ (np.linalg.lstsq(A / size, moved, rcond=1e-9)[0] / size)
         found.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
     return tuple(found)

@@ -18,6 +18,7 @@ from labcal.loop.noise.coloured import grams_of_bands
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit, derivatives
 from labcal.model.affine import MAP_PARAMETERS
+from labcal.record import Run
 from labcal.uncertainty import Contribution, DeclaredError, FitNoise, Sources, declared_errors
 from labcal.uncertainty.beside_declared import beside_declared, share
 
@@ -105,9 +106,12 @@ def wald_p_values(found: JointFit) -> list[float]:
 def _changed(found: JointFit, error: DeclaredError) -> Array:
     """What one standard deviation of an error changes of the whitened residual (n, q) on the rows of the fit."""
     p = found.problem
-    there = observe(error.change(p.run), as_scalar=bool((p.observations.kind == SCALAR).all()))
-    moved = evaluate(there, p.noise, p.theta, p.phase, found.effects(p.scene)).residual - p.residual_nT
-    return np.asarray(np.einsum("nqj,nj->nq", p.whiten, moved)[found.used])
+    effects, as_scalar = found.effects(p.scene), bool((p.observations.kind == SCALAR).all())
+
+    def residual(run: Run) -> Array:
+        return evaluate(observe(run, as_scalar=as_scalar), p.noise, p.theta, p.phase, effects).residual
+
+    return np.asarray(np.einsum("nqj,nj->nq", p.whiten, error.moves(p.run, residual))[found.used])
 
 
 def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:

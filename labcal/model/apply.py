@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,7 @@ Mask = NDArray[np.bool_]
 FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time", "domain")
 MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
 SPAN_ROWS = 200  # over which the size of an effect of the run's own clock is taken
+SETTLED_S = 1e5  # after which a slow response has settled
 FEW = 8  # rows of a channel: fewer do not tell what it does in a gap
 
 
@@ -269,8 +271,9 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
 def left_out_variance(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
     """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
 
-    Never less than what the run's held-out residual lost by it: the recording may not show it at all. Of an empirical
-    term it is its prior, for the mean of the run is no more than that.
+    The recording may not show it at all: so never less than what it is where its channels are at either end, nor than
+    what the run's held-out residual lost by it. Of an empirical term it is its prior, for the mean of the run is no
+    more than that.
     """
     if record.basis is not None:
         return np.full(3, record.basis.prior_nT**2)
@@ -278,7 +281,30 @@ def left_out_variance(calibration: Calibration, record: EffectRecord, effect: Fi
         return np.asarray(np.mean(effect.predict(rows) ** 2, axis=0))
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
     lost = max(before**2 - after**2, 0.0) / held_out_components(calibration)
-    return np.asarray(np.maximum(seen.mean_square, np.full(3, lost)))
+    return np.asarray(np.max([seen.mean_square, np.full(3, lost), _at_the_ends(calibration, record, effect)], axis=0))
+
+
+def _at_the_ends(calibration: Calibration, record: EffectRecord, effect: Fitted) -> Array:
+    """Mean square (3,) of an effect in the largest field along each axis, each channel at either end of what was seen.
+
+    Of a value that is only known to lie between two ends none scatters more than one that is at either. What a run
+    loses by an effect says less: there the map took up its mean.
+    """
+    ends = [
+        (d.hull[0][0], d.hull[-1][0])
+        for name in record.channels
+        for d in record.domain
+        if name in channels_of(d.inputs)
+    ]
+    if len(ends) != len(record.channels) or not ends:
+        return np.zeros(3)
+    fields = calibration.validity.field_nT[1] * np.vstack([np.eye(3), -np.eye(3)])
+    at = [(field_nT, values) for values in product(*ends) for field_nT in fields for _ in range(2)]  # two rows: at rest
+    channels = dict(zip(record.channels, np.array([values for _, values in at]).T, strict=True))
+    mode = np.full(len(at), next(iter(calibration.validity.modes), ""))
+    axes, field = calibration.affine.K / calibration.dut.nominal_nT_per_unit, np.array([field_nT for field_nT, _ in at])
+    rows = Scene(np.tile([0.0, SETTLED_S], len(at) // 2), np.arange(len(at)) // 2, field, channels, mode, axes)
+    return np.asarray(np.mean(effect.predict(rows)[1::2] ** 2, axis=0))
 
 
 def _where_it_acts(calibration: Calibration, effect: Fitted) -> Scene | None:

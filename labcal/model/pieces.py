@@ -117,7 +117,7 @@ class Walk:
                 begun = [self._columns(rows, self.effect.term, one) @ self.effect.beta for one in EITHER_WAY]
                 variance[usable] = np.mean([np.square(one - value[usable]) for one in begun], axis=0)
         if self._record.domain:
-            flags["domain"] = self._outside(rows)
+            flags["domain"] = flags.get("domain", False) | self._outside(rows)
         if self._record.basis is not None:  # what has no name is no more than it was seen to be
             usable &= ~flags["domain"]
             value[~usable], jacobian[~usable] = 0.0, 0.0
@@ -197,7 +197,7 @@ class Walk:
         readings, record = self._recording.readings, self._record
         lacking: dict[str, Mask] = {"": np.asarray(~np.isfinite(self._field(rows)).all(axis=1))}
         for name in record.channels:
-            word = "temperature" if self.effect.family.of_temperature else ""
+            word = "temperature" if self.effect.family.of_temperature else "domain"
             missing = ~np.isfinite(readings.channels[name][rows])
             lacking[word] = lacking[word] | missing if word in lacking else missing
         if self.effect.family.is_bound_to_run(self.effect.term) and readings.t_s is not None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import isfinite
 from typing import Any, Literal
 
 import numpy as np
@@ -95,16 +96,17 @@ class Measurement:
     def verdict(self) -> Literal["PASS", "MARGINAL", "FAIL", "CANNOT DECIDE", ""]:
         """PASS where |value| + U is within the limit, FAIL where |value| − U is beyond, MARGINAL between.
 
-        CANNOT DECIDE where U exceeds half the limit; empty where there is no limit.
+        CANNOT DECIDE where U exceeds half the limit and the value is not beyond it all the same, or where either is no
+        number; empty where there is no limit.
         """
         if self.limit is None:
             return ""
-        U = 2 * self.u
-        if self.limit / 2 < U:
+        size, U = abs(self.value), 2 * self.u
+        if size - U > self.limit:
+            return "FAIL"
+        if not (self.limit / 2 >= U and isfinite(size)):
             return "CANNOT DECIDE"
-        if abs(self.value) + U <= self.limit:
-            return "PASS"
-        return "FAIL" if abs(self.value) - U > self.limit else "MARGINAL"
+        return "PASS" if size + U <= self.limit else "MARGINAL"
 
 
 @dataclass(frozen=True, slots=True)

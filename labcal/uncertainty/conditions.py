@@ -89,18 +89,18 @@ def zeros(run: Run) -> Iterator[tuple[str, float, str, Array]]:
         yield "gradient over the distance", zero, "nT", np.full(n, zero)
 
 
-def with_factors(run: Run, by: Array) -> Run:
+def with_factors(run: Run, times: float = 1.0, *, by: Array) -> Run:
     """The run with its reference's axes larger by the factors (n, 3); a magnitude by their mean."""
     if run.reference_vector is not None:
-        run = replace(run, reference_vector=run.reference_vector * (1 + by))
+        run = replace(run, reference_vector=run.reference_vector * (1 + times * by))
     if run.reference_magnitude is not None:
-        run = replace(run, reference_magnitude=run.reference_magnitude * (1 + by.mean(axis=1)))
+        run = replace(run, reference_magnitude=run.reference_magnitude * (1 + times * by.mean(axis=1)))
     return run
 
 
-def with_zero(run: Run, by: Array, axis: int) -> Run:
+def with_zero(run: Run, times: float = 1.0, *, by: Array, axis: int) -> Run:
     """The run with one axis of its reference larger by a field (n,) [nT]; a magnitude has no axes."""
     if run.reference_vector is not None:
-        return replace(run, reference_vector=run.reference_vector + by[:, None] * np.eye(3)[axis])
+        return replace(run, reference_vector=run.reference_vector + times * by[:, None] * np.eye(3)[axis])
     assert run.reference_magnitude is not None
-    return replace(run, reference_magnitude=run.reference_magnitude + by)
+    return replace(run, reference_magnitude=run.reference_magnitude + times * by)

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,15 @@ from labcal.record import Run, Segment
 from labcal.uncertainty import conditions
 
 Array = NDArray[np.float64]
-Change = Callable[[Run], Run]
+STEP = 0.1  # standard deviations, of a derivative
+
+
+class Perturbation(Protocol):
+    """What an error does to a run."""
+
+    def __call__(self, run: Run, times: float = 1.0) -> Run:
+        """The run as it would have been recorded, so many standard deviations off."""
+        ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,7 +39,15 @@ class DeclaredError:
     source: str
     u: float
     unit: str
-    change: Change  # the run as it would have been recorded, one standard deviation off
+    change: Perturbation
+
+    def moves(self, run: Run, of: Callable[[Run], Array]) -> Array:
+        """What one standard deviation of it changes of what is read off a run, to first order (GUM, 5.1.3, note 2).
+
+        By the difference of a tenth either way: what goes with the square of a turn is no sensitivity, and must not
+        look like a change of scale.
+        """
+        return np.asarray((of(self.change(run, STEP)) - of(self.change(run, -STEP))) / (2 * STEP))
 
 
 def declared_errors(run: Run) -> tuple[DeclaredError, ...]:
@@ -43,7 +60,7 @@ def _of_the_reference(run: Run) -> list[DeclaredError]:
     if reference.kind == "none":
         return found
     if ppm := reference.u_scale_ppm:
-        found.append(DeclaredError("reference scale", ppm, "ppm", partial(_scaled, by=1 + 1e-6 * ppm)))
+        found.append(DeclaredError("reference scale", ppm, "ppm", partial(_scaled, ppm=ppm)))
     if zero := reference.u_offset_nT:
         axes = np.eye(3) if reference.kind == "vector" else np.ones((1, 1))
         names = [f" {axis}" for axis in "xyz"] if reference.kind == "vector" else [""]
@@ -51,7 +68,7 @@ def _of_the_reference(run: Run) -> list[DeclaredError]:
             found.append(DeclaredError(f"reference zero{name}", zero, "nT", partial(_offset, by=zero * axis)))
     if (deg := reference.u_align_deg) and reference.kind == "vector":
         for name, turn in _turns():
-            change = partial(_reference_turned, by=np.radians(deg) * turn)
+            change = partial(_aligned, by=np.radians(deg) * turn)
             found.append(DeclaredError(f"reference alignment about {name}", deg, "deg", change))
     return found
 
@@ -100,17 +117,22 @@ def _turns() -> list[tuple[str, Array]]:
     return list(zip("xyz", np.eye(3), strict=True))
 
 
-def _scaled(run: Run, by: float) -> Run:
+def _scaled(run: Run, times: float = 1.0, *, ppm: float) -> Run:
+    by = 1 + 1e-6 * ppm * times
     if run.reference_vector is not None:
         run = replace(run, reference_vector=run.reference_vector * by)
     return run if run.reference_magnitude is None else replace(run, reference_magnitude=run.reference_magnitude * by)
 
 
-def _offset(run: Run, by: Array) -> Run:
+def _offset(run: Run, times: float = 1.0, *, by: Array) -> Run:
     if run.reference_vector is not None:
-        return replace(run, reference_vector=run.reference_vector + by)
+        return replace(run, reference_vector=run.reference_vector + times * by)
     assert run.reference_magnitude is not None
-    return replace(run, reference_magnitude=run.reference_magnitude + by)
+    return replace(run, reference_magnitude=run.reference_magnitude + times * by)
+
+
+def _aligned(run: Run, times: float = 1.0, *, by: Array) -> Run:
+    return _reference_turned(run, times * by)
 
 
 def _reference_turned(run: Run, by: Array, rows: NDArray[np.bool_] | slice = slice(None)) -> Run:
@@ -122,10 +144,10 @@ def _reference_turned(run: Run, by: Array, rows: NDArray[np.bool_] | slice = sli
     return replace(run, reference_vector=vector)
 
 
-def _turned_in_body(run: Run, turn: Array, sizes: Array) -> Run:
+def _turned_in_body(run: Run, times: float = 1.0, *, turn: Array, sizes: Array) -> Run:
     """Axes and attitudes of every segment turned in the body, each by its own size [rad]."""
     segments = list[Segment]()
-    for index, (segment, size) in enumerate(zip(run.segments, sizes, strict=True)):
+    for index, (segment, size) in enumerate(zip(run.segments, times * sizes, strict=True)):
         R = rotation_vector(size * turn)
         if segment.axis_body is not None:
             segment = replace(segment, axis_body=_vector(R @ np.asarray(segment.axis_body)))
@@ -138,9 +160,9 @@ def _turned_in_body(run: Run, turn: Array, sizes: Array) -> Run:
     return replace(run, segments=tuple(segments))
 
 
-def _turned_in_cage(run: Run, turn: Array, sizes: Array) -> Run:
+def _turned_in_cage(run: Run, times: float = 1.0, *, turn: Array, sizes: Array) -> Run:
     """The platform's axis turned in the cage: to it the reference seems turned the other way."""
-    for index, (segment, size) in enumerate(zip(run.segments, sizes, strict=True)):
+    for index, (segment, size) in enumerate(zip(run.segments, times * sizes, strict=True)):
         if segment.reference_frame == "cage":
             run = _reference_turned(run, -size * turn, run.segment_index == index)
     return run
@@ -151,9 +173,10 @@ def _vector(v: Array) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _delayed(run: Run, late_s: Array) -> Run:
+def _delayed(run: Run, times: float = 1.0, *, late_s: Array) -> Run:
     """Reference and angle as they were `late_s` (n,) later; where a neighbour is missing they stay."""
     vector, magnitude, angle = run.reference_vector, run.reference_magnitude, run.angle_deg
+    late_s = times * late_s
     return replace(
         run,
         reference_vector=None if vector is None else vector + late_s[:, None] * _rate(run, vector),

@@ -15,9 +15,11 @@ def not_stated(run: Run) -> tuple[str, ...]:
     said = []
     if left := _of_the_reference(run):
         said.append(f"Of the reference, because the run does not state it: {', '.join(left)}.")
-    if any(segment.u_axis_body_deg is None for segment in run.segments if _mounted(segment)):
+    if exact := [word for word, value in _stated(run).items() if value == 0 and word != "noise"]:
+        said.append(f"Of the reference, because the run states it as 0: {', '.join(exact)}.")  # nothing is exact
+    if not all(segment.u_axis_body_deg for segment in run.segments if _mounted(segment)):
         said.append("Frame as mounted; mounting uncertainty not included.")
-    if any(segment.u_axis_cage_deg is None for segment in run.segments if _about_an_axis_of_the_cage(run, segment)):
+    if not all(segment.u_axis_cage_deg for segment in run.segments if _about_an_axis_of_the_cage(run, segment)):
         said.append("The direction of the platform's axis in the cage.")
     return tuple(said) or (ALL_COVERED,)
 
@@ -67,14 +69,20 @@ def _since_its_certificate(run: Run) -> list[str]:
 
 
 def _of_the_reference(run: Run) -> list[str]:
-    reference = run.reference
-    timed = all(segment.u_time_s is not None for segment in run.segments)  # each for itself
-    stated = {
+    return [word for word, value in _stated(run).items() if value is None]
+
+
+def _stated(run: Run) -> dict[str, object]:
+    """What the run states of its reference, by the word for it; None where it does not, nothing where it need not."""
+    reference, times = run.reference, [segment.u_time_s for segment in run.segments]
+    stated: dict[str, object] = {
         "noise": reference.noise_nT,
         "scale": reference.u_scale_ppm,
         "zero": reference.u_offset_nT,
-        "alignment": reference.u_align_deg if reference.kind == "vector" else 0.0,
-        "time": 0.0 if timed else reference.u_time_s,
-        "own calibration": reference.calibration or reference.certificate,
     }
-    return [word for word, value in stated.items() if value is None]
+    if reference.kind == "vector":
+        stated["alignment"] = reference.u_align_deg
+    each_for_itself = bool(times) and all(time is not None for time in times)
+    stated["time"] = max(time or 0.0 for time in times) if each_for_itself else reference.u_time_s
+    stated["own calibration"] = reference.calibration or reference.certificate
+    return stated

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.record import Run, Segment
+from labcal.record import Run
 from labcal.uncertainty.declared import DeclaredError, declared_errors
 from labcal.uncertainty.unstated import ALL_COVERED, not_covered
 
@@ -27,8 +26,26 @@ def u_by(run: Run, error: DeclaredError, figure: Figure) -> float:
     It is |c u| of a smooth figure (GUM, 5.1.3, note 2). A root mean square that begins at zero has no slope there: then
     it is how large the error alone makes it.
     """
-    here, there = figure(run), error.change(run)
-    return float(np.hypot(figure(there) - here, figure(_other_way(run, there)) - here) / np.sqrt(2))
+    here, one, other = figure(run), figure(error.change(run)), figure(error.change(run, -1.0))
+    return float(np.hypot(one - here, other - here) / np.sqrt(2))
+
+
+def u_of_rms(run: Run, figure: Figure, *, alone: float = 0.0, along: float = 0.0) -> float:
+    """Standard uncertainty of `figure`, a root mean square of errors: what moves it, and what raises it.
+
+    Squares add: errors of mean square s² beside a true t² make m² = t² + s² on the mean. That is not corrected, so it
+    counts whole (GUM, F.2.4.5), however little slope the figure has: as m − √(m² − s²), or as √(m² + s²) − m where m is
+    small and the errors may have cancelled. What was fitted to the same reference is not raised by it, and is no case
+    for this. `alone` is the root mean square that the figure's own noise makes by itself, `along` what that noise moves
+    it by.
+    """
+    here, slopes, squares = figure(run), [along], alone**2
+    for error in declared_errors(run):
+        one, other = figure(error.change(run)), figure(error.change(run, -1.0))
+        slopes.append((one - other) / 2)
+        squares += max((one**2 + other**2) / 2 - here**2, 0.0)
+    raised = max(here - np.sqrt(max(here**2 - squares, 0.0)), np.sqrt(here**2 + squares) - here)
+    return float(np.hypot(np.linalg.norm(slopes), raised))
 
 
 def in_body(run: Run) -> Array:
@@ -43,25 +60,3 @@ def uncovered(run: Run, more: Iterable[str] = ()) -> str:
     left = [said for said in not_covered(run) if said != ALL_COVERED]
     left += [f"{said[:1].upper()}{said[1:]}." for said in more]
     return f"Not covered by the uncertainties: {' '.join(left)}" if left else ""
-
-
-def _other_way(run: Run, changed: Run) -> Run:
-    """The run with the opposite error, from the run with an error: fields mirrored, attitudes turned back."""
-    return replace(
-        run,
-        reference_vector=_mirrored(run.reference_vector, changed.reference_vector),
-        reference_magnitude=_mirrored(run.reference_magnitude, changed.reference_magnitude),
-        segments=tuple(map(_turned_back, run.segments, changed.segments)),
-    )
-
-
-def _mirrored(here: Array | None, there: Array | None) -> Array | None:
-    return None if here is None or there is None else 2 * here - there
-
-
-def _turned_back(here: Segment, there: Segment) -> Segment:
-    if here.body_from_cage is None or there.body_from_cage is None or here is there:
-        return here
-    R, turned = np.array(here.body_from_cage), np.array(there.body_from_cage)
-    x, y, z = ((float(a), float(b), float(c)) for a, b, c in R @ turned.T @ R)
-    return replace(here, body_from_cage=(x, y, z))

@@ -101,6 +101,11 @@ def test_a_page_needs_nothing_from_elsewhere(calibration: Calibration, draft: Pa
         HTMLParser().feed(text)
 
 
+def test_k_of_a_sensor_that_counts_is_in_nT_per_count(calibration: Calibration, draft: Path):
+    assert "K · x (nT/count)" in page_text(replace(calibration, dut=replace(calibration.dut, unit="count")), draft)
+    assert "K · x (" not in page_text(replace(calibration, dut=replace(calibration.dut, unit="nT")), draft)
+
+
 def test_the_page_of_a_run_shows_the_residual_that_the_fit_leaves(run: Run):
     fit = Fit("ml", True, affine=AffineMap(np.eye(3), np.full(3, 100.0)))
     text = html(run_page(run, "ab" * 32, fit))

@@ -304,6 +304,22 @@ def test_a_channel_that_a_recording_does_not_have_at_all_costs_what_the_effect_o
     assert empty.u_nT.min() > np.sqrt((173.5**2 - 17.3**2) / 3)
 
 
+def test_a_lost_channel_costs_what_the_effect_is_at_either_end_and_the_row_says_so() -> None:
+    """A load that is off at its reference value: leaving it out costs its mean too, which a refitted map takes up."""
+    found = effect("offset-current", ("i_eps",), {"i_eps": 0.0}, c_x=(500, 0), c_y=(0, 0), c_z=(0, 0))
+    cal = calibration(
+        replace(found, domain=(Domain(("channel:i_eps",), ((0.0,), (0.8,))),), holdout_rms_before_nT=200.0)
+    )
+    draw = np.random.default_rng(1)
+    amps = np.where(draw.random(len(FIELD)) < 0.5, 0.8, 0.0)
+    lost = apply(cal, readings(channels={"i_eps": np.full(len(FIELD), np.nan)}))
+    error = np.column_stack([500.0 * amps, np.zeros((len(FIELD), 2))])
+    assert lost.u_nT == pytest.approx(
+        np.hypot(np.sqrt(np.mean(error**2)), apply(cal, readings(channels={"i_eps": 0 * amps})).u_nT), rel=0.2
+    )
+    assert set(lost.flags) == {"domain"}
+
+
 def test_a_row_whose_mode_is_unknown_goes_without_that_offset_and_says_so() -> None:
     values = {f"c_{a} full": (300.0, 1.0) for a in "xyz"}
     cal = calibration(effect("offset-mode", **values), validity=Validity((0.0, 1e5), modes=("full", "nominal")))

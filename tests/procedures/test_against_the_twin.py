@@ -63,7 +63,10 @@ def test_sync_check_finds_a_late_dut(ran: Run) -> None:
 
 
 def test_cage_calibration_finds_the_matrix_within_its_uncertainty(ran: Run) -> None:
-    found = ran("cage-calibration", steps=2, dwell_s=1.5).event("cage-calibration").data
+    ended = ran("cage-calibration", steps=2, dwell_s=1.5)
+    found = ended.event("cage-calibration").data
+    of_a_mean = ended.value("DUT: noise") / np.sqrt(0.75 * 1.5 * 20)  # three quarters of each step, 20 a second
+    assert ended.measured["DUT: departure from the line"].u == pytest.approx(of_a_mean, rel=0.2)
     truth = TwinTruth()
     coils = square_coils(truth.coils.side_m, truth.coils.turns, np.array(truth.coils.tilt_deg))
     for place, where in (("DUT", np.zeros(3)), ("reference", np.array([0.0, 0.0, 0.15]))):
@@ -88,6 +91,22 @@ def test_reference_check_finds_its_zero_and_enforces_its_due_date(ran: Run, benc
     assert 0 < found.measured["zero x"].u < 1
     old = bench_file("", ("[reference]\n", '[reference]\ncalibration = "aa00, 2020-01-31"\n'))
     assert "days old, beyond 365" in session.run("reference-check", old).status
+
+
+def test_a_reference_s_zero_is_as_uncertain_as_the_place_s_field_changes_while_it_is_turned(ran: Run) -> None:
+    z = list[float]()
+    for seed in range(5):
+        zero = (30 * np.random.default_rng([seed, 77]).normal(size=3)).tolist()
+        found = ran("reference-check", REFERENCE.format(zero), seed, dwell_s=5)
+        z += [(found.value(f"zero {a}") - v) / found.measured[f"zero {a}"].u for a, v in zip("xyz", zero, strict=True)]
+    assert 0.2 < np.sqrt(np.mean(np.square(z))) < 1.5
+
+
+def test_a_reference_s_zero_is_none_of_its_scale(ran: Run) -> None:
+    """40 nT of 50 µT would be 800 ppm either way along its axis."""
+    none, large = (ran("reference-check", REFERENCE.format(zero), dwell_s=2) for zero in ([0.0] * 3, [0.0, 40.0, 0.0]))
+    spread = "magnitude against direction"
+    assert large.value(spread) == pytest.approx(none.value(spread), abs=50)
 
 
 def test_linearity_tells_a_bent_dut_from_a_straight_one(ran: Run) -> None:

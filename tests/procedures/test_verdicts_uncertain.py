@@ -79,6 +79,22 @@ def test_linearity_s_slope_is_as_uncertain_as_the_reference_s_scale_and_its_depa
     assert "The reference's own linearity." in notes(good)
 
 
+def test_a_slope_is_as_uncertain_by_noise_as_a_line_through_all_steps(ran: Run) -> None:
+    """Three times −50, −25, 0, 25 and 50 µT: σ / √(3 · 2.5) of 50 µT."""
+    found = ran("linearity", edits=[("u_scale_ppm = 50.0\nu_offset_nT = 3.0", "")], steps=2, dwell_s=1)
+    sigma = found.measured["departure from a straight line"].u
+    assert found.measured["slope"].u == pytest.approx(sigma / 50_000 / np.sqrt(7.5), rel=0.02)
+
+
+def test_a_heading_is_as_uncertain_by_noise_as_the_field_across_its_axis_is_small(ran: Run) -> None:
+    """Of 24 fields between 37° and 90° from the axis: the mean of 1 / sin² is 1.37, the field 35 µT."""
+    bare = [("u_scale_ppm = 50.0\nu_offset_nT = 3.0", "")]
+    far_off = "dut = { noise_nT = 20.0, nT_per_unit = 4.0, bias_nT = [2000.0, 2000.0, 2000.0] }"
+    found = ran("verify", far_off, edits=bare, positions=24, dwell_s=1)
+    heading, magnitude = (found.measured[f"before: rms {which} error"].u for which in ("heading", "magnitude"))
+    assert heading == pytest.approx(np.degrees(magnitude / 35_000) * np.sqrt(1.37), rel=0.1)
+
+
 def test_a_cage_s_matrix_is_as_uncertain_as_the_reference_s_scale(ran: Run) -> None:
     short = {"steps": 2, "dwell_s": 1, "limit_ppm": 20_000}
     good, bad = ran("cage-calibration", **short), ran("cage-calibration", edits=WORSE, **short)

@@ -171,6 +171,7 @@ def swept(fields_nT: np.ndarray, rungs: list[Rung]) -> Sweep:
         np.array(rising),
         1.0,
         0.0,
+        0.2,
     )
 
 

@@ -18,7 +18,12 @@ from labcal.record.stream import Measurement
         (-12.1, 1.0, "FAIL"),
         (0.0, 2.5, "PASS"),  # U is half the limit
         (0.0, 2.6, "CANNOT DECIDE"),
-        (100.0, 2.6, "CANNOT DECIDE"),
+        (15.2, 2.6, "CANNOT DECIDE"),  # 10.0 is not beyond 10
+        (15.3, 2.6, "FAIL"),  # however large U is: beyond the limit by more than that
+        (-1e6, 1e5, "FAIL"),
+        (0.0, float("inf"), "CANNOT DECIDE"),
+        (0.0, float("nan"), "CANNOT DECIDE"),
+        (float("nan"), 1.0, "CANNOT DECIDE"),
         (10.0, 0.0, "PASS"),
     ],
 )

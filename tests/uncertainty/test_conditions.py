@@ -17,7 +17,7 @@ from labcal.record import Channel, Run
 from labcal.store import bundle_of, load_bundle, save_bundle
 from labcal.uncertainty import declared_errors
 from labcal.uncertainty.unstated import not_covered
-from labcal.uncertainty.verdicts import in_body, u_by, u_declared, uncovered
+from labcal.uncertainty.verdicts import in_body, u_by, u_declared, u_of_rms, uncovered
 
 RUN = Path(__file__).parents[2] / "examples" / "short-preflight" / "run.zip"
 STATED = {
@@ -121,6 +121,16 @@ def test_the_platform_s_axis_and_a_mounting_are_named_where_nobody_states_them(r
     assert axis not in said(u_axis_cage_deg=None, **at_rest)
 
 
+def test_what_is_stated_as_nothing_is_named_too(run: Run) -> None:
+    """An uncertainty of 0 contributes nothing, and nothing is exact."""
+    reference = replace(run.reference, u_scale_ppm=0.0, u_offset_nT=3.0, u_align_deg=0.0)
+    exact = tuple(replace(s, u_axis_body_deg=0.0, u_axis_cage_deg=0.0, u_time_s=1e-3) for s in run.segments)
+    said = not_covered(replace(run, reference=reference, segments=exact))
+    assert "Of the reference, because the run states it as 0: scale, alignment." in said
+    assert "Frame as mounted; mounting uncertainty not included." in said
+    assert "The direction of the platform's axis in the cage." in said
+
+
 def test_what_is_not_stated_is_named(run: Run) -> None:
     assert not any("temperature" in said or "gradient" in said for said in not_covered(run))
     cold = replace(run, reference=replace(run.reference, certificate={"number": "M-1"}))
@@ -163,6 +173,32 @@ def test_an_error_that_could_hide_the_figure_does_not_hide_the_uncertainty(run: 
     off = replace(off, reference_vector=off.reference_vector * (1 + 25.0 / 50_000.0))
     (error,) = declared_errors(off)
     assert u_by(off, error, figure_rms) == pytest.approx(50.0 / np.sqrt(2), rel=0.01)
+
+
+def errors_over_u(run: Run, true_nT: np.ndarray, noise_nT: float = 10.0) -> np.ndarray:
+    """Of 200 references as wrong as they are declared, and of noise: rms found less the true one, over its u."""
+    draw, truth, z = np.random.default_rng(3), float(np.sqrt(np.mean(true_nT**2))), []
+    told = positions(run, u_scale_ppm=400.0, u_offset_nT=30.0)
+    field = told.reference_vector
+    for _ in range(200):
+        wrong = field * (1 + 400e-6 * draw.normal()) + 30.0 * draw.normal(size=3)
+        noise = noise_nT * draw.normal(size=len(field))
+
+        def rms(seen: Run, noise: np.ndarray = noise) -> float:
+            return float(np.sqrt(np.mean((50_000.0 + true_nT + noise - np.linalg.norm(in_body(seen), axis=1)) ** 2)))
+
+        there = replace(told, reference_vector=wrong)
+        u = u_of_rms(there, rms, alone=noise_nT, along=noise_nT / np.sqrt(len(field)))
+        z.append((rms(there) - truth) / u)
+    return np.array(z)
+
+
+@pytest.mark.parametrize("size_nT", [0.0, 20.0, 40.0, 300.0])
+def test_an_rms_is_as_uncertain_as_all_that_raises_it(run: Run, size_nT: float) -> None:
+    """Scale, three zeros and noise raise it together, whatever the device's own error is: their squares add."""
+    z = errors_over_u(run, size_nT * np.array([1.0, -1.0, 0.5, 1.2, -0.7, 0.9]))
+    assert 0.7 < np.sqrt(np.mean(z**2)) < 1.35
+    assert np.mean(np.abs(z) < 2) > 0.9
 
 
 def test_one_sentence_names_what_a_verdict_leaves_out(run: Run) -> None:

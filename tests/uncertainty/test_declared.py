@@ -14,9 +14,10 @@ from labcal.fit.vector.declared import declared_contributions
 from labcal.fit.vector.ml import estimate, ml
 from labcal.loop.close import prepare
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
-from labcal.loop.uncertainty import uncertainty_of
+from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import AffineMap
 from labcal.model.effects import family
+from labcal.model.sensor_figures import figures_jacobian
 from labcal.record import Run
 from labcal.testing.made_up_runs import made_up_run
 from labcal.uncertainty import covariance_of, declared_errors
@@ -72,6 +73,22 @@ def test_a_turn_in_the_body_and_a_scale_are_what_they_are_in_closed_form(recorde
     old = covariance_of(contributions(run, found.affine, frame_known=True), 12)
     size = np.sqrt(np.diag(old))
     assert np.allclose(new / np.outer(size, size), old / np.outer(size, size), atol=0.05)
+
+
+def test_a_turn_of_the_axes_is_no_change_of_scale_and_no_angle_between_axes(recorded) -> None:
+    """Of a turn by 2° the square is 600 ppm: it is no sensitivity (GUM, 5.1.3), and no scale of the sensor."""
+    run, _ = recorded(3, Declared(body_deg=2.0), effect="offset-current", rows=24)
+    found, of_loop = estimate(run, robust=False), _fitted(run)
+    parts = found.observations, found.noise, found.parameterisation, found.solution
+    shipped = of_the_file(of_loop, uncertainty_of(of_loop), [True]).sources.declared
+    for turns, theta in (
+        (declared_contributions(run, *parts), found.affine.parameters),
+        (shipped, of_loop.problem.affine.parameters),
+    ):
+        J = figures_jacobian(theta)
+        moved = np.array([J @ turn.shift[:12] for turn in turns])
+        assert len(moved) == 3
+        assert np.abs(np.hstack([moved[:, :3], np.radians(moved[:, 6:])])).max() < 1.5e-4
 
 
 def test_a_magnitude_s_zero_is_a_larger_field(recorded) -> None:

@@ -199,7 +199,7 @@ def _residuals(c: Calibration) -> Table | None:
 
 
 def _parameters(c: Calibration) -> list[Block]:
-    per_unit = " (nT)" if c.dut.unit == "count" else ""
+    per_unit = "" if c.dut.unit == "nT" else f" (nT/{c.dut.unit})"
     u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
     values = np.column_stack([c.affine.K, c.affine.k_nT])
     U = np.full((3, 4), np.nan) if u is None else k_of_parameters(c) * np.column_stack([u[:9].reshape(3, 3), u[9:]])

@@ -28,7 +28,7 @@ def declared_contributions(
     """
     q, unit = parameterisation.basis.shape[1], np.r_[np.full(9, 1 / seen.scale), np.ones(3)]
     out = []
-    for error, _, step in _moved(run, seen, noise, parameterisation, found):
+    for error, _, _, step in _moved(run, seen, noise, parameterisation, found):
         shift = unit * (parameterisation.basis @ step[:q])
         out.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
     return tuple(out)
@@ -45,21 +45,26 @@ def residual_beside_declared(
     """
     q, weight = parameterisation.basis.shape[1], np.sqrt(found.weight)[:, None]
     here = weight * _residual(seen, noise, found.theta, found.phase)
+
+    def moved(there: Observations, step: Array) -> Array:
+        theta, phase = found.theta + parameterisation.basis @ step[:q], found.phase + step[q:]
+        return np.asarray(weight * _residual(there, noise, theta, phase))
+
     left = [
-        weight * _residual(there, noise, found.theta + parameterisation.basis @ step[:q], found.phase + step[q:]) - here
-        for _, there, step in _moved(run, seen, noise, parameterisation, found)
+        (moved(one, step) - moved(other, -step)) / 2
+        for _, one, other, step in _moved(run, seen, noise, parameterisation, found)
     ]
     return here, beside_declared(here, np.stack(left, axis=2)) if left else here
 
 
 def _moved(
     run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
-) -> Iterator[tuple[DeclaredError, Observations, Array]]:
-    """Each declared error, the rows with it, and the step (q + phases,) that the solution takes."""
-    here = _gradient(seen, noise, parameterisation, found)
+) -> Iterator[tuple[DeclaredError, Observations, Observations, Array]]:
+    """Each declared error, the rows with it either way, and the step (q + phases,) that the solution takes."""
     for error in declared_errors(run):
-        there = observe_like(error.change(run), seen)
-        yield error, there, _solved(found.normal, here - _gradient(there, noise, parameterisation, found))
+        one, other = (observe_like(error.change(run, times), seen) for times in (1.0, -1.0))
+        down, up = (_gradient(there, noise, parameterisation, found) for there in (one, other))
+        yield error, one, other, _solved(found.normal, (up - down) / 2)
 
 
 def _residual(seen: Observations, noise: Noise, theta: Array, phase: Array) -> Array:

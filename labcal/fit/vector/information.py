@@ -77,12 +77,14 @@ def information(run: Run) -> Information:
     if found is None or found.parameterisation.name != "affine" or found.observations.loci:
         raise ValueError(whole.why_not or "its reference leaves the rotation of the map open")
     seen, noise, solution = found.observations, found.noise, found.solution
-    there = [observe_like(error.change(run), seen) for error in declared_errors(run)]
+    errors = declared_errors(run)
+    there = [[observe_like(error.change(run, times), seen) for times in (1.0, -1.0)] for error in errors]
     parts = [np.flatnonzero(seen.segment == s) for s in range(len(run.segments))]
-    N, here = (np.stack(sums) for sums in zip(*(_of(seen, noise, solution, rows) for rows in parts), strict=True))
+    N = np.stack([_of(seen, noise, solution, rows)[0] for rows in parts])
     noise_induced = np.stack([_noise_induced(seen, noise, solution, rows) for rows in parts])
-    moved = [[_of(other, noise, solution, rows)[1] for other in there] for rows in parts]
-    shift = np.array(moved).reshape(len(parts), len(there), N.shape[1]) - here[:, None, :]
+    moved = [[[_of(way, noise, solution, rows)[1] for way in ways] for ways in there] for rows in parts]
+    both = np.array(moved).reshape(len(parts), len(there), 2, N.shape[1])
+    shift = (both[:, :, 0] - both[:, :, 1]) / 2
     known = Information(found.affine, N, noise_induced, shift, 1.0, seen.scale)
     return replace(known, widened=_widened(whole, replace(known, shift=0 * shift)))
 
