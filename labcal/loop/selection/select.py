@@ -27,7 +27,6 @@ from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
-FIRST = (0, False)  # what readings alone correct, and of no higher order than an equivalent
 RoundOutcome = Literal["supported", "displaced", "unsupported", "one too many"]  # of one round
 SelectionEnding = Literal["supported", "rounds exhausted"]
 
@@ -157,7 +156,7 @@ def prefer_computable(
     A channel without a physical mechanism goes last; what extends a cause goes after it.
     """
     for place, one in enumerate(accepted):
-        if _preference(one) == FIRST and not one.family.extends:
+        if not (any(_preference(one)) or one.family.extends):
             continue  # nothing goes before it: what does as well need not be known
         equals = [w.candidate for w in equally_likely(pool, accepted, one) if w.candidate.cause not in refused]
         for other in sorted((c for c in equals if _goes_before(c, one)), key=_preference):
