@@ -31,7 +31,7 @@ Mask = NDArray[np.bool_]
 GROUP_SHARE = 0.25  # of a group has to be asked for before all of it is scored
 LONG_RUN = 5000  # rows: fewer may have more prime factors, so that mostly none is dropped for a fast transform
 PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # of the length of a short run
-CACHE_NUMBERS = 30_000_000  # in all transformed columns: more are not kept
+CACHE_NUMBERS = 20_000_000  # in all transformed columns: more are not kept
 
 
 Tell = Callable[["CandidateSet", Sequence[Candidate], str], None]  # what is scored beside what is accepted
