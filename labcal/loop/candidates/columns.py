@@ -63,7 +63,7 @@ class ColumnStore:
     @property
     def n_columns(self) -> int:
         """Columns that all candidates are made of."""
-        return self.memo.get("n_columns", (), lambda: sum(g.whitened.made_of.shape[2] for g in self.groups))
+        return sum(int(group.whitened.made_of.shape[2]) for group in self.groups)
 
     def columns(self, candidate: Candidate) -> Array:
         """The whitened columns (n, q, p) of a candidate."""
