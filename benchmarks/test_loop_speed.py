@@ -106,7 +106,7 @@ def walk(body: Array) -> Array:
 
 @pytest.mark.parametrize(("hard", "named"), [(loop, {"hysteresis"}), (walk, set())])
 def test_a_hard_run_of_fifteen_hundred_rows(hard: Callable[[Array], Array], named: set[str]) -> None:
-    run = run_of(1_500, hard, contributions=hard is loop)
+    run = run_of(1_500, hard, steps=hard is loop)
     begun, wall = time.process_time(), time.perf_counter()
     found = close_loop(run)
     seconds, wall = time.process_time() - begun, time.perf_counter() - wall

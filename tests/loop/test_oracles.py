@@ -14,6 +14,7 @@ from scipy.fft import dct
 from labcal.loop.noise.autocorrelation import ljung_box, serially_correlated
 from labcal.loop.noise.bands import bands_of, cosine_transform
 from labcal.loop.noise.coloured import Grams, NullModel
+from labcal.loop.noise.column_sets import ColumnSets
 from labcal.loop.noise.nuisance import (
     Reduced,
     explained_squares,
@@ -84,7 +85,7 @@ def test_candidates_side_by_side_score_as_one_by_one(seed: int, n: int, q: int) 
     bands, transformed = bands_of(n), cosine_transform(y)[:, :, None]
     null_model = NullModel.of(base, transformed, bands, 0.1)
     right = np.concatenate([base, transformed], axis=2).reshape(n * q, -1)
-    together = null_model.with_each(moved, Grams.of(moved, right, bands))
+    together = null_model.with_each(Grams.of(ColumnSets(moved.reshape(n, q, -1), 3), right, bands))
     assert [rank for _, rank in together] == [2, 1, 2]
     for place, (found, rank) in enumerate(together):
         alone, alone_rank = null_model.with_columns(moved[:, :, place])
@@ -146,7 +147,7 @@ def test_a_gain_under_one_spectrum_is_half_the_fall_of_its_weighted_squares(
     bands = bands_of(n)
     null_model = NullModel.of(cosine_transform(N), cosine_transform(y)[:, :, None], bands, 0.1)
     noise = WhitenedNull.of(null_model)
-    if noise.gains(cosine_transform(X)[:, :, None, :], noise.residual)[1][0] < p:
+    if noise.gains(ColumnSets.alone(cosine_transform(X)), noise.residual)[1][0] < p:
         return  # a direction of X is nearly the nuisance's
     spectrum = np.repeat(bands.spectra[null_model.null.spectrum], np.diff(bands.edges))
     fall = _dense(N, X[:, :, :0], y, spectrum, 0.1)[1] - _dense(N, X, y, spectrum, 0.1)[1]

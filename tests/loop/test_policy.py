@@ -53,7 +53,8 @@ KINDS = {
         "selection.related:RANDOM_DIRECTIONS DECIMALS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
-        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "closures:SHARE SETTLED_S",
+        "candidates.columns:GROUP_COLUMNS", "candidates.interpolated:ROWS NOT_NEW EXACT", "close:LONG_s STILL",
+        "closures:SHARE SETTLED_S",
         "progress_report:SILENT_s",
         "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",

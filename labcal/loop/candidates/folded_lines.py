@@ -15,7 +15,6 @@ from labcal.loop import policy
 from labcal.loop.noise.periodogram import periodogram, running_median
 
 Array = NDArray[np.float64]
-Waves = NDArray[np.complex128]
 HIGHEST_Hz = 65.0  # the mains of any country, and what is slower
 MOST_ORDERS = 650  # of the sampling rate: a recorder slower than 10 s is not looked at so high
 CONTRAST = 3.0  # times its neighbourhood: a lower peak of all segments is not looked at
@@ -34,10 +33,9 @@ def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: 
         return None
     rate = 1 / float(np.median(np.diff(t_s)))
     orders = range(1, min(int(HIGHEST_Hz / rate), MOST_ORDERS) + 1)
-    folds = [image, *(order * rate + sign * image for order in orders for sign in (-1, 1))]
-    shifts, middles = _shifts(t_s, parts), np.array([t_s[part].mean() for part in parts])
-    between = np.exp(-2j * np.pi * np.outer(shifts, middles))
-    powers = np.array([_in_phase(t_s, scores, parts, f, between) for f in folds])  # (folds, shifts)
+    folds = np.array([image, *(order * rate + sign * image for order in orders for sign in (-1, 1))])
+    shifts = _shifts(t_s, parts)
+    powers = _in_phase(t_s, scores, parts, folds, shifts)  # (folds, shifts)
     best, at = np.unravel_index(np.argmax(powers), powers.shape)
     if best == 0 or not _leads(scores, powers[best, at], powers[0].max(), len(folds)):
         return None
@@ -73,11 +71,11 @@ def _shifts(t_s: Array, parts: Sequence[slice]) -> Array:
     return np.arange(-width, width, step)
 
 
-def _in_phase(t_s: Array, scores: Array, parts: Sequence[slice], f_Hz: float, between: Waves) -> Array:
-    """What a line of one phase takes off, about and up to a factor, at this frequency and beside it (shifts,).
+def _in_phase(t_s: Array, scores: Array, parts: Sequence[slice], folds: Array, shifts: Array) -> Array:
+    """What a line of one phase takes off, about and up to a factor, at frequencies and beside them (folds, shifts).
 
-    `between` (shifts, segments) turns each segment back: that a line beside it loses its phase within is left out.
+    Each segment is turned back as a whole: that a line beside it loses its phase within is left out.
     """
-    turning = np.exp(-2j * np.pi * f_Hz * t_s)[:, None] * scores
-    sums = np.stack([turning[part].sum(axis=0) for part in parts])
-    return np.asarray(np.sum(np.abs(between @ sums) ** 2, axis=1))
+    sums = np.stack([np.exp(-2j * np.pi * np.outer(folds, t_s[part])) @ scores[part] for part in parts], axis=1)
+    between = np.exp(-2j * np.pi * np.outer(shifts, [t_s[part].mean() for part in parts]))
+    return np.asarray(np.sum(np.abs(between @ sums) ** 2, axis=2))

@@ -22,6 +22,7 @@ from labcal.loop.data.decimate import decimate
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.bands import Bands, bands_of, cosine_transform, fast_length
 from labcal.loop.noise.coloured import Grams, Likelihood, NullModel
+from labcal.loop.noise.column_sets import ColumnSets
 from labcal.loop.noise.nuisance import ols_with_nuisance, orthogonal_complement, orthonormal
 from labcal.loop.parallel import parallel_map
 
@@ -30,7 +31,7 @@ Mask = NDArray[np.bool_]
 GROUP_SHARE = 0.25  # of a group has to be asked for before all of it is scored
 LONG_RUN = 5000  # rows: fewer may have more prime factors, so that mostly none is dropped for a fast transform
 PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # of the length of a short run
-CACHE_NUMBERS = 12_000_000  # in all transformed columns: more are not kept
+CACHE_NUMBERS = 20_000_000  # in all transformed columns: more are not kept
 
 
 Tell = Callable[["CandidateSet", Sequence[Candidate], str], None]  # what is scored beside what is accepted
@@ -143,22 +144,26 @@ class CandidateSet:
         """Its columns on these rows, cosine-transformed (n, q, p)."""
         home = self.store.home(candidate)
         if home is not None and self._fits_in_memory:
-            return self.transformed_group(home[0])[:, :, home[1]]
+            return self.transformed_group(home[0]).columns(home[1])
         return self.cached(
             "transformed", (candidate,), lambda: cosine_transform(self.columns(candidate)[self.transformed_rows])
         )
 
-    def transformed_group(self, group: ColumnGroup) -> Array:
-        """The columns of a group on these rows, transformed (n, q, candidates, p); kept where that is not too much."""
+    def transformed_group(self, group: ColumnGroup) -> ColumnSets:
+        """The columns of a group on these rows, transformed; kept where that is not too much."""
 
-        def made() -> Array:
-            return cosine_transform(group.whitened[self.transformed_rows])
+        def made() -> ColumnSets:
+            return group.whitened.like(cosine_transform(group.whitened.made_of[self.transformed_rows]))
 
         return self.cached("transformed", (group,), made) if self._fits_in_memory else made()
 
+    def forget_columns(self) -> None:
+        """Give back the memory of the transformed columns: nothing more is searched on these rows."""
+        self._memo.forget("transformed")
+
     @property
     def _fits_in_memory(self) -> bool:
-        return self.y.size * self.store.n_parameters < CACHE_NUMBERS
+        return self.y.size * self.store.n_columns < CACHE_NUMBERS
 
     def _base_grams(self, group: ColumnGroup) -> Grams:
         """The Gram matrices of a group with the base and with y."""
@@ -198,7 +203,11 @@ class CandidateSet:
         return [found[c] for c in candidates]
 
     def _with_group(self, null_model: NullModel, group: ColumnGroup) -> list[tuple[Likelihood, int]]:
-        return null_model.with_each(self.transformed_group(group), self._base_grams(group))
+        grams = self._base_grams(group)
+        more = null_model.columns_and_y[:, self.base.shape[2] : -1]
+        if more.shape[1]:
+            grams = grams.with_columns(self.transformed_group(group), more, self.bands)
+        return null_model.with_each(grams)
 
     def _scored(self, candidate: Candidate, null_model: NullModel, found: Likelihood, rank: int) -> Scored:
         gain = found.log - null_model.null.log

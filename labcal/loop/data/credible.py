@@ -46,10 +46,18 @@ def without_wild_rows(residual_nT: Array) -> Array:
 def credible(columns: Array, base: Array, share: float) -> Array:
     """Columns (n, q, p) without the directions of which no more than this share is new to the base's (n, q, t)."""
     flat = np.concatenate([base, columns], axis=2).reshape(-1, base.shape[2] + columns.shape[2])
-    reduced = Reduced.of(flat.T @ flat, base.shape[2])
+    out = not_credible(flat.T @ flat, base.shape[2], share)
+    return columns if out is None else np.asarray(columns - columns @ out)
+
+
+def not_credible(gram: Array, base: int, share: float) -> Array | None:
+    """What credible columns are less by, as a combination (p, p) of themselves; None where all are.
+
+    From the Gram matrix (t + p, t + p) of the base's t columns and theirs.
+    """
+    reduced = Reduced.of(gram, base)
     known = reduced.values <= share
     if not known.any():
-        return columns
-    length = reduced.length[base.shape[2] :]
-    out = (reduced.vectors[:, known] / length[:, None]) @ (reduced.vectors[:, known].T * length)
-    return np.asarray(columns - columns @ out)
+        return None
+    length = reduced.length[base:]
+    return np.asarray((reduced.vectors[:, known] / length[:, None]) @ (reduced.vectors[:, known].T * length))

@@ -86,12 +86,15 @@ class LinearProblem:
 
     def columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p), of the rig's in directions that are credible."""
-        made = self.all_columns(candidate)
+        made, share = self.all_columns(candidate), self.credible_share(candidate)
+        return made if share is None else credible(made, self.T, share)
+
+    def credible_share(self, candidate: Term) -> float | None:
+        """The share of a direction's square that has to be new to the base; None where all directions count."""
         if self.scene.rig is None or not is_of_the_rig(candidate):
-            return made
+            return None
         whole = self.whole or self
-        share = min_new_share([candidate], without_wild_rows(whole.residual_nT), whole.scene.field_nT)
-        return credible(made, self.T, share)
+        return min_new_share([candidate], without_wild_rows(whole.residual_nT), whole.scene.field_nT)
 
     def all_columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p) in every direction."""

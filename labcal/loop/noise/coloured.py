@@ -11,12 +11,13 @@ explain as well is no evidence. Equal to the dense computation: `tests/loop/test
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.noise.bands import Bands, bands_of, cosine_transform
+from labcal.loop.noise.column_sets import ColumnSets
 from labcal.loop.noise.nuisance import MIN_NEW_SHARE
 from labcal.loop.parallel import parallel_map
 
@@ -82,73 +83,69 @@ class NullModel:
 
     def with_columns(self, X: Array) -> tuple[Likelihood, int]:
         """The likelihood with the transformed columns X (n, q, p) as well, and the rank that they add."""
-        return self.with_each(X[:, :, None, :])[0]
+        return self.with_each(Grams.of(ColumnSets.alone(X), self.columns_and_y, self.bands))[0]
 
-    def with_each(self, X: Array, base_grams: Grams | None = None) -> list[tuple[Likelihood, int]]:
-        """The same for each of c sets of as many columns, X (n, q, c, p), on its own.
+    def with_each(self, grams: Grams) -> list[tuple[Likelihood, int]]:
+        """The same for each of some sets of columns on its own, by their Gram matrices with the columns here and y.
 
-        `base_grams` are their Gram matrices with the first of the columns here and with y, where they are known. Which
-        directions are new is decided under white noise, so that every spectrum is compared with equal rank.
+        Which directions are new is decided under white noise, so that every spectrum is compared with equal rank.
         """
-        gram, cross, xty = self._normal_equations(X, base_grams)
-        projected = _forward_substituted(self.cholesky, cross).reshape(*xty.shape, -1)
+        gram, (tried, c, p, _) = grams.own, grams.own.shape
+        cross, xty = grams.cross[:, :-1], grams.cross[:, -1].reshape(tried, c, p)
+        projected = _forward_substituted(self.cholesky, cross).reshape(tried, c, p, -1)
         schur = gram - projected @ np.swapaxes(projected, 2, 3)
         xty = xty - (projected @ self.projected_y[:, None, :, None])[..., 0]
         values, vectors = np.linalg.eigh(schur[0])
-        new = values > MIN_NEW_SHARE * np.trace(gram[0], axis1=1, axis2=2)[:, None] / X.shape[3]
+        new = values > MIN_NEW_SHARE * np.trace(gram[0], axis1=1, axis2=2)[:, None] / p
         if not new.all():
             schur, xty = np.swapaxes(vectors, 1, 2) @ schur @ vectors, (xty[:, :, None, :] @ vectors)[:, :, 0]
         rss = np.maximum(self.rss[:, None] - _explained_within(schur, xty, new), 1e-300)
         found = _best_spectra(rss, self.y.size, self.y.shape[1], self.bands, self.min_noise_level)
         return list(zip(found, new.sum(axis=1).tolist(), strict=True))
 
-    def _normal_equations(self, X: Array, base_grams: Grams | None) -> tuple[Array, Array, Array]:
-        """Products of X at unit length under every spectrum.
-
-        With itself (tried, c, p, p), with the columns here (tried, b, c p), and with y (tried, c, p).
-        """
-        if base_grams is None:
-            found = Grams.of(X, self.columns_and_y, self.bands)
-        else:
-            found = base_grams.with_columns(X, self.columns_and_y[:, base_grams.cross.shape[1] - 1 : -1], self.bands)
-        length = np.sqrt(np.maximum(np.einsum("kcpp->cp", found.own), 1e-300))
-        weight = 1.0 / self.bands.spectra
-        gram = np.tensordot(weight, found.own, axes=1) / (length[:, :, None] * length[:, None, :])
-        cross = np.tensordot(weight, found.cross, axes=1) / length.ravel()
-        return gram, cross[:, :-1], cross[:, -1].reshape(len(weight), *length.shape)
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Grams:
-    """Of c sets of p transformed columns, in each band: with themselves, and with other columns."""
+    """Of c sets of p transformed columns, under each spectrum: with themselves, and with other columns."""
 
-    own: Array  # (bands, c, p, p)
-    cross: Array  # (bands, others, c p)
+    own: Array  # (tried, c, p, p) the sets' columns at unit length
+    cross: Array  # (tried, others, c p)
+    length: Array  # (c p,) of the columns
 
     @classmethod
-    def of(cls, X: Array, right: Array, bands: Bands) -> Grams:
-        """For X (n, q, c, p) and other columns `right` (n q, others)."""
-        n, q, c, p = X.shape
-        flat, edges = X.reshape(n * q, c, p), (bands.edges * q).tolist()
-        own = np.empty((len(edges) - 1, c, p, p))
-        for k, (a, b) in enumerate(itertools.pairwise(edges)):
-            np.matmul(flat[a:b].transpose(1, 2, 0), flat[a:b].transpose(1, 0, 2), out=own[k])
-        return cls(own, _cross_grams(X, right, bands))
+    def of(cls, sets: ColumnSets, right: Array, bands: Bands) -> Grams:
+        """For transformed sets and other columns `right` (n q, others)."""
+        own, cross = grams_by_band(sets, right, bands)
+        length, weight = np.sqrt(np.maximum(np.einsum("kcpp->cp", own), 1e-300)), 1.0 / bands.spectra
+        own = np.tensordot(weight, own, axes=1) / (length[:, :, None] * length[:, None, :])
+        return cls(own, np.tensordot(weight, cross, axes=1) / length.ravel(), length.ravel())
 
-    def with_columns(self, X: Array, more: Array, bands: Bands) -> Grams:
+    def with_columns(self, sets: ColumnSets, more: Array, bands: Bands) -> Grams:
         """These with other columns (n q, more) put before the last of those there are."""
-        new = _cross_grams(X, more, bands)
-        return Grams(self.own, np.concatenate([self.cross[:, :-1], new, self.cross[:, -1:]], axis=1))
+        new = np.tensordot(1.0 / bands.spectra, _cross_grams(sets, more, bands), axes=1) / self.length
+        return replace(self, cross=np.concatenate([self.cross[:, :-1], new, self.cross[:, -1:]], axis=1))
 
 
-def _cross_grams(X: Array, right: Array, bands: Bands) -> Array:
+def grams_by_band(sets: ColumnSets, right: Array, bands: Bands) -> tuple[Array, Array]:
+    """Gram matrices of transformed sets (bands, c, p, p), and with other columns `right` (n q, others)."""
+    flat, edges = _by_band(sets, bands)
+    own = np.stack([sets.squares(flat[a:b]) for a, b in itertools.pairwise(edges)])
+    return own, _cross_grams(sets, right, bands)
+
+
+def _by_band(sets: ColumnSets, bands: Bands) -> tuple[Array, list[int]]:
+    """What the sets are made of (n q, m), and where each band begins in it."""
+    n, q, m = sets.made_of.shape
+    return sets.made_of.reshape(n * q, m), (bands.edges * q).tolist()
+
+
+def _cross_grams(sets: ColumnSets, right: Array, bands: Bands) -> Array:
     """Gram matrices (bands, others, c p)."""
-    n, q, c, p = X.shape
-    flat, edges = X.reshape(n * q, c * p), (bands.edges * q).tolist()
-    out = np.empty((len(edges) - 1, right.shape[1], c * p))
+    flat, edges = _by_band(sets, bands)
+    out = np.empty((len(edges) - 1, right.shape[1], flat.shape[1]))
     for k, (a, b) in enumerate(itertools.pairwise(edges)):
         np.matmul(right[a:b].T, flat[a:b], out=out[k])
-    return out
+    return sets.products(out)
 
 
 def _forward_substituted(lower: Array, columns: Array) -> Array:

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.noise.coloured import Grams, NullModel
+from labcal.loop.noise.coloured import NullModel, grams_by_band
+from labcal.loop.noise.column_sets import ColumnSets
 
 Array = NDArray[np.float64]
 RATIOS = np.logspace(-3, 7, 41)  # g: prior variance over the noise's
@@ -42,8 +43,8 @@ class NullEliminated:
     @classmethod
     def of(cls, null: NullModel, X: Array, spectra: Sequence[int]) -> NullEliminated:
         """For transformed columns X (n, q, p)."""
-        found = Grams.of(X[:, :, None, :], null.columns_and_y, null.bands)
-        return cls._without_null(null, found.own[:, 0], found.cross, spectra)
+        own, cross = grams_by_band(ColumnSets.alone(X), null.columns_and_y, null.bands)
+        return cls._without_null(null, own[:, 0], cross, spectra)
 
     @classmethod
     def of_product(cls, null: NullModel, functions: Array, whiten: Array, spectra: Sequence[int]) -> NullEliminated:

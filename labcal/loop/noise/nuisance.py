@@ -147,3 +147,13 @@ def principal_span(columns: Array, times: Array | float = 1.0, tolerance: float 
     kept = values > tolerance * values[-1]
     few = flat @ (vectors[:, kept] / length[:, None] / np.sqrt(values[kept]))
     return np.asarray(few.reshape(n, q, -1))
+
+
+def span_of_combinations(columns: Array, mix: Array, times: Array, tolerance: float = 1e-8) -> Array:
+    """The same for the columns that `mix` (m, p) makes of fewer (n, q, m)."""
+    n, q, m = columns.shape
+    basis, triangle = np.linalg.qr(columns.reshape(n * q, m))
+    made = triangle @ mix
+    made *= np.sqrt(times) / np.maximum(np.linalg.norm(made, axis=0), 1e-150)
+    left, size, _ = np.linalg.svd(made, full_matrices=False)
+    return np.asarray((basis @ left[:, size**2 > tolerance * size[0] ** 2]).reshape(n, q, -1))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.noise.coloured import NullModel
+from labcal.loop.noise.column_sets import ColumnSets
 from labcal.loop.noise.nuisance import MIN_NEW_SHARE, RANK_TOLERANCE, explained_squares, principal_span
 
 Array = NDArray[np.float64]
@@ -38,30 +39,29 @@ class WhitenedNull:
         """The residual with other signs (n q, draws), orthogonal to the null model's columns."""
         return _orthogonal(self.basis, self.residual * signs)
 
-    def gains(self, X: Array, residuals: Array) -> tuple[Array, NDArray[np.intp]]:
-        """Log-likelihood (c, draws) that each of c sets of columns X (n, q, c, p) gains on `residuals`; ranks (c,)."""
-        schur, xty = self._reduced(X, residuals)
+    def gains(self, sets: ColumnSets, residuals: Array) -> tuple[Array, NDArray[np.intp]]:
+        """Log-likelihood (c, draws) that each of c transformed sets of columns gains on `residuals`; ranks (c,)."""
+        schur, xty = self._reduced(sets, residuals)
         explained, new = explained_squares(schur, xty, MIN_NEW_SHARE)
         return 0.5 * explained, new.sum(axis=1)
 
     def gain(self, X: Array) -> float:
         """Log-likelihood that the columns X (n, q, p) gain on the residual."""
-        return float(self.gains(X[:, :, None, :], self.residual)[0][0, 0])
+        return float(self.gains(ColumnSets.alone(X), self.residual)[0][0, 0])
 
     def normal_equations(self, X: Array) -> tuple[Array, Array]:
         """Of columns X (n, q, p) at unit length, the null model eliminated: (p, p), and (p, 1) with the residual."""
-        schur, xty = self._reduced(X[:, :, None, :], self.residual)
+        schur, xty = self._reduced(ColumnSets.alone(X), self.residual)
         return schur[0], xty[0]
 
-    def _reduced(self, X: Array, residuals: Array) -> tuple[Array, Array]:
-        weighted = X * self.weight[:, None, None, None]
-        c, p = weighted.shape[2:]
-        flat = np.ascontiguousarray(weighted.reshape(-1, c * p).T)
-        each, cross = flat.reshape(c, p, -1), (flat @ self.basis).reshape(c, p, -1)
-        gram = each @ np.swapaxes(each, 1, 2)
+    def _reduced(self, sets: ColumnSets, residuals: Array) -> tuple[Array, Array]:
+        weighted = sets.made_of * self.weight[:, None, None]
+        flat = weighted.reshape(-1, weighted.shape[2])
+        gram = sets.squares(flat)
+        cross, xty = (sets.products(part.T @ flat).T.reshape(*gram.shape[:2], -1) for part in (self.basis, residuals))
         length = np.maximum(np.sqrt(np.einsum("cpp->cp", gram)), 1e-300)
         schur = (gram - cross @ np.swapaxes(cross, 1, 2)) / length[:, :, None] / length[:, None]
-        return schur, (flat @ residuals).reshape(c, p, -1) / length[:, :, None]
+        return schur, xty / length[:, :, None]
 
 
 def _orthogonal(basis: Array, y: Array) -> Array:

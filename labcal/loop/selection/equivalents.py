@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from labcal.loop import policy
-from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.available import all_candidates, related_candidates
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
@@ -117,11 +117,7 @@ def lead_beside_misfit(pool: CandidateSet, others: Sequence[Candidate], chosen: 
 
 
 def _best_relatives(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
-    related = [
-        c
-        for c in all_candidates(pool, others)
-        if c.family.id in chosen.family.related and c.term.channels == chosen.term.channels
-    ]
+    related = related_candidates(pool, others, chosen)
     return [w.candidate for w in pool.rank(related, others)] if related else []
 
 

@@ -111,7 +111,13 @@ def nested_selection(
     level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS
 ) -> Callable[[CandidateSet], Sequence[Candidate]]:
     """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation)."""
-    return lambda part: select(part, level, blocks.restricted_to(part.rows), most).accepted
+
+    def chosen(part: CandidateSet) -> Sequence[Candidate]:
+        accepted = select(part, level, blocks.restricted_to(part.rows), most).accepted
+        part.forget_columns()
+        return accepted
+
+    return chosen
 
 
 def relinearised(pool: CandidateSet) -> CandidateSet:
@@ -125,6 +131,7 @@ def relinearised(pool: CandidateSet) -> CandidateSet:
         return pool
     tried = [accepted, *_smaller(pool, rankings[0], accepted)]
     around = min((joint_fit(pool.whole, [c.term for c in some], pool.valid) for some in tried), key=information)
+    pool.forget_columns()
     again = CandidateSet.of(around.uncorrected(), pool.min_noise_level, pool.tell)
     return without_outliers(again, None if pool.valid.all() else ~pool.valid)
 

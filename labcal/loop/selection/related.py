@@ -10,13 +10,15 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.candidates.columns import ColumnGroup
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.noise.nuisance import principal_span
+from labcal.loop.noise.nuisance import principal_span, span_of_combinations
 from labcal.model.effects import TIME_CONSTANT
 
 Array = NDArray[np.float64]
+Distinct = tuple[Candidate, NDArray[np.intp], Array]  # a candidate, places of its columns, how often each occurs
 RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared,
 DECIMALS = 9  # and to how many they are the same
 
@@ -52,16 +54,35 @@ def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str])
 
     def made() -> Span:
         distinct = pool.store.memo.get("distinct", related, lambda: _distinct_columns(pool, related))
-        parts = [pool.transformed_columns(c)[:, :, places] for c, places, _ in distinct]
-        times = np.concatenate([times for _, _, times in distinct])
-        return Span(principal_span(np.concatenate(parts, axis=2), times))
+        return Span(_span(pool, distinct))
 
     return [pool.cached("span", related, made)] if related else []
 
 
-def _distinct_columns(
-    pool: CandidateSet, related: Sequence[Candidate]
-) -> list[tuple[Candidate, NDArray[np.intp], Array]]:
+def _span(pool: CandidateSet, distinct: Sequence[Distinct]) -> Array:
+    """The span of these columns; of those that are made of fewer, by what they are made of."""
+    mixes: dict[ColumnGroup, list[Array]] = {}
+    counted: dict[ColumnGroup, list[Array]] = {}
+    parts, alone = list[Array](), list[Array]()
+    for candidate, places, times in distinct:
+        home = pool.store.home(candidate)
+        if home is None or home[0].whitened.mix is None:
+            parts.append(pool.transformed_columns(candidate)[:, :, places])
+            alone.append(times)
+        else:
+            mixes.setdefault(home[0], []).append(home[0].whitened.mix[:, home[1], places])
+            counted.setdefault(home[0], []).append(times)
+    if not mixes:
+        return principal_span(np.concatenate(parts, axis=2), np.concatenate(alone))
+    from scipy.linalg import block_diag
+
+    columns = np.concatenate([*parts, *(pool.transformed_group(group).made_of for group in mixes)], axis=2)
+    each = [np.eye(sum(map(len, alone))), *(np.concatenate(mix, axis=1) for mix in mixes.values())]
+    times = np.concatenate([*alone, *itertools.chain(*counted.values())])
+    return span_of_combinations(columns, block_diag(*each), times)
+
+
+def _distinct_columns(pool: CandidateSet, related: Sequence[Candidate]) -> list[Distinct]:
     """The places of columns that occur for the first time, and how often each occurs: a curve's are in every loop's.
 
     Columns are the same where their projections on a few random directions are, at unit length.

@@ -156,6 +156,8 @@ def prefer_computable(
     A channel without a physical mechanism goes last; what extends a cause goes after it.
     """
     for place, one in enumerate(accepted):
+        if not (any(_preference(one)) or one.family.extends):
+            continue  # nothing goes before it: what does as well need not be known
         equals = [w.candidate for w in equally_likely(pool, accepted, one) if w.candidate.cause not in refused]
         for other in sorted((c for c in equals if _goes_before(c, one)), key=_preference):
             others = [c for c in accepted if c is not one]
