@@ -195,7 +195,9 @@ def _self_consistent(terms: Sequence[Term], beta: Sequence[Array], scene: Scene)
 
 
 def _with_effects(effects: Array | float, scene: Scene) -> Scene:
-    return replace(scene, denoised_field_nT=scene.driving_field_nT + effects)
+    if scene.denoised_field_nT is None:  # readings as they are hold their effects
+        return scene
+    return replace(scene, denoised_field_nT=scene.denoised_field_nT + effects)
 
 
 def _field_slope(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array:
