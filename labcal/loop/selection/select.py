@@ -22,7 +22,6 @@ from labcal.loop.selection.crossval import (
 )
 from labcal.loop.selection.equivalents import equally_likely, leads_over_relatives, not_worse
 from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
-from labcal.loop.selection.instead_of_time import instead_of_time
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
 
@@ -95,10 +94,8 @@ def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refus
     likelier = likelier_forms(pool, accepted, refused)
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
-    displaced = {c.cause for c in simple} - {c.cause for c in kept}
-    kept = instead_of_time(pool, blocks, kept, {*refused, *displaced})
     contributions = [contribution(pool, blocks, kept, i) for i in range(len(kept))]
-    return _Round(kept, rankings, contributions, blocks, displaced)
+    return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
 
 
 def _proven_members(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate]) -> list[Candidate]:
