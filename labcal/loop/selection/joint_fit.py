@@ -19,7 +19,7 @@ from labcal.model.effects import Scene, Term
 
 Array = NDArray[np.float64]
 STEPS = 8
-HALVINGS = 6  # of a step that does not lower the sum of squares
+HALVINGS = 16  # of a step that does not lower the sum of squares
 ROUNDS = 30  # of fixed-point iteration: an effect of the field acts on the field that contains the effect
 SETTLED_nT = 0.1  # change that ends it
 SLOPE_STEP_nT = 5.0  # over which the slope of an effect in the field is taken

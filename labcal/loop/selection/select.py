@@ -140,12 +140,20 @@ def stepwise(
 
 
 def contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], place: int) -> HeldOutErrors:
-    """Held-out errors without and with one effect, those before it in; with the next one where only both improve."""
-    before, also = list(accepted[:place]), list(accepted[place + 1 : place + 2])
+    """Held-out errors without and with one effect, those before it in; with more after it where only all improve.
+
+    Of effects that hide each other none brings anything without the others.
+    """
+    before, rest = list(accepted[:place]), list(accepted[place + 1 :])
     alone = cross_validate(pool, blocks, fixed_choice([*before, accepted[place]]), before)
-    if improves(alone) or not also:
+    if improves(alone):
         return alone
-    return cross_validate(pool, blocks, fixed_choice([*before, accepted[place], *also]), [*before, *also])
+    for count in range(1, len(rest) + 1):
+        also = rest[:count]
+        beside = cross_validate(pool, blocks, fixed_choice([*before, accepted[place], *also]), [*before, *also])
+        if improves(beside):
+            return beside
+    return alone
 
 
 def likelier_forms(pool: CandidateSet, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
