@@ -11,7 +11,8 @@ from labcal.loop.empirical.description import describe_function, experiment
 from labcal.loop.empirical.proof import with_smooth
 from labcal.loop.empirical.splines import table
 from labcal.loop.result import ClosedLoop
-from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.final_fit import carries_them, nearest_fit
+from labcal.loop.selection.joint_fit import JointFit, in_sample_rms
 from labcal.loop.selection.proof import Evidence
 from labcal.model import EffectRecord
 from labcal.model.effects import Scene, Term
@@ -25,11 +26,15 @@ OPEN = ("unexplained", "partly-explained")
 def with_empirical(
     run: Run, found: Evidence, closed: ClosedLoop, before: JointFit, aside: dict[str, int], *, ship: bool
 ) -> ClosedLoop:
-    """`closed` with the term where structure remains that a smooth function carries; as it is where none does."""
+    """`closed` with the term where structure remains that a smooth function carries; as it is where none does.
+
+    None does either that the fit of map, effects and term together cannot carry.
+    """
     if closed.verdict not in OPEN or (more := with_smooth(found)) is None:
         return closed
-    terms = [part.term for chosen in more.accepted for part in chosen.parts]
-    after = joint_fit(before.problem, terms, found.pool.valid)
+    after = nearest_fit(before.problem, more)
+    if not carries_them(in_sample_rms(after), more):
+        return closed
     term = after.terms[-1]
     built = assemble(run, more, before, after, aside)
     chance = min(1.0, float(np.exp(-more.equivalents[-1][0].scored.evidence)))  # Markov's bound on a Bayes factor

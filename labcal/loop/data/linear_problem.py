@@ -126,19 +126,22 @@ def linearise(
     """The problem about `theta`, `phase` and the effects' sum e (n, 3).
 
     `slope` ∂e/∂a (n, 3, 3) is needed where e depends on the field: its curves act on a at the estimated true readings,
-    where the map's columns are taken too.
+    where the map's columns are taken too. Of a device whose noise is not declared nobody knows the true readings: its
+    readings stand as they are in both.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
-    T = _tangent(whiten if slope is None else whiten - whiten @ slope, at.columns, parameterisation)
+    columns = at.columns if run.dut.noise_nT else np.column_stack([seen.reading, -np.ones(len(seen))])
+    T = _tangent(whiten if slope is None else whiten - whiten @ slope, columns, parameterisation)
     groups = np.flatnonzero([bool((seen.group == g).any()) for g in range(len(phase))])
     if len(groups):
         turn = np.einsum("nqj,nj->nq", whiten, at.tangent)[:, :, None]
         T = np.concatenate([T, turn * (seen.group[:, None] == groups)[:, None, :]], axis=2)
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
-    gains, zero = theta[: 3 * 3].reshape(3, 3), theta[3 * 3 :]
-    denoised = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
-    scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), denoised_field_nT=denoised)
+    scene = scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction)
+    if run.dut.noise_nT:
+        gains, zero = theta[: 3 * 3].reshape(3, 3), theta[3 * 3 :]
+        scene = replace(scene, denoised_field_nT=columns[:, :3] @ gains.T + columns[:, 3:] * zero)
     return LinearProblem(
         run, seen, noise, base, parameterisation, theta, phase, scene, whiten, at.residual, y, T, groups
     )

@@ -32,7 +32,7 @@ def final_fit(
     """
     not_carried, insignificant = dict[Cause, float](), dict[Cause, float]()
     while found.accepted:
-        found, fitted = in_full(problem, found, _nearest(problem, found))
+        found, fitted = in_full(problem, found, nearest_fit(problem, found))
         left = in_sample_rms(fitted)
         if not carries_them(left, found):
             place = len(found.accepted) - 1
@@ -74,7 +74,7 @@ def _no_better_than_fitted(found: Evidence, left_nT: float) -> Evidence:
     return replace(found, contributions=(*found.contributions[:-1], stated))
 
 
-def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:
+def nearest_fit(problem: LinearProblem, found: Evidence) -> JointFit:
     """The joint fit from the base, or, where that does not arrive, the better of that and one from the search's map."""
     terms = [part.term for chosen in found.accepted for part in chosen.parts]
     fitted = joint_fit(problem, terms, found.pool.valid)

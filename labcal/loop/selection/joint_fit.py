@@ -19,7 +19,7 @@ from labcal.model.effects import Scene, Term
 
 Array = NDArray[np.float64]
 STEPS = 8
-HALVINGS = 6  # of a step that does not lower the sum of squares
+HALVINGS = 16  # of a step that does not lower the sum of squares
 ROUNDS = 30  # of fixed-point iteration: an effect of the field acts on the field that contains the effect
 SETTLED_nT = 0.1  # change that ends it
 SLOPE_STEP_nT = 5.0  # over which the slope of an effect in the field is taken
@@ -195,7 +195,9 @@ def _self_consistent(terms: Sequence[Term], beta: Sequence[Array], scene: Scene)
 
 
 def _with_effects(effects: Array | float, scene: Scene) -> Scene:
-    return replace(scene, denoised_field_nT=scene.driving_field_nT + effects)
+    if scene.denoised_field_nT is None:  # readings as they are hold their effects
+        return scene
+    return replace(scene, denoised_field_nT=scene.denoised_field_nT + effects)
 
 
 def _field_slope(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array:

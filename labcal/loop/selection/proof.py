@@ -13,7 +13,7 @@ from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.data.outliers import hampel_outliers, outlier_distance
-from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.crossval import NEVER, BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models
 from labcal.loop.selection.heldout_rules import n_reportable
 from labcal.loop.selection.joint_fit import information, joint_fit
@@ -62,7 +62,8 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
             return _of_the_base_alone(base_set, pool, selection, level)
         pool.tell(pool, accepted, "what does as well")
         equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
-        reportable = n_reportable(pool, cv_error, level, accepted, equivalents)
+        judged = _of_this_choice(pool, blocks, accepted, cv_error, level)
+        reportable = n_reportable(pool, judged, level, accepted, equivalents)
         if reportable == len(accepted):
             break
         accepted = accepted[:reportable]
@@ -107,17 +108,36 @@ def against_own_base(
     return replace(cv_error, before_nT=before[cv_error.rows])
 
 
+def _of_this_choice(
+    pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], nested: HeldOutErrors, level: NoiseFloor
+) -> HeldOutErrors:
+    """The held-out error by which names are judged: of this very choice, where most folds choose the same causes.
+
+    A fold that finds less in its rows makes the error of the procedure larger, and says nothing of these names.
+    """
+    choose, causes = nested_selection(level, blocks, len(accepted)), {c.cause for c in accepted}
+    numbers = np.unique(blocks.fold[blocks.fold != NEVER]).tolist()
+    parts = [pool.on(blocks.training(pool.problem.scene.t_s, fold) & pool.rows) for fold in numbers]
+    same = sum({c.cause for c in choose(part)} == causes for part in parts)
+    return cross_validate(pool, blocks, fixed_choice(accepted)) if 2 * same > len(parts) else nested
+
+
 def nested_selection(
     level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS
 ) -> Callable[[CandidateSet], Sequence[Candidate]]:
     """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation)."""
 
-    def chosen(part: CandidateSet) -> Sequence[Candidate]:
-        accepted = select(part, level, blocks.restricted_to(part.rows), most).accepted
-        part.forget_columns()
-        return accepted
+    def choose(part: CandidateSet) -> Sequence[Candidate]:
+        inner = blocks.restricted_to(part.rows)
 
-    return chosen
+        def made() -> Sequence[Candidate]:
+            accepted = select(part, level, inner, most).accepted
+            part.forget_columns()
+            return accepted
+
+        return part.cached(("nested", most, inner.guard_s, inner.fold.tobytes()), (), made)
+
+    return choose
 
 
 def relinearised(pool: CandidateSet) -> CandidateSet:

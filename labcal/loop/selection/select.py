@@ -27,7 +27,7 @@ from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
-RoundOutcome = Literal["supported", "displaced", "unsupported", "one too many"]  # of one round
+RoundOutcome = Literal["supported", "displaced", "broken", "unsupported", "one too many"]  # of one round
 SelectionEnding = Literal["supported", "rounds exhausted"]
 
 
@@ -52,6 +52,7 @@ class _Round:
     contributions: list[HeldOutErrors]
     blocks: BlockFolds
     displaced: set[Cause]  # selected, but without enough evidence in their simplest form
+    broken: set[Cause]  # of these the first, where it is a set: held-out blocks support some members only, or none
 
     def first(self, count: int) -> _Round:
         """The same with the first effects alone."""
@@ -64,14 +65,15 @@ def select(
     """Select effects on the rows of `pool`, and refuse those that blocks held out of them do not support.
 
     Each round has an outcome: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
-    the next round; of a cause that is there already `one too many` is cut off. When the rounds are exhausted, what the
-    last one left stands.
+    the next round; of a cause that is there already `one too many` is cut off; a set that came first and is `broken` by
+    held-out blocks may come again, but beside another cause. When the rounds are exhausted, what the last one left
+    stands.
     """
-    refused, unsupported = set[Cause](), dict[Cause, HeldOutErrors]()
+    refused, unsupported, later = set[Cause](), dict[Cause, HeldOutErrors](), set[Cause]()
     ending: SelectionEnding = "rounds exhausted"
     for _ in range(MAX_ROUNDS):
-        last = _select_once(pool, blocks, most, refused)
-        outcome, place = _judge(pool, last, level)
+        last = _select_once(pool, blocks, most, refused, later)
+        outcome, place = _judge(pool, last, level, later)
         if outcome == "supported":
             ending = "supported"
             break
@@ -80,6 +82,8 @@ def select(
             continue
         if outcome == "one too many":
             most = place
+        elif outcome == "broken":
+            later |= last.broken
         else:
             refused.add(last.accepted[place].cause)
             unsupported[last.accepted[place].cause] = last.contributions[place]
@@ -88,14 +92,18 @@ def select(
     return Selection(effects, rankings, contributions, last.blocks, unsupported, ending)
 
 
-def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refused: Collection[Cause]) -> _Round:
-    accepted, rankings = stepwise(pool, most, refused)
+def _select_once(
+    pool: CandidateSet, blocks: BlockFolds | None, most: int, refused: Collection[Cause], later: Collection[Cause]
+) -> _Round:
+    accepted, rankings = stepwise(pool, most, refused, later)
     blocks = blocks or block_folds(pool.problem, correlation_time_s(pool.problem.scene.t_s, pool.residual(accepted)))
     likelier = likelier_forms(pool, accepted, refused)
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
     contributions = [contribution(pool, blocks, kept, i) for i in range(len(kept))]
-    return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
+    displaced = {c.cause for c in simple} - {c.cause for c in kept}
+    broken = {c.cause for c in simple[:1] if c.members} & displaced
+    return _Round(kept, rankings, contributions, blocks, displaced, broken)
 
 
 def _proven_members(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate]) -> list[Candidate]:
@@ -109,12 +117,14 @@ def _proven_members(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candi
     return out
 
 
-def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor) -> tuple[RoundOutcome, int]:
+def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor, later: Collection[Cause]) -> tuple[RoundOutcome, int]:
     """What a round comes to, and the place of the effect that it fails at."""
     accepted, contributions = last.accepted, last.contributions
     place = first_unsupported(pool, accepted, contributions, level)
     if place is None:
         place = first_doubtful(pool, last.blocks, accepted, contributions, level)
+    if last.broken.difference(later) and not place:
+        return "broken", 0
     if place is None:
         return ("displaced" if last.displaced else "supported"), len(accepted)
     again = accepted[place].cause in {c.cause for c in accepted[:place]}
@@ -122,19 +132,28 @@ def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor) -> tuple[RoundOu
 
 
 def stepwise(
-    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = ()
+    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = (), later: Collection[Cause] = ()
 ) -> tuple[list[Candidate], list[list[Scored]]]:
     """Stepwise selection on these rows, done once."""
-    return pool.cached(("forward", most, frozenset(refused)), (), lambda: stepwise_forward(pool, most, refused))
+    key = "forward", most, frozenset(refused), frozenset(later)
+    return pool.cached(key, (), lambda: stepwise_forward(pool, most, refused, later))
 
 
 def contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], place: int) -> HeldOutErrors:
-    """Held-out errors without and with one effect, those before it in; with the next one where only both improve."""
-    before, also = list(accepted[:place]), list(accepted[place + 1 : place + 2])
+    """Held-out errors without and with one effect, those before it in; with more after it where only all improve.
+
+    Of effects that hide each other none brings anything without the others.
+    """
+    before, rest = list(accepted[:place]), list(accepted[place + 1 :])
     alone = cross_validate(pool, blocks, fixed_choice([*before, accepted[place]]), before)
-    if improves(alone) or not also:
+    if improves(alone):
         return alone
-    return cross_validate(pool, blocks, fixed_choice([*before, accepted[place], *also]), [*before, *also])
+    for count in range(1, len(rest) + 1):
+        also = rest[:count]
+        beside = cross_validate(pool, blocks, fixed_choice([*before, accepted[place], *also]), [*before, *also])
+        if improves(beside):
+            return beside
+    return alone
 
 
 def likelier_forms(pool: CandidateSet, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:

@@ -33,9 +33,12 @@ NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has 
 
 
 def stepwise_forward(
-    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = ()
+    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = (), later: Collection[Cause] = ()
 ) -> tuple[list[Candidate], list[list[Scored]]]:
-    """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
+    """The causes accepted, in order, and the ranking at each step.
+
+    Those `refused` are not taken, and sets `later` not as the first.
+    """
     accepted: list[Candidate] = []
     rankings: list[list[Scored]] = []
     out_of_play, left = set(refused), set[Cause]()
@@ -48,7 +51,7 @@ def stepwise_forward(
         ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
         rankings.append(ranking)
         best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play])
-        whole = best_set(pool, accepted, out_of_play)
+        whole = best_set(pool, accepted, out_of_play if accepted else {*out_of_play, *later})
         if whole is not None and whole.evidence > max(best.evidence if best else 0.0, policy.POLICY.min_evidence):
             best, rankings[-1] = whole, [whole, *ranking]
         if best is None:

@@ -57,14 +57,14 @@ class Scene:
 
     @property
     def along_axes_nT(self) -> Array:
-        """The field along the sensor's own axes (n, 3) [nT], so that field = axes @ along_axes."""
-        return self.on_axes(self.field_nT)
+        """The driving field along the sensor's own axes (n, 3) [nT], so that field = axes @ along_axes."""
+        return self.on_axes(self.driving_field_nT)
 
     @property
     def driving_field_nT(self) -> Array:
-        """The field (n, 3) [nT] that drives a curve: without the readings' noise as far as a fit knows it.
+        """The field (n, 3) [nT] that drives an effect: without the readings' noise as far as a fit knows it.
 
-        A curve that nearly undoes the map would take that noise off itself.
+        A curve that nearly undoes the map would take that noise off itself, and so would a gain that hardly changes.
         """
         return self.field_nT if self.denoised_field_nT is None else self.denoised_field_nT
 
