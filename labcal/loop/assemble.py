@@ -15,6 +15,7 @@ from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.design.proposal import next_experiment
 from labcal.loop.findings import working_range
 from labcal.loop.findings.confounded import confounded
+from labcal.loop.findings.own_colour import coloured_floor
 from labcal.loop.findings.residual_shape import describe
 from labcal.loop.findings.residual_tests import residual_tests as residual_tests
 from labcal.loop.findings.run_findings import findings
@@ -53,6 +54,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     found = replace(found, cv_error=as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
+    found = replace(found, level=coloured_floor(found, after) or found.level)
     verdict = verdict_of(found, aside, len(problem))
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
     uncertain = uncertainty_of(after)
@@ -158,7 +160,7 @@ def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     """The verdict that the evidence bears, with so many rows set `aside` by effect, of so many `rows`."""
     law = policy.POLICY
     reaches = found.cv_error.after <= law.floor_ratio * found.level.nT
-    known = found.level.source != "differences" or not _correlated(found)
+    known = found.level.source != "differences" or found.level.memory_s is not None or not _correlated(found)
     outlying = aside[OUTLIERS.id] > law.max_outlier_share * rows
     if any(len(r) > 1 for r in found.equivalents):
         return "ambiguous"

@@ -27,11 +27,15 @@ ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 @dataclass(frozen=True, slots=True)
 class NoiseFloor:
-    """The noise floor [nT], its source, and the ratio of measured to declared noise where both are known."""
+    """The noise floor [nT], its source, and the ratio of measured to declared noise where both are known.
+
+    Of a noise that is not stated also for how long it remembers itself, where that is known to be in the floor.
+    """
 
     nT: float
     source: Source
     measured_over_declared: float | None
+    memory_s: float | None = None
 
 
 def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:

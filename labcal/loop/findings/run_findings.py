@@ -24,7 +24,7 @@ MIN_COMMON_ROWS = 0.5  # of the rows that both channels have to be known in
 
 def findings(run: Run, problem: LinearProblem, level: NoiseFloor) -> tuple[Finding, ...]:
     """All of them for one run."""
-    found = [turned_axes(problem), noise_disagreement(problem, level)]
+    found = [turned_axes(problem), noise_disagreement(problem, level), coloured_noise(level)]
     return (*(f for f in found if f is not None), *silent_channels(run), *same_signals(run))
 
 
@@ -68,6 +68,18 @@ def _one_signal(a: Channel, b: Channel) -> bool:
     if both.sum() < MIN_COMMON_ROWS * len(both) or np.ptp(a.values[both]) == 0 or np.ptp(b.values[both]) == 0:
         return False
     return bool(abs(np.corrcoef(a.values[both], b.values[both])[0, 1]) > ONE_SIGNAL)
+
+
+def coloured_noise(level: NoiseFloor) -> Finding | None:
+    """Noise that is not stated and follows itself from row to row."""
+    if level.memory_s is None:
+        return None
+    return Finding(
+        "coloured-noise",
+        "data",
+        f"The noise, whose level is not stated, follows itself for about {level.memory_s:.2g} s and goes with nothing "
+        f"that is recorded: {level.nT:.3g} nT. State the device's noise, measured at rest, to be sure.",
+    )
 
 
 def noise_disagreement(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
