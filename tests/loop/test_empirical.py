@@ -14,11 +14,12 @@ import pytest
 from labcal.certificate import calibration_bytes, parse_calibration
 from labcal.errors import InputError
 from labcal.fit import draft_calibration
-from labcal.loop import ClosedLoop, close_loop
+from labcal.loop import ClosedLoop, close_loop, empirical_term
 from labcal.loop.empirical.description import POINTS, of_one
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.noise.marginal import RATIOS, NullEliminated
+from labcal.loop.selection.joint_fit import joint_fit
 from labcal.model import Calibration
 from labcal.model.effects import load_shipped
 from labcal.record import Channel, Run
@@ -189,3 +190,11 @@ def test_the_proposal_says_what_it_looks_like_and_what_to_measure(run: Run, ship
     assert proposed is not None
     assert "wavy" in shipped.accepted[0].why
     assert "v_bus up and down" in proposed.do
+
+
+def test_a_term_that_its_joint_fit_does_not_carry_is_neither_shipped_nor_proposed(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(empirical_term, "nearest_fit", lambda problem, found: joint_fit(problem, []))
+    closed = close_loop(run, empirical=True)
+    assert (closed.verdict, closed.accepted, closed.proposed) == ("unexplained", (), ())

@@ -1,0 +1,78 @@
+"""A right choice is not taken apart by a fold that finds less, nor by effects that show only side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labcal.loop import close_loop
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.selection import proof, select
+from labcal.loop.selection.crossval import HeldOutErrors
+from labcal.record import Channel, Run
+from labcal.testing.made_up_runs import made_up_run
+
+Started = Callable[..., LinearProblem]
+EACH_nT = np.array([150.0, -90.0, 60.0])
+
+
+def _warmed() -> Run:
+    """A run in which the device is warmed and cools a few times."""
+    rows = 100
+    t_s = made_up_run(rows=rows).run.t_s
+    board = Channel("t_board", "degC", "temperature", 24 + 3 * np.sin(t_s / 17.3))
+    made = made_up_run(rows=rows, channels=[board])
+    return made.with_effect((board.values - 24)[:, None] * EACH_nT)
+
+
+@pytest.mark.parametrize(("empty", "named"), [(2, ["offset-temperature"]), (3, [])])
+def test_names_that_most_folds_choose_stand(monkeypatch: pytest.MonkeyPatch, empty: int, named: list[str]) -> None:
+    whole, known = proof.nested_selection, list[object]()
+
+    def some_choose_nothing(*stated: Any) -> Callable[[CandidateSet], Sequence[Candidate]]:
+        choose = whole(*stated)
+
+        def chosen(part: CandidateSet) -> Sequence[Candidate]:
+            if part not in known:
+                known.append(part)
+            return () if known.index(part) < empty else choose(part)
+
+        return chosen
+
+    monkeypatch.setattr(proof, "nested_selection", some_choose_nothing)
+    assert [e.effect for e in close_loop(_warmed()).accepted] == named
+
+
+def test_of_effects_that_hide_each_other_each_brings_what_it_brings_beside_all(
+    started: Started, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pool = CandidateSet.of(started(), 0.85)
+    three, rows = pool.candidates[:3], np.ones(40)
+
+    def held_out(pool: CandidateSet, blocks: object, choose: Any, before: Sequence[Candidate]) -> HeldOutErrors:
+        left = [10.0 if len(some) == len(three) else 100.0 for some in (before, choose(pool))]
+        return HeldOutErrors(np.arange(40), left[0] * rows, left[1] * rows, rows > 0)
+
+    monkeypatch.setattr(select, "cross_validate", held_out)
+    steps = [select.contribution(pool, None, three, place) for place in range(3)]  # type: ignore[arg-type]
+    assert [(step.before, step.after) for step in steps] == [(100.0, 10.0)] * 3
+
+
+def test_a_gain_that_hardly_changes_is_not_the_readings_own_residual(started: Started) -> None:
+    """Neither in a device whose noise is stated, nor in one whose readings stand as they are."""
+    problem = started(lambda rows: 900.0 * np.sin(rows["t_s"] / 1.7)[:, None] * np.array([1.0, 0.4, -0.6]))
+    run = problem.run
+    undeclared = replace(run, dut=replace(run.dut, noise_nT=None))
+    for one in (problem, prepare(undeclared)[0]):
+        field = one.scene.along_axes_nT @ one.scene.axes.T
+        as_gain = np.einsum("nqj,nj->nq", one.whiten, field).reshape(-1, 1)
+        base = one.T.reshape(len(as_gain), -1)
+        left = as_gain - base @ np.linalg.lstsq(base, as_gain, rcond=None)[0]
+        assert np.linalg.norm(left) < 1e-6 * np.linalg.norm(as_gain)
