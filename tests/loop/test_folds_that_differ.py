@@ -14,7 +14,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
-from labcal.loop.selection import proof, select
+from labcal.loop.selection import heldout_rules, proof, select
 from labcal.loop.selection.crossval import HeldOutErrors
 from labcal.record import Channel, Run
 from labcal.testing.made_up_runs import made_up_run
@@ -47,6 +47,7 @@ def test_names_that_most_folds_choose_stand(monkeypatch: pytest.MonkeyPatch, emp
         return chosen
 
     monkeypatch.setattr(proof, "nested_selection", some_choose_nothing)
+    monkeypatch.setattr(heldout_rules, "stands_beside_discrepancy", lambda *given: False)
     assert [e.effect for e in close_loop(_warmed()).accepted] == named
 
 
