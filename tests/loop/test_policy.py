@@ -66,6 +66,7 @@ KINDS = {
     "constant of mathematics": (
         "data.resolution:ROUNDING", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
         "findings.residual_tests:SPIRAL",
+        "findings.own_colour:KURTOSIS VARIANCE_OF_SKEWNESS VARIANCE_OF_KURTOSIS",
     ),
     "run that is simulated": (
         "design.experiments:ROWS MIN_ROWS GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "

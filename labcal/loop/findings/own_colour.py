@@ -20,6 +20,8 @@ from labcal.loop.selection.joint_fit import JointFit
 from labcal.loop.selection.proof import Evidence
 
 Array = NDArray[np.float64]
+KURTOSIS = 3.0  # of a normal distribution,
+VARIANCE_OF_SKEWNESS, VARIANCE_OF_KURTOSIS = 6.0, 24.0  # and of n draws from it, times n
 
 
 def coloured_floor(found: Evidence, after: JointFit) -> NoiseFloor | None:
@@ -46,6 +48,6 @@ def is_normal(y: Array, step: int) -> bool:
 
     z = y[::step] - y[::step].mean(axis=0)
     z = z / np.maximum(z.std(axis=0), 1e-300)
-    skewness, excess = np.mean(z**3, axis=0), np.mean(z**4, axis=0) - 3
-    statistic = len(z) / 6 * float(np.sum(skewness**2 + excess**2 / 4))
+    skewness, excess = np.mean(z**3, axis=0), np.mean(np.square(z**2), axis=0) - KURTOSIS
+    statistic = len(z) * float(np.sum(skewness**2 / VARIANCE_OF_SKEWNESS + excess**2 / VARIANCE_OF_KURTOSIS))
     return bool(chdtrc(2 * y.shape[1], statistic) >= policy.POLICY.significance)
