@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 
 from labcal.fit.vector.observations import Observations
+from labcal.fit.wild import wild_rows
 from labcal.loop import policy
 from labcal.loop.assemble import assemble
 from labcal.loop.candidates.library import Candidate, Cause
@@ -41,7 +42,8 @@ STILL = 1.5  # times what the first selection took, the rest takes
 def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: bool = False) -> ClosedLoop:
     """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little.
 
-    Rows in unresolved gaps of a channel that supports a cause are left out, and all is decided again on the others.
+    Readings that no field made are set aside first. Rows in unresolved gaps of a channel that supports a cause are left
+    out, and all is decided again on the others.
     Where structure remains that no known effect carries, an empirical term is built and proven: shipped where
     `empirical` asks for it, else proposed. Stopped by Ctrl-C, it tells what it knows so far.
     """
@@ -54,12 +56,14 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
 
 
 def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
+    wild = wild_rows(run)
+    run = run.select(~wild) if wild.any() else run
     while True:
         started_s = time.monotonic()
         report.step("fitting the base model")
         problem, level, stuck = prepare(run)
         if (finding := check_data(problem, level)) is not None:
-            return without_search(run, problem, level, stuck, finding)
+            return without_search(run, problem, level, stuck, finding, int(wild.sum()))
         report.step("scoring every effect")
         base_set = candidates_of(run, problem, tell=partial(_report_trial, report))
         pool = relinearised(base_set)
@@ -77,7 +81,7 @@ def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
     found, after = final_fit(problem, found, selection, wald_p_values)
     found = members_in_place(found)
     before = base_fit(problem, found) if found.accepted else after
-    aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}
+    aside = {OUTLIERS.id: int(wild.sum()) + int((~found.pool.valid).sum()), SATURATION.id: stuck}
     closed = assemble(run, found, before, after, aside)
     return with_empirical(run, found, closed, before, aside, ship=empirical)
 
@@ -114,7 +118,9 @@ def candidates_of(run: Run, problem: LinearProblem, only: Cause | None = None, t
     return without_outliers(pool)
 
 
-def without_search(run: Run, problem: LinearProblem, level: NoiseFloor, stuck: int, finding: Finding) -> ClosedLoop:
+def without_search(
+    run: Run, problem: LinearProblem, level: NoiseFloor, stuck: int, finding: Finding, wild: int = 0
+) -> ClosedLoop:
     """The result for faulty data: no effect is searched in them."""
     rows = np.ones(len(problem), dtype=bool)
     pool = CandidateSet(problem, [], rows, _min_noise_level(run), rows)
@@ -122,7 +128,9 @@ def without_search(run: Run, problem: LinearProblem, level: NoiseFloor, stuck: i
     cv_error = cross_validate(pool, blocks, fixed_choice(()))
     found = Evidence(pool, pool, (), (), (), cv_error, (), level, blocks, np.zeros(1), {}, 0.0)
     base = joint_fit(problem, [])
-    return replace(assemble(run, found, base, base, {OUTLIERS.id: 0, SATURATION.id: stuck}), **of_faulty_data(finding))
+    return replace(
+        assemble(run, found, base, base, {OUTLIERS.id: wild, SATURATION.id: stuck}), **of_faulty_data(finding)
+    )
 
 
 def prepare(run: Run) -> tuple[LinearProblem, NoiseFloor, int]:

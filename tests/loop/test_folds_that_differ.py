@@ -15,7 +15,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.selection import heldout_rules, proof, select
-from labcal.loop.selection.crossval import HeldOutErrors
+from labcal.loop.selection.crossval import HeldOutErrors, block_folds
 from labcal.record import Channel, Run
 from labcal.testing.made_up_runs import made_up_run
 
@@ -62,7 +62,8 @@ def test_of_effects_that_hide_each_other_each_brings_what_it_brings_beside_all(
         return HeldOutErrors(np.arange(40), left[0] * rows, left[1] * rows, rows > 0)
 
     monkeypatch.setattr(select, "cross_validate", held_out)
-    steps = [select.contribution(pool, None, three, place) for place in range(3)]  # type: ignore[arg-type]
+    blocks = block_folds(pool.problem, 0.0)
+    steps = [select.contribution(pool, blocks, three, place) for place in range(3)]
     assert [(step.before, step.after) for step in steps] == [(100.0, 10.0)] * 3
 
 

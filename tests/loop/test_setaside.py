@@ -146,3 +146,19 @@ def test_an_end_that_few_rows_reach_is_a_limit_where_another_as_far_from_zero_is
     few = int((cut[:, 0] == 38e3).sum())
     assert 0 < few < 12
     assert np.array_equal(at_saturation_limit(replace(plain, reading=cut)), clipped)
+
+
+def test_a_reading_that_no_field_made_is_set_aside_before_anything_else(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    amps = (np.sin(rows["t_s"] / 3.7) > 0).astype(float)
+    rows["dut"] = rows["dut"] + np.outer(amps, [900.0, -600.0, 300.0])
+    rows["i_radio"] = amps
+    channels = {"i_radio": {"unit": "A", "quantity": "current"}}
+    run = session.load_run(str(making.written(tmp_path, rows, segments, channels)))
+    wild = run.reading.copy()
+    wild[17, 1] = 2147483647.0
+    closed, spoilt = close_loop(run), close_loop(replace(run, reading=wild))
+    assert [e.effect for e in closed.accepted] == ["offset-current"]
+    assert (spoilt.verdict, [e.effect for e in spoilt.accepted]) == (closed.verdict, ["offset-current"])
+    assert spoilt.set_aside["outliers"] == closed.set_aside["outliers"] + 1
+    assert spoilt.after.holdout_rms_nT == pytest.approx(closed.after.holdout_rms_nT, rel=0.05)
