@@ -72,14 +72,21 @@ def second_difference_outliers(bend: Array, segment: NDArray[Any] | None, noise_
     residual is known, the loop compares with the median of the neighbours instead (`labcal.loop.data.outliers`).
 
     The spread is the recording's own (median), never below the noise. A step of the field makes two rows alike and
-    is no outlier; the ends of a segment have one neighbour and are never flagged. `bend` is 0 at the recording's ends.
+    is no outlier, nor is a corner of its course, which lies on the line through the two rows before or the two after;
+    the ends of a segment have one neighbour and are never flagged. `bend` is 0 at the recording's ends.
     """
     if len(bend) < 5:
         return np.zeros(len(bend), dtype=bool)
+    ends = np.zeros(len(bend), dtype=bool)
+    ends[[0, -1]] = True
     if segment is not None:
         change = segment[1:] != segment[:-1]
-        bend[1:][change] = bend[:-1][change] = 0.0
+        ends[1:] |= change
+        ends[:-1] |= change
+    bend[ends] = 0.0
     limit = OUT_OF_LINE * max(float(np.median(bend[bend > 0])) if (bend > 0).any() else 0.0, noise_nT, 1e-9)
     out, rows = np.zeros(len(bend), dtype=bool), np.flatnonzero(bend > limit)  # never the first row nor the last
-    out[rows] = bend[rows] > 1.5 * np.maximum(bend[rows - 1], bend[rows + 1])
+    known = np.where(ends, np.inf, bend)
+    from_lines = 2 * np.minimum(known[rows - 1], known[rows + 1])  # through the two rows before, and the two after
+    out[rows] = (bend[rows] > 1.5 * np.maximum(bend[rows - 1], bend[rows + 1])) & (from_lines > limit)
     return out

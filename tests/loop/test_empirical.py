@@ -15,7 +15,9 @@ from labcal.certificate import calibration_bytes, parse_calibration
 from labcal.errors import InputError
 from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop, empirical_term
+from labcal.loop.close import prepare
 from labcal.loop.empirical.description import POINTS, of_one
+from labcal.loop.empirical.inputs import sets_of_inputs
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.noise.marginal import RATIOS, NullEliminated
@@ -198,3 +200,14 @@ def test_a_term_that_its_joint_fit_does_not_carry_is_neither_shipped_nor_propose
     monkeypatch.setattr(empirical_term, "nearest_fit", lambda problem, found: joint_fit(problem, []))
     closed = close_loop(run, empirical=True)
     assert (closed.verdict, closed.accepted, closed.proposed) == ("unexplained", (), ())
+
+
+def test_of_many_channels_those_whose_products_go_with_the_residual_stand_in_pairs() -> None:
+    t_s = made_up_run(rows=ROWS).run.t_s
+    draws = np.random.default_rng(3).uniform(20, 90, size=12)
+    channels = [Channel(f"c{i}", "V", "voltage", 12 + np.sin(t_s / q)) for i, q in enumerate(draws)]
+    product = (channels[9].values - 12) * (channels[11].values - 12)
+    run = made_up_run(rows=ROWS, noise_nT=NOISE_nT, channels=channels).with_effect(product[:, None] * ALONG)
+    sets = sets_of_inputs(prepare(run)[0])  # beside the field and its rate, which are inputs too
+    assert ("channel:c9", "channel:c11") in sets
+    assert len({name for one in sets if len(one) == 2 for name in one if "channel:" in name}) == 8

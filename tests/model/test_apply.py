@@ -11,7 +11,7 @@ from labcal.fit import draft_calibration
 from labcal.fit.result import Fit
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.apply import apply, needed_columns
-from labcal.model.plausibility import saturation_limits
+from labcal.model.plausibility import bends, saturation_limits, second_difference_outliers
 from labcal.model.readings import Applied, Readings
 from labcal.model.smooth import Domain
 from labcal.record import Dut
@@ -229,6 +229,14 @@ def test_a_spike_is_an_outlier_and_a_step_is_none() -> None:
     found = apply(calibration(), Readings(measured))
     assert [i for i, flag in enumerate(found.flags) if "outlier" in flag] == [50]
     assert found.u_nT[50] > 1000
+
+
+def test_corners_of_a_ramped_field_are_no_outliers_and_a_spike_on_a_ramp_is_one() -> None:
+    rng = np.random.default_rng(4)
+    course = np.interp(np.arange(200), [0, 60, 90, 150, 199], [20e3, 20e3, 45e3, 45e3, 22e3])
+    field = np.column_stack([course, 0.4 * course, np.full(200, 18e3)]) + rng.normal(0, 5.0, (200, 3))
+    field[75, 1] += 400.0
+    assert np.flatnonzero(second_difference_outliers(np.r_[0.0, bends(field), 0.0], None, 5.0)).tolist() == [75]
 
 
 def test_a_plateau_at_the_end_of_the_range_is_saturated() -> None:
