@@ -17,7 +17,7 @@ from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.scorer import CandidateSet, Tell, silent
 from labcal.loop.data.base_model import fit_base, least_squares, noise_model, select_rows
 from labcal.loop.data.checks import check_data
-from labcal.loop.data.gaps import unresolved_gaps
+from labcal.loop.data.gaps import delays_of, unresolved_gaps
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
 from labcal.loop.data.saturation import at_saturation_limit, beyond_limit
@@ -104,10 +104,11 @@ def _named(accepted: Sequence[Candidate]) -> str:
     return " and ".join(c.label for c in accepted)
 
 
-def _supporting_channels(found: Selection) -> set[str]:
-    """The channels of every cause that had the evidence of a name at some step."""
+def _supporting_channels(found: Selection) -> dict[str, set[float]]:
+    """The channels of every cause that had the evidence of a name at some step, and the delays [s] accepted."""
     scored = [s for ranking in found.rankings for s in ranking if s.evidence >= policy.POLICY.min_evidence]
-    return {name for s in scored for name in s.candidate.term.channels}
+    accepted = (part.term for chosen in found.accepted for part in chosen.parts)
+    return {name: set[float]() for s in scored for name in s.candidate.term.channels} | delays_of(accepted)
 
 
 def candidates_of(run: Run, problem: LinearProblem, only: Cause | None = None, tell: Tell = silent) -> CandidateSet:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.data.credible import is_of_the_rig
+from labcal.loop.data.credible import of_the_rig
 from labcal.loop.selection.joint_fit import JointFit, sum_of_effects
 from labcal.model.effects import Scene
 from labcal.record import Run
@@ -50,7 +50,7 @@ def left_nT(closure: Closure, found: JointFit) -> float:
 def _fields_nT(before: Standstill, after: Standstill, found: JointFit) -> Array | None:
     """The calibrated fields (2, 3), effects of the sensor taken off; None where a channel of theirs is missing."""
     p, ends = found.problem, (before, after)
-    ours = [(t, b) for t, b in zip(found.terms, found.beta, strict=True) if not is_of_the_rig(t)]
+    ours = [(t, b) for t, b in zip(found.terms, found.beta, strict=True) if not of_the_rig(t)]
     names = {name for term, _ in ours for name in term.channels}
     if any(name not in (end.channels or {}) for name in names for end in ends):
         return None

@@ -1,9 +1,10 @@
-"""Effects of the rig that the base would have to undo almost whole: no field that anything in the lab makes.
+"""Effects driven by the reference that the base would have to undo almost whole: no field that anything in the lab makes.
 
-The map is driven by readings, the rig's effects by the reference. One that is nearly a turn or a stretch of the whole
-field differs from the same turn of the map by the residual itself, turned or stretched: made as large as the field, it
-takes any residual off, whatever its cause. A direction of which the share s of the square is new to the base, and which
-takes off a residual of rms r, has the rms r / √s itself; what would be more than half of the field is left out.
+The map is driven by readings, the rig's effects and a few of the sensor's by the reference. One that is nearly a turn
+or a stretch of the whole field differs from the same turn of the map by the residual itself, turned or stretched: made
+as large as the field, it takes any residual off, whatever its cause. A direction of which the share s of the square is
+new to the base, and which takes off a residual of rms r, has the rms r / √s itself; what would be more than half of the
+field is left out.
 """
 
 from __future__ import annotations
@@ -21,9 +22,14 @@ APART = 4.0  # a column is new where it is twice as long as readings and referen
 WILD = 10.0  # times the median: longer residuals are cut before anything is known of them
 
 
-def is_of_the_rig(term: Term) -> bool:
-    """Whether the reference drives it."""
+def of_the_rig(term: Term) -> bool:
+    """Whether it is no effect of the sensor."""
     return any(family.owner(term) == "rig" for family in families() if family.kernel is term.kernel)
+
+
+def follows_reference(term: Term) -> bool:
+    """Whether the reference drives it, where that is a vector."""
+    return of_the_rig(term) or any(f.follows_reference for f in families() if f.kernel is term.kernel)
 
 
 def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> float:
@@ -31,7 +37,7 @@ def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> fl
 
     Both (n, 3) on the rows of the fit; `apart_nT` with the effects still in it.
     """
-    if not any(map(is_of_the_rig, terms)):
+    if not any(map(follows_reference, terms)):
         return MIN_NEW_SHARE
     return max(MIN_NEW_SHARE, float(APART * np.sum(apart_nT**2) / np.sum(field_nT**2)))
 
@@ -55,9 +61,10 @@ def not_credible(gram: Array, base: int, share: float) -> Array | None:
 
     From the Gram matrix (t + p, t + p) of the base's t columns and theirs.
     """
-    reduced = Reduced.of(gram, base)
-    known = reduced.values <= share
-    if not known.any():
+    reduced = Reduced.of(gram, base, share)
+    new = reduced.vectors[:, reduced.values > share]
+    if new.shape[1] == len(reduced.vectors):
         return None
     length = reduced.length[base:]
-    return np.asarray((reduced.vectors[:, known] / length[:, None]) @ (reduced.vectors[:, known].T * length))
+    onto = new @ (new.T @ (gram[base:, base:] / np.outer(length, length)))
+    return np.asarray(np.eye(len(length)) - onto * length / length[:, None])

@@ -8,6 +8,7 @@ and X, each (n, q, …): n rows in time, q = 3 numbers a row for vectors, 2 with
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -17,7 +18,8 @@ from labcal.fit.vector.observations import AXIS, VECTOR, Observations
 from labcal.fit.vector.solve import Parameterisation
 from labcal.fit.vector.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
-from labcal.loop.data.credible import credible, is_of_the_rig, min_new_share, without_wild_rows
+from labcal.loop.data.credible import credible, follows_reference, min_new_share
+from labcal.loop.data.outliers import hampel_outliers
 from labcal.model import AffineMap
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.protocol import Rig
@@ -50,7 +52,7 @@ class Bins:
         return np.repeat(values, self.count)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class LinearProblem:
     """A run's residual about one set of parameters, ready for linear algebra."""
 
@@ -91,10 +93,16 @@ class LinearProblem:
 
     def credible_share(self, candidate: Term) -> float | None:
         """The share of a direction's square that has to be new to the base; None where all directions count."""
-        if self.scene.rig is None or not is_of_the_rig(candidate):
+        if self.scene.rig is None or not follows_reference(candidate):
             return None
         whole = self.whole or self
-        return min_new_share([candidate], without_wild_rows(whole.residual_nT), whole.scene.field_nT)
+        return min_new_share([candidate], whole.steady_residual_nT, whole.scene.field_nT)
+
+    @cached_property
+    def steady_residual_nT(self) -> Array:
+        """The residual (n, 3), zero in rows far from their neighbours: which rows are wild is not known yet."""
+        wild = hampel_outliers(self.y, self.scene.segment)
+        return np.asarray(np.where(wild[:, None], 0.0, self.residual_nT))
 
     def all_columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p) in every direction."""

@@ -26,8 +26,8 @@ class Reduced:
     length: Array  # (b + p,) of the columns: nuisance first
     nuisance_inverse: Array  # (b, b) (NᵀN)⁺
     carried: Array  # (b, p) (NᵀN)⁺ NᵀX
-    values: Array  # (p,) eigenvalues of S
-    vectors: Array  # (p, p)
+    values: Array  # (r,) of S along the directions that are left
+    vectors: Array  # (p, r) these directions, S-orthogonal
     min_new_share: float
 
     @classmethod
@@ -40,11 +40,13 @@ class Reduced:
         inverse = np.asarray(pinv, dtype=np.float64)
         carried = inverse @ gram[:b, b:]
         values, vectors = np.linalg.eigh(gram[b:, b:] - gram[b:, :b] @ carried)
+        if min_new_share > MIN_NEW_SHARE:
+            values, vectors = _principal(values, vectors, gram[b:, b:])
         return cls(length, inverse, carried, values, vectors, min_new_share)
 
     @property
     def inverted(self) -> Array:
-        """1 / eigenvalue (p,), zero where the direction is not new."""
+        """1 / value (r,), zero where the direction is not new."""
         return np.where(self.values > self.min_new_share, 1 / np.maximum(self.values, 1e-300), 0.0)
 
     def solve(self, xty: Array) -> Array:
@@ -59,6 +61,19 @@ class Reduced:
         cross = -self.carried @ of_x
         of_nuisance = self.nuisance_inverse + self.carried @ of_x @ self.carried.T
         return np.asarray(np.block([[of_nuisance, cross], [cross.T, of_x]]) / np.outer(self.length, self.length))
+
+
+def _principal(values: Array, vectors: Array, gram: Array) -> tuple[Array, Array]:
+    """The share (r,) of its own square that is new in each principal direction (p, r) of columns with this Gram matrix.
+
+    The square of the sine of a principal angle to the nuisance (Hotelling, Biometrika 28, 321, 1936): it does not
+    depend on the columns that a span is given by, as an eigenvalue of S at columns of unit length does.
+    """
+    new = values > MIN_NEW_SHARE
+    kept = vectors[:, new]
+    to_unit = np.linalg.inv(np.linalg.cholesky(kept.T @ gram @ kept))
+    shares, turned = np.linalg.eigh((to_unit * values[new]) @ to_unit.T)
+    return shares, kept @ to_unit.T @ turned
 
 
 def ols_with_nuisance(columns: Array, y: Array, nuisance: int, min_new_share: float = MIN_NEW_SHARE) -> Array:

@@ -229,6 +229,7 @@ FAMILY = Family(
     candidates,
     shapes=(STOP, WIDTH, SATURATION, LON, LAT, KEPT),
     of_field=True,
+    follows_reference=True,
     extends=("nonlinearity",),
     experiment="step the field up and down through the same values, or turn backwards",
     reach_s=nowhere,

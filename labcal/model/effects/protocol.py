@@ -210,6 +210,7 @@ class Family:
 
     # What the decision has to know
     of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
+    follows_reference: bool = False  # a sensor's, driven by the reference where that is a vector, as all of the rig's
     from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
     repeats: bool = False  # may act more than once, each time at another moment or frequency
     harmonics: bool = False  # what is left of it may be its own overtones
