@@ -17,7 +17,7 @@ from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.scorer import CandidateSet, Tell, silent
 from labcal.loop.data.base_model import fit_base, least_squares, noise_model, select_rows
 from labcal.loop.data.checks import check_data
-from labcal.loop.data.gaps import delays_of, unresolved_gaps
+from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
 from labcal.loop.data.saturation import at_saturation_limit, beyond_limit
@@ -31,6 +31,7 @@ from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.members import members_in_place
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
+from labcal.loop.selection.unseen_switching import switched_unseen
 from labcal.loop.uncertainty import wald_p_values
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
@@ -71,7 +72,8 @@ def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
         if (left_s := STILL * (time.monotonic() - started_s)) > LONG_s:
             report.step(f"this run takes about {left_s:.0f} s more and may be stopped")
         selection = select(pool, level)
-        gaps = unresolved_gaps(run, _supporting_channels(selection))
+        unseen = switched_unseen(pool, selection)
+        gaps = unresolved_gaps(run, _supporting_channels(selection)) | np.isin(run.t_s, problem.run.t_s[unseen])
         if not gaps.any():
             break
         run = run.select(~gaps)
@@ -104,11 +106,10 @@ def _named(accepted: Sequence[Candidate]) -> str:
     return " and ".join(c.label for c in accepted)
 
 
-def _supporting_channels(found: Selection) -> dict[str, set[float]]:
-    """The channels of every cause that had the evidence of a name at some step, and the delays [s] accepted."""
+def _supporting_channels(found: Selection) -> set[str]:
+    """The channels of every cause that had the evidence of a name at some step."""
     scored = [s for ranking in found.rankings for s in ranking if s.evidence >= policy.POLICY.min_evidence]
-    accepted = (part.term for chosen in found.accepted for part in chosen.parts)
-    return {name: set[float]() for s in scored for name in s.candidate.term.channels} | delays_of(accepted)
+    return {name for s in scored for name in s.candidate.term.channels}
 
 
 def candidates_of(run: Run, problem: LinearProblem, only: Cause | None = None, tell: Tell = silent) -> CandidateSet:

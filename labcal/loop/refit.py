@@ -12,7 +12,7 @@ from labcal.errors import InputError
 from labcal.fit import Fit
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop.close import prepare
-from labcal.loop.data.gaps import delays_of, unresolved_gaps
+from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.outliers import hampel_outliers
 from labcal.loop.progress_report import Progress
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
@@ -31,7 +31,7 @@ def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda
     the run lacks what it rests on.
     """
     progress("fitting the base model")
-    here = run.select(~unresolved_gaps(run, delays_of(family(e.effect).restore(e) for e in effects)))
+    here = run.select(~unresolved_gaps(run, {name for effect in effects for name in effect.channels}))
     problem, _, _ = prepare(here)
     progress("fitting the map with the effects that are named")
     terms = [_term(here, effect) for effect in effects]

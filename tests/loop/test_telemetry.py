@@ -26,9 +26,8 @@ def test_rows_on_a_straight_way_between_two_levels_are_unknown() -> None:
     assert seen.tolist() == [20, 21, 22, 23, 24, 40, 41, 42, 43, 44]
 
 
-def test_a_switch_a_ramp_in_a_new_segment_and_what_moves_smoothly_are_known() -> None:
+def test_a_switch_and_what_moves_smoothly_are_known() -> None:
     assert not drawn_between_levels(drawn(1), ONE).any()
-    assert not drawn_between_levels(drawn(4), (np.arange(60) >= 22).astype(np.intp) + (np.arange(60) >= 42)).any()
     assert not drawn_between_levels(np.sin(np.arange(60.0) / 7), ONE).any()
     assert not drawn_between_levels(np.full(60, 2.0), ONE).any()
     bent = drawn(4)

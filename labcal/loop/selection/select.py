@@ -51,8 +51,8 @@ class _Round:
     rankings: list[list[Scored]]
     contributions: list[HeldOutErrors]
     blocks: BlockFolds
-    displaced: set[Cause]  # selected, but without enough evidence in their simplest form
-    broken: set[Cause]  # of these the first, where it is a set: held-out blocks support some members only, or none
+    displaced: set[Cause]  # selected, but without enough evidence in their simplest form; of sets no member is left
+    broken: set[Cause]  # the first, where it is a set of which held-out blocks support some members only, or none
 
     def first(self, count: int) -> _Round:
         """The same with the first effects alone."""
@@ -101,8 +101,10 @@ def _select_once(
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
     contributions = [contribution(pool, blocks, kept, i) for i in range(len(kept))]
-    displaced = {c.cause for c in simple} - {c.cause for c in kept}
-    broken = {c.cause for c in simple[:1] if c.members} & displaced
+    lost = {c.cause for c in simple} - {c.cause for c in kept}
+    left = {part for c in kept for part in c.parts}
+    displaced = lost - {c.cause for c in simple if c.members and not left.isdisjoint(c.parts)}
+    broken = {c.cause for c in simple[:1] if c.members} & lost
     return _Round(kept, rankings, contributions, blocks, displaced, broken)
 
 

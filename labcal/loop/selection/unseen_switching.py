@@ -1,0 +1,84 @@
+"""Loads that were switched between two samples of their telemetry: rows that the channel does not decide.
+
+Drawn straight from sample to sample, a switched load seems to be on its way for as long as a sample takes. Whether it
+was is for the readings to say: where a cause that follows the channel misses more on the ways than beside them, the
+channel was not there. A cause that follows after a delay rests on what the channel was then: its ways lie as much later.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import hypergeom
+
+from labcal.loop import policy
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.gaps import drawn_between_levels
+from labcal.loop.selection.select import Selection
+from labcal.model.effects import DELAY, Term
+from labcal.model.effects.regressors import stretches
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+def switched_unseen(pool: CandidateSet, found: Selection) -> Mask:
+    """Rows (N,) of the whole problem on ways that a cause misses more than the rows beside them."""
+    left = _misfit(pool, found.accepted)
+    out = np.zeros(len(left), dtype=bool)
+    for term, effects in _resting_on_channels(found):
+        ways = ways_of(pool.whole.run, term)
+        known = ~ways & pool.valid
+        if not ways.any() or not known.any():
+            continue
+        own = left if effects is found.accepted else _misfit(pool, effects)
+        if np.mean(own[known]) <= np.mean(left[known]) and misses_more(own, ways):
+            out |= ways
+    return out
+
+
+def _resting_on_channels(found: Selection) -> Iterator[tuple[Term, Sequence[Candidate]]]:
+    """Forms that follow channels, each with the effects that it is judged with: those accepted, or it alone."""
+    parts = [part.term for chosen in found.accepted for part in chosen.parts]
+    yield from ((term, found.accepted) for term in parts)
+    known = {name for term in parts for name in term.channels}
+    for scored in found.rankings[0] if found.rankings else ():
+        term = scored.candidate.term
+        if scored.evidence >= policy.POLICY.min_evidence and not known.issuperset(term.channels):
+            known.update(term.channels)
+            yield term, (scored.candidate,)
+
+
+def ways_of(run: Run, term: Term) -> Mask:
+    """Rows (n,) that rest on a way between two levels of one of its channels."""
+    out, late = np.zeros(len(run), dtype=bool), term.of(DELAY)
+    for channel in run.channels:
+        if channel.name in term.channels:
+            ways = drawn_between_levels(channel.values, run.segment_index)
+            out |= ways if late is None else _later(ways, run, late.value)
+    return out
+
+
+def _later(ways: Mask, run: Run, delay_s: float) -> Mask:
+    """Rows (n,) that were on a way a delay ago."""
+    out = np.zeros_like(ways)
+    for part in stretches(run.segment_index):
+        t_s = run.t_s[part]
+        out[part] = np.interp(t_s - delay_s, t_s, ways[part].astype(float)) > 0
+    return out
+
+
+def misses_more(squares: Array, ways: Mask) -> bool:
+    """Whether more of the largest squares lie on the ways than chance puts there: of n rows m, of the m largest k."""
+    n, m = len(squares), int(ways.sum())
+    largest = np.argsort(squares)[n - m :]
+    return bool(hypergeom.sf(ways[largest].sum() - 1, n, m, m) < policy.POLICY.significance)
+
+
+def _misfit(pool: CandidateSet, effects: Sequence[Candidate]) -> Array:
+    """Squares (N,) of what the effects leave in each row of the whole problem."""
+    return np.asarray(np.mean(pool.residual_everywhere(effects)[0] ** 2, axis=1))
