@@ -16,6 +16,7 @@ from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.outliers import hampel_outliers
 from labcal.loop.progress_report import Progress
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.unseen_switching import misses_more, ways_of
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
 from labcal.model.effects import Term, family
@@ -36,6 +37,10 @@ def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda
     progress("fitting the map with the effects that are named")
     terms = [_term(here, effect) for effect in effects]
     found = joint_fit(problem, terms)
+    while (unseen := _switched_unseen(found)).any():
+        here = here.select(~np.isin(here.t_s, problem.run.t_s[unseen]))
+        problem, _, _ = prepare(here)
+        found = joint_fit(problem, terms)
     if (outlying := _outliers(found)).any():
         found = joint_fit(problem, terms, ~outlying)
     uncertain = uncertainty_of(found)
@@ -66,6 +71,13 @@ def _term(run: Run, effect: EffectRecord) -> Term:
     searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
     shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
     return replace(stated, shape=tuple(shapes))
+
+
+def _switched_unseen(found: JointFit) -> Mask:
+    """Rows on ways of a channel between two samples that the fit misses more than the rows beside them."""
+    squares, run = np.mean(found.problem.y**2, axis=1), found.problem.run
+    ways = [on for on in (ways_of(run, term) for term in found.terms) if on.any() and misses_more(squares, on)]
+    return np.any(ways, axis=0) if ways else np.zeros(len(run), dtype=bool)
 
 
 def _outliers(found: JointFit) -> Mask:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -13,6 +14,7 @@ from labcal import session
 from labcal.fit.vector.ml import ml
 from labcal.loop import close_loop
 from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
 from labcal.loop.data.credible import credible, min_new_share, without_wild_rows
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.policy import POLICY
@@ -47,6 +49,33 @@ def test_directions_that_are_hardly_new_are_left_out_and_the_others_stay() -> No
     beta = np.linalg.lstsq(found.reshape(600, 2), other.ravel(), rcond=1e-6)[0]
     assert np.linalg.norm(found @ beta - other[:, :, 0]) < 0.2 * np.linalg.norm(other)
     assert credible(columns, base, 1e-8) is columns
+
+
+def test_the_share_that_is_new_does_not_depend_on_the_columns_that_a_span_is_given_by() -> None:
+    """Two columns that are alike, whose sum is nearly the base's: at unit length it would seem twice as new."""
+    draw = np.random.default_rng(2)
+    base, far = draw.normal(size=(200, 3, 1)), 0.2 * draw.normal(size=(200, 3, 1))
+    nearly = base + np.sqrt(0.007) * draw.normal(size=(200, 3, 1))
+    for columns in (np.concatenate([nearly, far], axis=2), np.concatenate([nearly + far, nearly - far], axis=2)):
+        found = credible(columns, base, 1e-2).reshape(600, 2)
+        assert np.linalg.matrix_rank(found, tol=1e-6 * np.abs(columns).max()) == 1
+        left = nearly.ravel() - found @ np.linalg.lstsq(found, nearly.ravel(), rcond=None)[0]
+        assert np.linalg.norm(left) > 0.9 * np.linalg.norm(nearly)
+
+
+def test_a_loop_as_wide_as_the_field_is_no_field_that_the_map_could_undo(started: Started) -> None:
+    """Driven by the reference it is the reference, and a map that is zero would leave nothing at all."""
+    problem = started(lambda rows: np.where(rows["t_s"] % 90 < 20, 2500.0, 0.0)[:, None] * np.array([1.0, 0.4, -0.6]))
+    run = problem.run
+    problem = prepare(replace(run, dut=replace(run.dut, noise_nT=None)))[0]
+    loops = (c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "hysteresis")
+    loop = next(term for term in loops if {s.name for s in term.shape} == {"r_nT", "kept"})
+    wide = replace(loop, shape=tuple(replace(s, value=1e6) if s.name == "r_nT" else s for s in loop.shape))
+    for made, smallest in ((problem.all_columns(wide), 0.0), (problem.columns(wide), 0.3)):
+        A = np.concatenate([problem.T, made], axis=2).reshape(problem.y.size, -1)
+        left = problem.y.ravel() - A @ np.linalg.lstsq(A, problem.y.ravel(), rcond=1e-10)[0]
+        share = np.linalg.norm(left) / np.linalg.norm(problem.y)
+        assert share < 0.3 if not smallest else share > smallest
 
 
 def test_the_share_that_has_to_be_new_is_half_a_field(started: Started) -> None:

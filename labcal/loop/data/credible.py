@@ -1,4 +1,4 @@
-"""Effects driven by the reference that the base would have to undo almost whole: no field that anything in the lab makes.
+"""Effects driven by the reference that the base would have to undo almost whole: no field that a lab makes.
 
 The map is driven by readings, the rig's effects and a few of the sensor's by the reference. One that is nearly a turn
 or a stretch of the whole field differs from the same turn of the map by the residual itself, turned or stretched: made

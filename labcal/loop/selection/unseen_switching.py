@@ -2,7 +2,8 @@
 
 Drawn straight from sample to sample, a switched load seems to be on its way for as long as a sample takes. Whether it
 was is for the readings to say: where a cause that follows the channel misses more on the ways than beside them, the
-channel was not there. A cause that follows after a delay rests on what the channel was then: its ways lie as much later.
+channel was not there. A cause that follows after a delay rests on what the channel was then: its ways lie as much
+later.
 """
 
 from __future__ import annotations

@@ -1,0 +1,80 @@
+"""Loads that are switched between two samples of slow telemetry, and channels that were where they are drawn."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from labcal.loop import close_loop
+from labcal.loop.close import candidates_of, prepare, relinearised
+from labcal.loop.refit import refit
+from labcal.loop.selection.select import select
+from labcal.loop.selection.unseen_switching import misses_more, switched_unseen
+from labcal.record import Channel, Run
+from labcal.testing.made_up_runs import made_up_run
+
+Array = NDArray[np.float64]
+EACH_nT = np.array([900.0, -600.0, 400.0])
+
+
+def _clock(rows: int) -> Array:
+    return made_up_run(rows=rows).run.t_s
+
+
+def _switched(t_s: Array) -> Array:
+    """A load of three levels, each held for a while."""
+    edges = np.cumsum(np.random.default_rng(5).exponential(25.0, 400)) - 30.0
+    return np.random.default_rng(6).choice([-1.0, 0.0, 1.0], 401)[np.searchsorted(edges, t_s)]
+
+
+def _drawn(t_s: Array, late_s: float = 0.0, every_s: float = 6.0) -> Array:
+    """The same as its telemetry has it: samples drawn straight to the next one, each as it was some time before."""
+    at = np.arange(t_s[0] - every_s, t_s[-1] + 2 * every_s, every_s)
+    return np.interp(t_s, at, _switched(at - late_s))
+
+
+def _run(load: Array, telemetry: Array) -> Run:
+    made = made_up_run(rows=len(load) // 6, channels=[Channel("i_rod", "A", "current", telemetry)])
+    return made.with_effect(load[:, None] * EACH_nT)
+
+
+@pytest.mark.parametrize("late_s", [0.0, 1.5])
+def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late_s: float) -> None:
+    t_s = _clock(120)
+    closed = close_loop(_run(_switched(t_s), _drawn(t_s, late_s)))
+    assert [effect.effect for effect in closed.accepted] == ["offset-current"]
+    assert closed.verdict == "explained"
+    found = {p.name: p.value for p in closed.accepted[0].parameters}
+    assert [found[f"c_{axis}"] for axis in "xyz"] == pytest.approx(EACH_nT.tolist(), abs=15.0)
+
+
+def test_a_load_that_is_where_its_telemetry_draws_it_loses_no_row() -> None:
+    t_s = _clock(120)
+    drawn = _drawn(t_s)
+    problem, level, _ = prepare(_run(drawn, drawn))
+    pool = relinearised(candidates_of(problem.run, problem))
+    found = select(pool, level)
+    assert [c.family.id for c in found.accepted] == ["offset-current"]
+    assert not switched_unseen(pool, found).any()
+
+
+def test_ways_are_missed_more_where_chance_would_not_put_so_many_of_the_largest() -> None:
+    squares, ways = np.arange(1000.0), np.zeros(1000, dtype=bool)
+    ways[[3, 400, 800, 998, 999]] = True
+    assert misses_more(squares, ways)
+    assert not misses_more(squares[::-1], ways)
+    spread = np.zeros(1000, dtype=bool)
+    spread[::5] = True
+    assert not misses_more(squares, spread)
+
+
+def test_a_fit_with_named_effects_leaves_out_the_same_rows() -> None:
+    t_s = _clock(120)
+    run = _run(_switched(t_s), _drawn(t_s))
+    closed = close_loop(run)
+    again = refit(run, closed.accepted)
+    assert np.allclose(again.affine.K, closed.fit().affine.K, atol=1e-6)
+    assert [p.value for p in again.effects[0].parameters] == pytest.approx(
+        [p.value for p in closed.accepted[0].parameters], rel=1e-6
+    )
