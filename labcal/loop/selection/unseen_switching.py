@@ -3,7 +3,7 @@
 Drawn straight from sample to sample, a switched load seems to be on its way for as long as a sample takes. Whether it
 was is for the readings to say: where a cause that follows the channel misses more on the ways than beside them, the
 channel was not there. A cause that follows after a delay rests on what the channel was then: its ways lie as much
-later.
+later. The weather is never switched.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.gaps import drawn_between_levels
 from labcal.loop.selection.select import Selection
 from labcal.model.effects import DELAY, Term
-from labcal.model.effects.regressors import stretches
+from labcal.model.effects.regressors import WEATHER, stretches
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -58,7 +58,7 @@ def ways_of(run: Run, term: Term) -> Mask:
     """Rows (n,) that rest on a way between two levels of one of its channels."""
     out, late = np.zeros(len(run), dtype=bool), term.of(DELAY)
     for channel in run.channels:
-        if channel.name in term.channels:
+        if channel.name in term.channels and channel.quantity not in WEATHER:
             ways = drawn_between_levels(channel.values, run.segment_index)
             out |= ways if late is None else _later(ways, run, late.value)
     return out
