@@ -16,6 +16,7 @@ from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.policy import POLICY
 from labcal.loop.selection.admission import evidence_of_its_own
 from labcal.loop.selection.select import likelier_forms
+from labcal.loop.selection.sets import together
 
 Rows = dict[str, np.ndarray]
 DIRECTIONS = np.array([1.0, -0.7, 0.5])
@@ -71,3 +72,15 @@ def test_of_a_current_and_its_square_slow_telemetry_leaves_the_right_one(
     pool = searching({"i": told}, {"i": "current"}, np.outer(amps(t) ** power, 150.0 * DIRECTIONS))
     (found,) = likelier_forms(pool, [_best(pool, "offset-current")], ())
     assert found.family.id == effect
+
+
+def test_a_member_of_a_set_that_acts_by_its_square_leaves_it(searching: Callable[..., CandidateSet]) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    draw = np.random.default_rng(8)
+    ends = np.cumsum(draw.exponential(14.0, (2, 100)), axis=1)
+    one, two = (draw.choice([0.1, 0.5, 0.9, 1.6], 101)[np.searchsorted(some, t)] for some in ends)
+    acts = np.outer(one, 150.0 * DIRECTIONS) + np.outer(two**2, 80.0 * DIRECTIONS[::-1])
+    pool = searching({"i": one, "j": two}, {"i": "current", "j": "current"}, acts)
+    members = [next(c for c in pool.candidates if c.cause == ("offset-current", (name,))) for name in "ij"]
+    found = likelier_forms(pool, [together(pool, members, 2)], ())
+    assert [c.cause for c in found] == [("offset-current", ("i",)), ("offset-current-squared", ("j",))]

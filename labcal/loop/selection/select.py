@@ -159,13 +159,21 @@ def contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Cand
 
 
 def likelier_forms(pool: CandidateSet, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
-    """Each effect, or a related form in the same channels that leads over it beside what the forms of both may miss."""
-    for place, one in enumerate(accepted):
-        others = [c for c in accepted if c is not one]
-        leads = [(c, nats) for c, nats in leads_over_relatives(pool, others, one) if c.cause not in refused]
-        other, nats = min(leads, key=lambda pair: pair[1], default=(one, 0.0))
-        if nats < -policy.POLICY.equivalent_nats:
-            accepted = [*accepted[:place], other, *accepted[place + 1 :]]
+    """Each effect, or a related form in the same channels that leads over it beside what the forms of both may miss.
+
+    A member of a set for which another form does so leaves it, for the two are no longer of one kind.
+    """
+    for one in accepted:
+        for part in one.parts:
+            whole = next(c for c in accepted if part in c.parts)
+            rest = [p for p in whole.parts if p is not part]
+            left = [together(pool, rest, len(whole.parts))] if rest else []
+            place = accepted.index(whole)
+            others = [*accepted[:place], *left, *accepted[place + 1 :]]
+            leads = [(c, nats) for c, nats in leads_over_relatives(pool, others, part) if c.cause not in refused]
+            other, nats = min(leads, key=lambda pair: pair[1], default=(part, 0.0))
+            if nats < -policy.POLICY.equivalent_nats:
+                accepted = [*accepted[:place], *left, other, *accepted[place + 1 :]]
     return accepted
 
 
