@@ -145,3 +145,11 @@ def test_a_demo_says_which_file_is_in_its_way(tmp_path, capsys):
     (tmp_path / "report.html").write_text("mine")
     assert cli.execute(["demo", "--out", str(tmp_path)]) == 2
     assert capsys.readouterr().err == f"labcal: {tmp_path / 'report.html'}: is there already; --force replaces it\n"
+
+
+@pytest.mark.parametrize("place", [".", "keys", "bundles"])
+def test_a_demo_leaves_nothing_among_what_is_labcal_s_own(place, home_of_its_own):
+    """Its trust list among the lab's keys would have the lab trust a key that lived in memory only."""
+    with pytest.raises(InputError, match="labcal's own"):
+        make_room(home_of_its_own / place, force=True)
+    assert not list(home_of_its_own.iterdir())

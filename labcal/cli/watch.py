@@ -37,7 +37,7 @@ def watch(
     this machine can read a command line: an address whose path is its password belongs into LABCAL_WEBHOOK.
     """
     from labcal.years.notify import Mail, Webhook
-    from labcal.years.watch import Source, document, look
+    from labcal.years.watch import COMMAND, Source, document, look, require_folder
     from labcal.years.watch import watch as watching
 
     if (folder is None) == (archive is None):
@@ -46,14 +46,15 @@ def watch(
         raise InputError("--json is what one look found: say --once too")
     if folder is not None and not folder.is_dir():
         raise InputError("is no folder", file=folder)
-    claim("watch", *(path for path in (json_path(json),) if path), force=force)
+    claim(COMMAND, *(path for path in (json_path(json),) if path), force=force)
+    require_folder(out)
     ways: list[Mail | Webhook] = [Mail(tuple(mail), sender, smtp)] if mail else []
     ways += [Webhook(url) for url in (*webhook, *os.environ.get(WEBHOOK, "").split())]
     if not once:
         watching(Source(folder, archive), out, ways, every, _say)
     found = look(Source(folder, archive, 0.0), out, ways, (lambda one: None) if json == "-" else _say)
     if json is not None:
-        write_json([document(one) for one in found], json, "watch", force=force)
+        write_json([document(one) for one in found], json, COMMAND, force=force)
     return NEGATIVE if any(one.needs for one in found) else DONE
 
 

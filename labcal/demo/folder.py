@@ -23,11 +23,14 @@ REPORT_SAYS = re.compile(rb"\A<!doctype html>.*\brun demo-\d+\b", re.DOTALL | re
 def make_room(folder: Path, *, force: bool = False) -> None:
     """Make the folder; what an earlier demo left there goes, and other files of those names where `force` says so.
 
-    Raises InputError, before anything goes, for a file of a leaf's name that no demo left, or that a person signed.
+    Raises InputError, before anything goes, for a folder of labcal's own, a file of a leaf's name that no demo left, or
+    that a person signed.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     there = [folder / name for name in NAMES if os.path.lexists(folder / name)]
-    claim("demo", *(path for path in there if not _left_by_a_demo(path)), force=force)
+    spoilt = (path for path in there if not _left_by_a_demo(path))
+    absent = (folder / name for name in NAMES if name != SIGNATURE and folder / name not in there)
+    claim("demo", *spoilt, *absent, force=force, with_folder=True)
+    folder.mkdir(parents=True, exist_ok=True)
     for path in (*there, folder / f"{STORE}-wal", folder / f"{STORE}-shm"):
         path.unlink(missing_ok=True)
 

@@ -16,10 +16,11 @@ from typing import Any
 from labcal import session
 from labcal.errors import InputError
 from labcal.files.atomic import write_text
+from labcal.files.outputs import claim
 from labcal.session import archiving
 from labcal.years.notify import Way, notify
 
-STATE, FORMAT = "watched.json", "labcal-watch/1"
+COMMAND, STATE, FORMAT = "watch", "watched.json", "labcal-watch/1"
 SETTLED_S = 5.0  # a file that was written to since may not be whole yet
 GOOD = ("clean", "explained")
 Say = Callable[[str], None]
@@ -71,12 +72,18 @@ class Source:
                 yield key, place.name, lambda place=place: place  # type: ignore[misc]
 
 
+def require_folder(out: Path) -> None:
+    """Make the watch's folder. Raises InputError where it is labcal's own, and OSError."""
+    claim(COMMAND, out / STATE, force=True, with_folder=True)
+    out.mkdir(parents=True, exist_ok=True)
+
+
 def look(source: Source, out: Path, ways: Sequence[Way], say: Say = lambda one: None) -> list[WatchedRun]:
     """Look once: work out what is new, then tell of it and of what nobody could be told before; returns what is new.
 
     Raises InputError where the source is away, `out` cannot be written, or telling failed; what was found is kept.
     """
-    out.mkdir(parents=True, exist_ok=True)
+    require_folder(out)
     kept = _read(out / STATE)
     found = []
     for key, name, bundle in source.new(frozenset(kept), out):
@@ -124,7 +131,7 @@ def _worked_out(key: str, name: str, place: Path, out: Path) -> WatchedRun:
         run = session.load_run(place)
         stem = f"{session.run_bundle(place).sha256[:12]}"
         draft, report = out / f"{stem}.json", out / f"{stem}.html"
-        closed = session.close_loop(place, draft, report=report, force=True)
+        closed = session.close_loop(place, draft, report=report)  # one that a person has changed since stays
     except Exception as fault:  # a watch outlives every run
         kind = "" if isinstance(fault, InputError) else f"{type(fault).__name__}: "
         return WatchedRun(key, name, needs=(f"{kind}{fault}",))

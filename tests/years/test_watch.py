@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import socketserver
 import threading
 from collections.abc import Iterator
@@ -257,6 +258,33 @@ def test_a_watch_goes_on_where_the_folder_was_away_and_takes_no_file_that_is_sti
     assert found.run == "half.zip"
     (folder / "half.zip").write_bytes(b"half of it, and the rest")
     assert [one.run for one in look(Source(folder, settled_s=0), out, [])] == ["half.zip"]
+
+
+def test_a_draft_that_a_person_has_changed_is_kept_where_its_run_comes_again(tmp_path: Path) -> None:
+    source, out = Source(tmp_path / "in", settled_s=0), tmp_path / "out"
+    given = bundle(tmp_path / "in", "r1")
+    [first] = look(source, out, [])
+    draft = Path(first.draft)
+    untouched = draft.read_bytes()
+    given.rename(given.with_name("elsewhere.zip"))
+    [again] = look(source, out, [])
+    assert not any("already" in need for need in again.needs)
+    draft.write_bytes(untouched.replace(b'"approvers":[]', b'"approvers":["Ada"]'))
+    approved = draft.read_bytes()
+    assert approved != untouched
+    shutil.copy(given.with_name("elsewhere.zip"), given)
+    [third] = look(source, out, [])
+    assert draft.read_bytes() == approved
+    assert f"{draft}: is there already" in third.needs[0]
+
+
+@pytest.mark.parametrize("place", [".", "keys", "bundles/mine"])
+def test_a_watch_keeps_nothing_among_what_is_labcal_s_own(
+    place: str, tmp_path: Path, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert labcal(["watch", str(tmp_path), "--out", str(home_of_its_own / place)]) == 2
+    assert "labcal's own" in capsys.readouterr().err
+    assert not list(home_of_its_own.iterdir())
 
 
 @pytest.mark.parametrize(
