@@ -12,6 +12,7 @@ from scalar_lab import SCALAR, sensor
 
 from labcal import session
 from labcal.record.stream import Event
+from procedures.linearity import straightness
 
 Run = Callable[..., Any]
 WORSE = (("u_scale_ppm = 50.0", "u_scale_ppm = 5000.0"), ("u_offset_nT = 3.0", "u_offset_nT = 300.0"))
@@ -82,8 +83,20 @@ def test_linearity_s_slope_is_as_uncertain_as_the_reference_s_scale_and_its_depa
 def test_a_slope_is_as_uncertain_by_noise_as_a_line_through_all_steps(ran: Run) -> None:
     """Three times −50, −25, 0, 25 and 50 µT: σ / √(3 · 2.5) of 50 µT."""
     found = ran("linearity", edits=[("u_scale_ppm = 50.0\nu_offset_nT = 3.0", "")], steps=2, dwell_s=1)
-    sigma = found.measured["departure from a straight line"].u
+    sigma = straightness(*np.array(found.event("linearity").data["field_reading_nT"]).T)[2]
     assert found.measured["slope"].u == pytest.approx(sigma / 50_000 / np.sqrt(7.5), rel=0.02)
+
+
+def test_the_largest_of_many_departures_is_no_fault_of_a_straight_device(ran: Run) -> None:
+    """Of 33 steps the largest departure by noise is about two and a half times its standard deviation."""
+    found = ran("linearity", steps=5, dwell_s=1)
+    name = "departure from a straight line"
+    sigma = straightness(*np.array(found.event("linearity").data["field_reading_nT"]).T)[2]
+    assert 1.3 * sigma < abs(found.value(name)) < 2.0001 * found.measured[name].u < 4 * sigma  # it reaches zero
+    cage = ran("cage-calibration", steps=2, dwell_s=1, limit_ppm=20_000)
+    for figure in ("up less down", "polarity + less −"):
+        told = cage.measured[f"DUT: {figure}"]
+        assert abs(told.value) < 2.0001 * told.u, told
 
 
 def test_a_heading_is_as_uncertain_by_noise_as_the_field_across_its_axis_is_small(ran: Run) -> None:

@@ -10,6 +10,7 @@ from wrong_lab import turn
 
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.uncertainty.verdicts import largest, rms, u_of_size
+from procedures.linearity import straightness
 from procedures.verify import errors
 
 PPM, ZERO_nT, TURN_deg, NOISE_nT = 50.0, 3.0, 0.1, 1.0
@@ -70,6 +71,22 @@ def test_of_a_hundred_devices_ninety_five_are_as_good_as_is_said(fault: float, w
         assert np.mean(share) > 0.9, name
         if fault == 0:  # nor is it made safe by being large: half of what it says is not above zero by three times
             assert np.median(wide[name]) < 3.0, name
+
+
+def test_of_a_hundred_straight_devices_ninety_five_may_be_straight() -> None:
+    """The largest of fifteen departures, all of them noise: two standard deviations of one do not hold them."""
+    field = np.tile(np.linspace(-50_000.0, 50_000.0, 5), 3)
+    run = replace(seen(1, 0.0)[0], reference=Reference("none"), segments=(Segment("s", "static"),))
+    run = replace(run, segment_index=np.zeros(POSITIONS, dtype=np.intp))
+    held, two_sigma = [], []
+    for seed in range(RUNS):
+        reading = field + np.random.default_rng([seed, 4]).normal(0, 15.0, len(field))
+        _, worst, sigma = straightness(field, reading)
+        left = reading - np.polyval(np.polyfit(field, reading, 1), field)
+        held.append(abs(worst) <= 2.0001 * u_of_size(run, lambda _, left=left: left, largest, sigma))
+        two_sigma.append(abs(worst) <= 2 * sigma)
+    assert np.mean(held) > 0.9
+    assert np.mean(two_sigma) < 0.8
 
 
 @pytest.mark.parametrize(("error_nT", "U"), [(900.0, 2.0), (0.0, 2.278)])
