@@ -193,8 +193,7 @@ def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[f
     positions = as_positions(bench, sweep.fields_nT)
     if left := uncovered(positions, ["the supplies' read-back", "where the reference was put"]):
         yield note(bench, f"{place}: {left}")
-    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, positions))
-    u_ppm = u_matrix * _ppm(fit)
+    u_ppm = _with_declared(sweep, fit, positions).u_matrix_nT_per_A * _ppm(fit)
     yield from measured(bench, f"{place}: uncertainty of the matrix", u_ppm.max(), 0.0, "ppm", limits[0])
     if place == "DUT":
         of = partial(_change, bench, sweep)
@@ -213,14 +212,15 @@ def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[f
     yield from measured(bench, f"{place}: settling time", sweep.settling_s, 0.0, "s")
 
 
-def u_of_matrix(sweep: Sweep, positions: Run) -> Array:
-    """Standard uncertainty (3, 3) [nT/A] of the matrix by all that is declared of the reference."""
+def _with_declared(sweep: Sweep, fit: CageFit, positions: Run) -> CageFit:
+    """The fit, its covariance that of noise and of all that is declared of the reference."""
 
-    def matrix(run: Run) -> Array:
-        return _fit(_seen_by(sweep, run)).matrix_nT_per_A
+    def parameters(run: Run) -> Array:
+        seen = _fit(_seen_by(sweep, run))
+        return np.append(seen.matrix_nT_per_A.ravel(), seen.offset_nT)
 
-    moved = [error.moves(positions, matrix) for error in declared_errors(positions)]
-    return np.asarray(np.sqrt(np.sum(np.square(moved), axis=0))) if moved else np.zeros((3, 3))
+    moved = np.array([error.moves(positions, parameters) for error in declared_errors(positions)]).reshape(-1, 12)
+    return replace(fit, covariance=fit.covariance + moved.T @ moved)
 
 
 def _seen_by(sweep: Sweep, positions: Run) -> Sweep:
@@ -256,7 +256,10 @@ def _ppm(fit: CageFit) -> Array:
 
 def _draft(bench: Bench, found: dict[str, tuple[Sweep, CageFit]]) -> Event:
     """What was found, for the record: a draft, until someone approves it."""
-    data = {place: _as_data(fit) for place, (_, fit) in found.items()}
+    data = {
+        place: _as_data(_with_declared(sweep, fit, as_positions(bench, sweep.fields_nT)))
+        for place, (sweep, fit) in found.items()
+    }
     if len(found) == 2:
         data["DUT less reference"] = _difference(*found.values())
     fit = found["DUT"][1]
@@ -267,7 +270,8 @@ def _draft(bench: Bench, found: dict[str, tuple[Sweep, CageFit]]) -> Event:
 def _difference(at_dut: tuple[Sweep, CageFit], at_reference: tuple[Sweep, CageFit]) -> dict[str, list[object]]:
     """M_DUT − M_ref and the ambient difference: b_DUT = b_ref + (M_DUT − M_ref) I + difference, with covariance.
 
-    The two sweeps lie apart in time: the drift seen, times that, is taken for the uncertainty of the difference.
+    The two sweeps lie apart in time: the drift seen, times that, is taken for the uncertainty of the difference. What
+    is declared of the reference that was at both is not in it: it goes with the reading that is carried.
     """
     (first, here), (second, there) = at_dut, at_reference
     apart_s = float(second.t_s.mean() - first.t_s.mean())

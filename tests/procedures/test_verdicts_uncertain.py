@@ -118,6 +118,9 @@ def test_a_cage_s_matrix_is_as_uncertain_as_the_reference_s_scale(ran: Run) -> N
     u = "DUT: uncertainty of the matrix"
     assert bad.value(u) == pytest.approx(5_000, rel=0.05)  # ppm of the coil's own constant
     assert 50 <= good.value(u) < 0.1 * bad.value(u)
+    of_the_file = np.sqrt(np.diag(bad.event("cage-calibration").data["DUT"]["covariance"]))
+    assert of_the_file[[0, 4, 8]] == pytest.approx(5e-3 * 49_950 * np.ones(3), rel=0.05)
+    assert of_the_file[9:] == pytest.approx(np.hypot(300.0, 5e-3 * np.array([20_400, 1_150, 43_700])), rel=0.05)
     assert bad.measured["DUT: change from bench.toml"].u > 20 * good.measured["DUT: change from bench.toml"].u
     assert "The supplies' read-back." in notes(good)
     remote = ran("cage-calibration", edits=[*WORSE, ('place = "dut"', 'place = "remote"')], **short)
