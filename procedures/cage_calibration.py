@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import partial
@@ -21,7 +21,7 @@ from labcal.fit.cage import CageFit, fit_cage
 from labcal.record import Run
 from labcal.record.stream import Event, Prompt
 from labcal.uncertainty import declared_errors
-from labcal.uncertainty.verdicts import u_declared, uncovered
+from labcal.uncertainty.verdicts import largest, u_of_size, uncovered
 
 NEEDS, LASTS_MIN = "a vector reference, first at the DUT's place, then at its own", 5
 
@@ -141,8 +141,8 @@ def settling_time(t_s: Array, values: Array, within_nT: float) -> float:
     return max(float(t_s[outside[-1]]), 0.0) if len(outside) else 0.0
 
 
-def hysteresis(sweep: Sweep) -> tuple[float, float]:
-    """How much more field [nT] the worst coil makes where |I| came from below than from above, and its uncertainty.
+def hysteresis(sweep: Sweep) -> tuple[Array, Array]:
+    """How much more field (3,) [nT] each coil makes where |I| came from below than from above; u (3,) by noise.
 
     The last term of b = m I + b0 + d t + h (±1/2), each coil's own component.
     """
@@ -152,11 +152,12 @@ def hysteresis(sweep: Sweep) -> tuple[float, float]:
         side = sweep.sign[rows] * (sweep.rising[rows] - 0.5)
         columns = np.column_stack([_steady(sweep, rows), sweep.currents_A[rows, coil], side])
         found.append(_last_of(columns, sweep.fields_nT[rows, coil]))
-    return _worst(found)
+    values, u = np.array(found).T
+    return values, u
 
 
-def polarities(sweep: Sweep) -> tuple[float, float]:
-    """The largest difference [ppm] of one coil's constant in either polarity, and its standard uncertainty.
+def polarities(sweep: Sweep) -> tuple[Array, Array]:
+    """The difference (3,) [ppm] of each coil's constant in either polarity, and its standard uncertainty by noise.
 
     The last term of b = m I + b0 + d t + m δ |I| / 2, from the steps that were approached from below.
     """
@@ -167,7 +168,8 @@ def polarities(sweep: Sweep) -> tuple[float, float]:
         constant = float(np.polyfit(amps, field, 1)[0])
         columns = np.column_stack([_steady(sweep, rows), amps, 1e-6 * constant * np.abs(amps) / 2])
         found.append(_last_of(columns, field))
-    return _worst(found)
+    values, u = np.array(found).T
+    return values, u
 
 
 def _steady(sweep: Sweep, rows: NDArray[np.bool_]) -> Array:
@@ -182,39 +184,43 @@ def _last_of(columns: Array, field_nT: Array) -> tuple[float, float]:
     return float(solution[-1]), float(np.sqrt(variance))
 
 
-def _worst(found: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    return max(found, key=lambda value_u: abs(value_u[0]))
+def worst(values: Array) -> float:
+    """The one of largest size, with its sign."""
+    return float(values[np.argmax(np.abs(values))])
 
 
 def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[float, ...]) -> Work[None]:
     positions = as_positions(bench, sweep.fields_nT)
     if left := uncovered(positions, ["the supplies' read-back", "where the reference was put"]):
         yield note(bench, f"{place}: {left}")
-    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, positions))
-    u_ppm = 1e6 * u_matrix / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
+    u_ppm = _with_declared(sweep, fit, positions).u_matrix_nT_per_A * _ppm(fit)
     yield from measured(bench, f"{place}: uncertainty of the matrix", u_ppm.max(), 0.0, "ppm", limits[0])
     if place == "DUT":
-        yield from measured(bench, "DUT: change from bench.toml", *change(bench, fit, u_matrix), "ppm", limits[1])
+        of = partial(_change, bench, sweep)
+        u_noise = (fit.u_matrix_nT_per_A * _ppm(fit)).ravel()
+        u = u_of_size(positions, of, largest, u_noise)
+        yield from measured(bench, "DUT: change from bench.toml", worst(of(positions)), u, "ppm", limits[1])
     for name, figure, unit, limit in (
         ("polarity + less −", polarities, "ppm", limits[2]),
         ("departure from the line", departure, "nT", limits[3]),
         ("up less down", hysteresis, "nT", limits[4]),
     ):
-        value, noise = figure(sweep)
-        u = float(np.hypot(noise, u_declared(positions, partial(_with_reference, figure, sweep))))
-        yield from measured(bench, f"{place}: {name}", value, u, unit, limit)
+        values, u_noise = figure(sweep)
+        u = u_of_size(positions, partial(_with_reference, figure, sweep), largest, u_noise)
+        yield from measured(bench, f"{place}: {name}", worst(values), u, unit, limit)
     yield from measured(bench, f"{place}: noise", sweep.noise_nT, 0.0, "nT")
     yield from measured(bench, f"{place}: settling time", sweep.settling_s, 0.0, "s")
 
 
-def u_of_matrix(sweep: Sweep, positions: Run) -> Array:
-    """Standard uncertainty (3, 3) [nT/A] of the matrix by all that is declared of the reference."""
+def _with_declared(sweep: Sweep, fit: CageFit, positions: Run) -> CageFit:
+    """The fit, its covariance that of noise and of all that is declared of the reference."""
 
-    def matrix(run: Run) -> Array:
-        return _fit(_seen_by(sweep, run)).matrix_nT_per_A
+    def parameters(run: Run) -> Array:
+        seen = _fit(_seen_by(sweep, run))
+        return np.append(seen.matrix_nT_per_A.ravel(), seen.offset_nT)
 
-    moved = [error.moves(positions, matrix) for error in declared_errors(positions)]
-    return np.asarray(np.sqrt(np.sum(np.square(moved), axis=0))) if moved else np.zeros((3, 3))
+    moved = np.array([error.moves(positions, parameters) for error in declared_errors(positions)]).reshape(-1, 12)
+    return replace(fit, covariance=fit.covariance + moved.T @ moved)
 
 
 def _seen_by(sweep: Sweep, positions: Run) -> Sweep:
@@ -223,29 +229,37 @@ def _seen_by(sweep: Sweep, positions: Run) -> Sweep:
     return replace(sweep, fields_nT=positions.reference_vector)
 
 
-def departure(sweep: Sweep) -> tuple[float, float]:
-    """The largest residual of the fit [nT], and its standard uncertainty by noise."""
-    return float(np.abs(_fit(sweep).residual_nT).max()), sweep.u_nT
+def departure(sweep: Sweep) -> tuple[Array, Array]:
+    """What the fit leaves of each component of each step (3 n,) [nT], and its standard uncertainty by noise."""
+    left = _fit(sweep).residual_nT.ravel()
+    return left, np.full(left.shape, sweep.u_nT)
 
 
 def _fit(sweep: Sweep) -> CageFit:
     return fit_cage(sweep.currents_A, sweep.fields_nT, sweep.coil, sweep.t_s)
 
 
-def _with_reference(figure: Callable[[Sweep], tuple[float, float]], sweep: Sweep, positions: Run) -> float:
+def _with_reference(figure: Callable[[Sweep], tuple[Array, Array]], sweep: Sweep, positions: Run) -> Array:
     return figure(_seen_by(sweep, positions))[0]
 
 
-def change(bench: Bench, fit: CageFit, u_matrix_nT_per_A: Array) -> tuple[float, float]:
-    """The largest change of a matrix element from the bench's [ppm of its coil], and its standard uncertainty."""
-    ppm = 1e6 / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
-    moved = (fit.matrix_nT_per_A - bench.cage.matrix_nT_per_A) * ppm
-    return _worst(zip(moved.ravel(), (u_matrix_nT_per_A * ppm).ravel(), strict=True))
+def _change(bench: Bench, sweep: Sweep, positions: Run) -> Array:
+    """What each matrix element (9,) is more than bench.toml's [ppm of its coil], by the reference given."""
+    fit = _fit(_seen_by(sweep, positions))
+    return np.asarray(((fit.matrix_nT_per_A - bench.cage.matrix_nT_per_A) * _ppm(_fit(sweep))).ravel())
+
+
+def _ppm(fit: CageFit) -> Array:
+    """What a nT/A of each coil (3,) is [ppm] of its constant."""
+    return np.asarray(1e6 / np.linalg.norm(fit.matrix_nT_per_A, axis=0))
 
 
 def _draft(bench: Bench, found: dict[str, tuple[Sweep, CageFit]]) -> Event:
     """What was found, for the record: a draft, until someone approves it."""
-    data = {place: _as_data(fit) for place, (_, fit) in found.items()}
+    data = {
+        place: _as_data(_with_declared(sweep, fit, as_positions(bench, sweep.fields_nT)))
+        for place, (sweep, fit) in found.items()
+    }
     if len(found) == 2:
         data["DUT less reference"] = _difference(*found.values())
     fit = found["DUT"][1]
@@ -256,7 +270,8 @@ def _draft(bench: Bench, found: dict[str, tuple[Sweep, CageFit]]) -> Event:
 def _difference(at_dut: tuple[Sweep, CageFit], at_reference: tuple[Sweep, CageFit]) -> dict[str, list[object]]:
     """M_DUT − M_ref and the ambient difference: b_DUT = b_ref + (M_DUT − M_ref) I + difference, with covariance.
 
-    The two sweeps lie apart in time: the drift seen, times that, is taken for the uncertainty of the difference.
+    The two sweeps lie apart in time: the drift seen, times that, is taken for the uncertainty of the difference. What
+    is declared of the reference that was at both is not in it: it goes with the reading that is carried.
     """
     (first, here), (second, there) = at_dut, at_reference
     apart_s = float(second.t_s.mean() - first.t_s.mean())

@@ -36,7 +36,8 @@ from labcal.model.affine import MAP_PARAMETERS
 from labcal.record import Run
 from labcal.record.stream import Event
 from labcal.uncertainty import declared_errors
-from labcal.uncertainty.verdicts import u_declared, uncovered
+from labcal.uncertainty.verdicts import u_of_size, uncovered
+from procedures.tracking_error import of_length
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration", 12
 
@@ -239,12 +240,12 @@ def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_
     late = fit.drift_nT_per_s * (unseen.t_s - seen.t_s.mean())[:, None]
     calibrated = fit.affine.apply(unseen.reading) - late
 
-    def rms(positions: Run) -> float:
-        return float(np.sqrt(np.mean(np.sum((calibrated - reference_field_nT(positions)) ** 2, axis=1))))
+    def errors(run: Run) -> Array:
+        return (calibrated - reference_field_nT(run)).ravel()
 
     positions = as_positions(bench, unseen.field_nT)
-    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(positions, rms)))
-    yield from measured(bench, "verify: rms error", rms(positions), u, "nT", error_nT)
+    u = u_of_size(positions, errors, of_length, unseen.u_nT)
+    yield from measured(bench, "verify: rms error", float(of_length(errors(positions))), u, "nT", error_nT)
     U = 2 * np.sqrt(_variance(fit, unseen.reading) + unseen.u_nT**2)
     largest = float(np.abs((calibrated - unseen.field_nT) / U).max())
     yield from measured(bench, "verify: largest error in units of U by noise", largest, 0.0, "1")

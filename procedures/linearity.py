@@ -19,7 +19,7 @@ from labcal.errors import InputError
 from labcal.geometry import unit
 from labcal.record import Run
 from labcal.record.stream import Event
-from labcal.uncertainty.verdicts import in_body, u_declared, uncovered
+from labcal.uncertainty.verdicts import in_body, largest, u_declared, u_of_size, uncovered
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage", 3
 
@@ -71,23 +71,33 @@ def linearity(
     along_DUT = np.array(readings) @ along_B
     true = in_body(positions) @ along_B
     slope, worst, u = straightness(true, along_DUT)
-    declared = [u_declared(positions, partial(_figure, which, along_B, along_DUT)) for which in (0, 1)]
     of_slope = u / float(np.linalg.norm(true - true.mean()))
-    yield from measured(bench, "slope", slope, float(np.hypot(of_slope, declared[0])), "")
-    yield from measured(bench, "departure from a straight line", worst, float(np.hypot(u, declared[1])), "nT", limit_nT)
+    u_slope = float(np.hypot(of_slope, u_declared(positions, partial(_slope, along_B, along_DUT))))
+    u_worst = u_of_size(positions, partial(_departures, along_B, along_DUT), largest, u)
+    yield from measured(bench, "slope", slope, u_slope, "")
+    yield from measured(bench, "departure from a straight line", worst, u_worst, "nT", limit_nT)
     seen = np.column_stack([true, along_DUT]).tolist()
     yield Event(bench.clock.now(), "linearity", "field and reading along the direction", {"field_reading_nT": seen})
 
 
-def _figure(which: int, along_B: Array, along_DUT: Array, positions: Run) -> float:
-    """Slope (0) or departure (1) with the reference of these positions."""
-    return straightness(in_body(positions) @ along_B, along_DUT)[which]
+def _slope(along_B: Array, along_DUT: Array, positions: Run) -> float:
+    """With the reference of these positions."""
+    return straightness(in_body(positions) @ along_B, along_DUT)[0]
+
+
+def _departures(along_B: Array, along_DUT: Array, positions: Run) -> Array:
+    return _beside_the_line(in_body(positions) @ along_B, along_DUT)[1]
 
 
 def straightness(field_nT: Array, reading_nT: Array) -> tuple[float, float, float]:
     """Slope, largest departure (signed) from the line, and a reading's standard uncertainty from repeats."""
-    slope, offset = np.polyfit(field_nT, reading_nT, 1)
-    left = reading_nT - slope * field_nT - offset
+    slope, left = _beside_the_line(field_nT, reading_nT)
     third = len(left) // 3
     repeats = (left[:third] - left[-third:]) / np.sqrt(2)
-    return float(slope), float(left[np.argmax(np.abs(left))]), float(np.sqrt(np.mean(repeats**2)))
+    return slope, float(left[np.argmax(np.abs(left))]), float(np.sqrt(np.mean(repeats**2)))
+
+
+def _beside_the_line(field_nT: Array, reading_nT: Array) -> tuple[float, Array]:
+    """The slope, and what the line of least squares leaves (n,) [nT]."""
+    slope, offset = np.polyfit(field_nT, reading_nT, 1)
+    return float(slope), reading_nT - slope * field_nT - offset

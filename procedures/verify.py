@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
@@ -37,7 +36,7 @@ from labcal.model.apply import apply
 from labcal.model.readings import Readings
 from labcal.record import Run
 from labcal.record.stream import Block
-from labcal.uncertainty.verdicts import in_body, u_of_rms, uncovered
+from labcal.uncertainty.verdicts import in_body, largest, rms, u_of_size, uncovered
 
 NEEDS, LASTS_MIN = "the DUT on the platform, its calibration file", 8
 
@@ -158,16 +157,12 @@ def _judge(
 ) -> Work[None]:
     rows = (("heading", _u_heading_deg(seen, axis), "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
     of_a_magnitude = seen.positions.reference_vector is None  # there is no heading in it
-    for which, (name, u, unit, limit) in list(enumerate(rows))[of_a_magnitude:]:
-        worst = u[np.argmax(np.abs(_errors(which, field_nT, axis, seen.positions)))]
-        judged = (
-            ("rms", rms, rms(u), rms(u) / len(u) ** 0.5, limit),
-            ("largest", largest, rms(u) * largest_of(len(u)), worst, None),
-        )
-        for what, figure, alone, along, allowed in judged:
-            of = partial(_figure, figure, which, field_nT, axis)
-            total = u_of_rms(seen.positions, of, alone=alone, along=float(along))
-            yield from measured(bench, f"{when}: {what} {name} error", of(seen.positions), total, unit, allowed)
+    for which, (name, u_noise, unit, limit) in list(enumerate(rows))[of_a_magnitude:]:
+        of = partial(_errors, which, field_nT, axis)
+        for what, size, allowed in (("rms", rms, limit), ("largest", largest, None)):
+            u = u_of_size(seen.positions, of, size, u_noise)
+            value = float(size(of(seen.positions)))
+            yield from measured(bench, f"{when}: {what} {name} error", value, u, unit, allowed)
 
 
 def _u_heading_deg(seen: PositionMeans, axis: str) -> Array:
@@ -176,27 +171,6 @@ def _u_heading_deg(seen: PositionMeans, axis: str) -> Array:
         return np.zeros(len(seen.u_nT))
     across = np.linalg.norm(np.cross(in_body(seen.positions), AXES[axis]), axis=1)
     return np.asarray(np.hypot(np.degrees(seen.u_nT / across), seen.u_angle_deg))
-
-
-def rms(values: Array) -> float:
-    """Root mean square."""
-    return float(np.sqrt(np.mean(values**2)))
-
-
-def largest(values: Array) -> float:
-    """The largest size."""
-    return float(np.abs(values).max())
-
-
-def largest_of(n: int) -> float:
-    """The median of the largest of n normal errors by size, in standard deviations."""
-    from scipy.special import ndtri
-
-    return float(ndtri((1 + 0.5 ** (1 / n)) / 2))
-
-
-def _figure(figure: Callable[[Array], float], which: int, field_nT: Array, axis: str, positions: Run) -> float:
-    return figure(_errors(which, field_nT, axis, positions))
 
 
 def _errors(which: int, field_nT: Array, axis: str, positions: Run) -> Array:

@@ -49,7 +49,7 @@ class FitNoise:
         2 v² / Var(v) (GUM, G.3: ν = ½ (Δu/u)⁻², with v = u²). Var(v) has two parts: the level's under each model, and
         how far the models, by their odds, differ in v.
         """
-        v = np.einsum("i,mij,j->m", sensitivity, self.each, sensitivity)
+        v = self.each @ sensitivity @ sensitivity
         mean = float(self.weight @ v)
         spread = float(self.weight @ (2 * v**2 / self.dof + (v - mean) ** 2))
         return 2 * mean**2 / spread if spread > 0 else self.dof

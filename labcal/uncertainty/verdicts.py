@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from labcal.record import Run
+from labcal.uncertainty.budget import PROBABILITY
 from labcal.uncertainty.declared import DeclaredError, declared_errors
 from labcal.uncertainty.unstated import ALL_COVERED, not_covered
 
 Array = NDArray[np.float64]
 Figure = Callable[[Run], float]
+Errors = Callable[[Run], Array]  # (n,)
+Size = Callable[[Array], Array]  # (…, n) to (…)
+TAIL = (1 - PROBABILITY) / 2
+NUMBERS, DRAWS = 250_000, (2_000, 10_000)  # drawn in all, and of each error
+HALVINGS, EXACT = 12, 1e-6
 
 
 def u_declared(run: Run, figure: Figure) -> float:
@@ -30,22 +36,49 @@ def u_by(run: Run, error: DeclaredError, figure: Figure) -> float:
     return float(np.hypot(one - here, other - here) / np.sqrt(2))
 
 
-def u_of_rms(run: Run, figure: Figure, *, alone: float = 0.0, along: float = 0.0) -> float:
-    """Standard uncertainty of `figure`, a root mean square of errors: what moves it, and what raises it.
+def u_of_size(run: Run, errors: Errors, size: Size, u_noise: ArrayLike) -> float:
+    """Standard uncertainty, half the U of 95.45 %, of how large the true errors are by `size`: their rms, the largest.
 
-    Squares add: errors of mean square s² beside a true t² make m² = t² + s² on the mean. That is not corrected, so it
-    counts whole (GUM, F.2.4.5), however little slope the figure has: as m − √(m² − s²), or as √(m² + s²) − m where m is
-    small and the errors may have cancelled. What was fitted to the same reference is not raised by it, and is no case
-    for this. `alone` is the root mean square that the figure's own noise makes by itself, `along` what that noise moves
-    it by.
+    `errors` (n,) are those that a run shows, `u_noise` (n,) or a number is their own noise. They are the true ones and
+    a draw of all that is declared and of noise: the draw raises their size more than it lowers it, and by how much it
+    did scatters as few independent errors do, so that no slope of the figure is its uncertainty. By drawn distributions
+    (JCGM 101): not above what the seen errors less a draw come to in all but 2.3 % of the draws, nor below errors of
+    the same shape that with a draw would look as large in 2.3 %.
     """
-    here, slopes, squares = figure(run), [along], alone**2
-    for error in declared_errors(run):
-        one, other = figure(error.change(run)), figure(error.change(run, -1.0))
-        slopes.append((one - other) / 2)
-        squares += max((one**2 + other**2) / 2 - here**2, 0.0)
-    raised = max(here - np.sqrt(max(here**2 - squares, 0.0)), np.sqrt(here**2 + squares) - here)
-    return float(np.hypot(np.linalg.norm(slopes), raised))
+    seen = errors(run)
+    here, drawn = float(size(seen)), _drawn(run, errors, np.broadcast_to(u_noise, seen.shape))
+    most = float(np.quantile(size(seen - drawn), 1 - TAIL))
+
+    def as_large(part: float) -> float:
+        return float(np.mean(size(part * seen + drawn) >= here))
+
+    if as_large(0.0) >= TAIL:
+        return max(most - here, here) / 2
+    near = max(0.0, 1 - 4 * max(most / here - 1, EXACT))
+    least, above = (near if as_large(near) < TAIL else 0.0), 1.0
+    for _ in range(HALVINGS):
+        middle = (least + above) / 2
+        least, above = (middle, above) if as_large(middle) < TAIL else (least, middle)
+    return max(most - here, here * (1 - least)) / 2
+
+
+def _drawn(run: Run, errors: Errors, u_noise: Array) -> Array:
+    """Draws (draws, n) of what declared errors and noise make of the errors that a run shows."""
+    n = len(u_noise)
+    count = int(np.clip(NUMBERS // n, *DRAWS))
+    random = np.random.default_rng(count)  # the same figure twice has the same uncertainty
+    moved = np.array([error.moves(run, errors) for error in declared_errors(run)]).reshape(-1, n)
+    return np.asarray(random.normal(size=(count, len(moved))) @ moved + random.normal(size=(count, n)) * u_noise)
+
+
+def rms(values: Array) -> Array:
+    """Root mean square along the last axis."""
+    return np.asarray(np.sqrt(np.mean(values**2, axis=-1)))
+
+
+def largest(values: Array) -> Array:
+    """The largest size along the last axis."""
+    return np.asarray(np.abs(values).max(axis=-1))
 
 
 def in_body(run: Run) -> Array:

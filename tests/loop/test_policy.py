@@ -47,7 +47,7 @@ KINDS = {
         "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE ANGLE_DECIMALS", "data.resolution:NEAR OFF",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
-        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS BELOW_LOWEST", "noise.marginal:RATIOS",
+        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS BELOW_LOWEST IN_A_BAND", "noise.marginal:RATIOS",
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "noise.periodogram:FINER MEDIAN_WIDTH LONGEST PADDING", "noise.cross_correlation:TAPERED",
         "selection.related:RANDOM_DIRECTIONS DECIMALS", "selection.joint_fit:SLOPE_STEP_nT",

@@ -35,7 +35,8 @@ def test_the_stated_uncertainty_of_the_matrix_is_the_scatter_over_two_hundred_la
     assert within.mean() > 0.9
 
 
-DUT_ONLY = ("", ('place = "dut"\nposition_m = [0.0, 0.0, 0.15]\n', 'place = "dut"\n'))
+NOTHING_DECLARED = ("u_scale_ppm = 50.0\nu_offset_nT = 3.0\n", "")  # every lab here has the same reference
+DUT_ONLY = ("", ('place = "dut"\nposition_m = [0.0, 0.0, 0.15]\n', 'place = "dut"\n'), NOTHING_DECLARED)
 
 
 def calibrated(bench: Path, field_nT: float, seed: int, store: Path) -> Event:

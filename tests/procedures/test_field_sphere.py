@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from wrong_reference import DECLARED, wrong_reference
 
 from labcal import session
 from labcal.testing import check_procedure
@@ -14,17 +15,6 @@ from labcal.twin.config import TwinTruth
 
 Run = Callable[..., Any]
 SHORT = {"n_directions": 24, "magnitudes_nT": "20000,50000", "dwell_s": 0.8, "verify": 6}
-U_SCALE_PPM, U_ZERO_nT, U_ALIGN_deg = 50.0, 3.0, 0.02
-DECLARED = ("u_offset_nT = 3.0", f"u_offset_nT = 3.0\nu_align_deg = {U_ALIGN_deg}")
-
-
-def wrong_reference(seed: int) -> str:
-    """The table [twin] of a lab whose reference, at the DUT's place, errs by draws of what bench.toml declares."""
-    rng = np.random.default_rng([seed, 77])
-    scale = 1 + 1e-6 * U_SCALE_PPM * rng.normal()
-    zero, turn = U_ZERO_nT * rng.normal(size=3), U_ALIGN_deg * rng.normal(size=3)
-    stated = f"scale = {[scale] * 3}, bias_nT = {zero.tolist()}, misalignment_deg = {turn.tolist()}"
-    return f"reference_place_m = [0.0, 0.0, 0.0]\nreference = {{ {stated}, noise_nT = 2.5, nT_per_unit = 6.6666667 }}"
 
 
 def errors(found: Any, dut_response: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -194,7 +194,7 @@ def test_hysteresis_and_a_polarity_of_its_own_are_told_apart() -> None:
         fields = noise.copy()
         fields[len(rungs) : 2 * len(rungs), 1] += along
         sweep = swept(fields, rungs)
-        for (value, u), expected in ((hysteresis(sweep), up_down), (polarities(sweep), relay)):
-            assert value == pytest.approx(expected, abs=5 * u)
-        assert hysteresis(sweep)[1] < 1
-        assert up_down or polarities(sweep)[1] < 70
+        for (values, u), expected in ((hysteresis(sweep), up_down), (polarities(sweep), relay)):
+            assert np.all(np.abs(values - [0.0, expected, 0.0]) < 5 * u)
+        assert hysteresis(sweep)[1][[0, 2]].max() < 1
+        assert polarities(sweep)[1][[0, 2]].max() < 70

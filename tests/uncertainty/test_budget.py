@@ -10,6 +10,7 @@ import monte_carlo
 import numpy as np
 import pytest
 import wrong_lab
+from scipy.signal import lfilter
 from trials import as_run, calibrated
 from wrong_lab import Declared
 
@@ -17,6 +18,7 @@ from labcal.certificate.parameters_k import k_of_sources
 from labcal.loop.close import prepare
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.bounded import weighted_spectra
+from labcal.loop.noise.coloured import grams_of_bands
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import Calibration
@@ -262,6 +264,26 @@ def test_degrees_of_freedom_are_how_much_u_scatters_over_runs() -> None:
         stated.append(white.dof_of(slope))
     scatter = np.var(variances) / np.mean(variances) ** 2
     assert np.mean(stated) == pytest.approx(2 / scatter, rel=0.5)
+
+
+def test_degrees_of_freedom_under_correlated_noise_are_how_much_u_scatters_over_runs() -> None:
+    """The same for a mean beside noise of a short memory, 600 rows: its variance is known from a few of them only."""
+    n, decay = 600, 0.8
+    A = np.ones((n, 1, 1))
+    moved, inverse = cosine_transform(A), np.eye(1) / n
+    variances, stated = [], []
+    for seed in range(60):
+        draw = np.random.default_rng([seed, 5])
+        steps = draw.normal(size=n) * np.where(np.arange(n) == 0, 1.0, np.sqrt(1 - decay**2))
+        y = lfilter([1.0], [1.0, -decay], steps)[:, None] + 0.2 * draw.normal(size=(n, 1))
+        found = weighted_spectra(moved, cosine_transform(y))
+        grams = inverse @ grams_of_bands(moved, found.bands) @ inverse
+        noise = FitNoise.of(found.weight, np.tensordot(found.spectra, grams, axes=1), found.dof)
+        variances.append(float(noise.covariance[0, 0]))
+        stated.append(noise.dof_of(np.ones(1)))
+    of_runs = 2 * np.mean(variances) ** 2 / np.var(variances, ddof=1)
+    assert np.median(stated) == pytest.approx(of_runs, rel=0.5)
+    assert np.quantile(stated, 0.9) < 4 * of_runs  # nor is one run taken for all rows
 
 
 def test_without_declarations_noise_alone_is_there(made: Made) -> None:

@@ -4,7 +4,9 @@ The spectrum that fits the whole band best says little about its lowest frequenc
 of a constant: a random walk that follows a short correlation is infinite at zero. So white noise plus a slow process of
 any correlation time up to the run's length, exponential or flicker, is weighed by its restricted likelihood (Patterson
 & Thompson, Biometrika 58, 545, 1971: what the fitted columns took up tells nothing of the noise), and the spectra are
-averaged with these weights (Hoeting et al., Statist. Sci. 14, 382, 1999). Below the lowest cosine of the run there is
+averaged with these weights (Hoeting et al., Statist. Sci. 14, 382, 1999). They stand nearer to one another than the
+residual tells them apart: by how much they differ in a variance is how well it is known, and where one alone is likely
+the variance seems as well known as its level, by all rows. Below the lowest cosine of the run there is
 what there is at it: a process slower than the run is a part of the constant, which holds inside the run's span.
 """
 
@@ -22,10 +24,11 @@ from labcal.loop.noise.coloured import grams_of_bands
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 
 Array = NDArray[np.float64]
-CORNERS = (1e-5, 1e-4, 1e-3, 1e-2, 1e-1)  # c, in λ = 2 − 2 cos(π k / n),
+CORNERS = np.logspace(-5, -1, 17).tolist()  # c, in λ = 2 − 2 cos(π k / n),
 BELOW_LOWEST = 16  # part of the lowest cosine's λ, and one there: at a quarter of its frequency
 POWERS = (0.5, 1.0)  # flicker noise (1/f), exponential correlation (1/f² above its corner)
-SIZES = np.logspace(-1, 5, 13).tolist()  # of the slow process at its largest over the white noise
+SIZES = np.logspace(-1, 5, 25)  # of the slow process at its largest over the white noise
+IN_A_BAND = 32  # frequencies at which a spectrum is averaged over a band of more
 WHITE_ODDS = 10.0  # of white noise against all the others together, before the residual is asked
 
 
@@ -48,8 +51,7 @@ def weighted_spectra(transformed: Array, y: Array) -> WeightedSpectra:
     """What noise there may be, with transformed columns (n, q, b) fitted to transformed y (n, q)."""
     bands, tried = bands_of(len(y)), tried_spectra(len(y))
     grams = _on_independent(grams_of_bands(np.concatenate([transformed, y[:, :, None]], axis=2), bands))
-    weighed = np.tensordot(1.0 / tried, grams, axes=1)
-    logs, level = np.array([_restricted(g, spectrum, bands, y) for g, spectrum in zip(weighed, tried, strict=True)]).T
+    logs, level = _restricted(np.tensordot(1.0 / tried, grams, axes=1), tried, bands, y)
     weight = np.exp(logs - logs.max())
     weight[0] *= WHITE_ODDS * (len(weight) - 1)
     return WeightedSpectra(bands, weight / weight.sum(), level[:, None] * tried, float(y.size - grams.shape[1] + 1))
@@ -59,13 +61,18 @@ def weighted_spectra(transformed: Array, y: Array) -> WeightedSpectra:
 def tried_spectra(n: int) -> Array:
     """The spectra tried (tried, bands), relative to the white level; white noise first."""
     edges = bands_of(n).edges
-    k = np.maximum(np.arange(n), 1)
-    eigen = 2 - 2 * np.cos(np.pi * k / n)
+    counts = np.minimum(np.diff(edges), IN_A_BAND)
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    width = np.repeat(np.diff(edges) / counts, counts)
+    within = np.arange(counts.sum()) - np.repeat(starts, counts) + 0.5
+    k = np.repeat(edges[:-1], counts) + within * width - 0.5
+    eigen = 2 - 2 * np.cos(np.pi * np.maximum(k, 1) / n)
     lowest = float(eigen[0]) / BELOW_LOWEST
     corners = [lowest, *(c for c in CORNERS if c > 2 * lowest)]
-    shapes = [(eigen + c) ** -power for power, c in itertools.product(POWERS, corners)]
-    spectra = [np.ones(n), *(1 + size * s / s[0] for s, size in itertools.product(shapes, SIZES))]
-    return np.exp(np.add.reduceat(np.log(spectra), edges[:-1], axis=1) / np.diff(edges))
+    shapes = np.array([(eigen + c) ** -power for power, c in itertools.product(POWERS, corners)])
+    slow = SIZES[:, None] * (shapes / shapes[:, :1])[:, None]
+    logs = np.log1p(np.concatenate([np.zeros((1, len(k))), slow.reshape(-1, len(k))]))
+    return np.asarray(np.exp(np.add.reduceat(logs, starts, axis=1) / counts))
 
 
 def _on_independent(grams: Array) -> Array:
@@ -79,10 +86,10 @@ def _on_independent(grams: Array) -> Array:
     return np.asarray(basis.T @ grams @ basis)
 
 
-def _restricted(gram: Array, spectrum: Array, bands: Bands, y: Array) -> tuple[float, float]:
-    """The restricted log-likelihood at the most likely level, without its constant, and the square of that level."""
-    lower = np.linalg.cholesky(gram)
-    left = max(float(lower[-1, -1]) ** 2, 1e-300)
-    free = y.size - len(gram) + 1
-    logs = free * np.log(left / free) + y.shape[1] * float(np.log(spectrum) @ bands.count)
-    return -0.5 * (logs + 2 * float(np.log(np.diag(lower)[:-1]).sum())), left / free
+def _restricted(grams: Array, spectra: Array, bands: Bands, y: Array) -> tuple[Array, Array]:
+    """Restricted log-likelihoods (tried,) at the most likely level, without their constant; squares of that level."""
+    lower = np.linalg.cholesky(grams)
+    free = y.size - grams.shape[1] + 1
+    left = np.maximum(lower[:, -1, -1] ** 2, 1e-300) / free
+    of_columns = np.log(np.einsum("tii->ti", lower)[:, :-1]).sum(axis=1)
+    return -0.5 * (free * np.log(left) + y.shape[1] * (np.log(spectra) @ bands.count)) - of_columns, left
