@@ -65,7 +65,7 @@ def check_axes(
     yield from coils_off(bench)
     yield Event(bench.clock.now(), "axes", "; ".join(words) or "axes, handedness and angle are as stated")
     if words:
-        raise LimitNotMet(f"axes-check: {'; '.join(words)}")
+        raise LimitNotMet(f"axes-check: {'; '.join(words)}. Is the DUT mounted as asked? Then look at its axes.")
 
 
 def _steps_seen(bench: Bench, step_A: Array, dwell_s: float) -> Work[tuple[Array | None, Array]]:

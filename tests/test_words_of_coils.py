@@ -206,6 +206,8 @@ def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
     assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
     assert of_ends(ended).sentence(110.0) == "coils last read back below their zero 10 s ago, not since"
+    assert of_ends(ended).sentence(100.0 + 61 * 60) == "coils last read back below their zero 61 min ago, not since"
+    assert of_ends(ended).sentence(100.0 + 3 * 3600 + 1) == "coils last read back below their zero 3 h ago, not since"
     lost = [*ended[:2], AtZero("z", None, False, InstrumentError("supply_z: silent."))]
     assert of_ends(lost).sentence(101.0) == "coils NOT confirmed at zero"
     assert of_ends(ended, "it saw 99").sentence(101.0).startswith(f"{NOT_BY_REFERENCE}: it saw 99. Open")

@@ -42,7 +42,7 @@ def main() -> int:
     shown = Shown(window, lambda window: Standing(window, given.state))
     sys.excepthook = shown.window.app_state.handle_exception
     if given.after_crash:
-        come_back(shown.window, given.page, given.after_crash)
+        come_back(shown.window, given.page, given.after_crash, ran=bool(given.worker))
     code = application.exec() if given.once is None else keep_picture(shown.window, given.once)
     shown.window.app_state.close()
     return code

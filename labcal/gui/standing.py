@@ -48,8 +48,11 @@ class Standing(QObject):
             os.replace(part, self._file)
 
 
-def come_back(window: Window, page: str, report: str) -> None:
-    """Show the page that was open when the window before this one broke off, and say what happened."""
+def come_back(window: Window, page: str, report: str, *, ran: bool) -> None:
+    """Show the page that was open when the window before this one broke off, and say what happened.
+
+    `ran`: a run went on then.
+    """
     if page in window.lazy_pages:
         window.open_page(page)
     words = QCoreApplication.translate(
@@ -59,5 +62,5 @@ def come_back(window: Window, page: str, report: str) -> None:
         "Standing", "A run that went on is interrupted by its own process, as by Stop: resume it on Start."
     )
     went_on = QCoreApplication.translate("Standing", "The run went on meanwhile in its own process: here it is.")
-    remedy = went_on if window.app_state.run.alive else interrupted
+    remedy = went_on if window.app_state.run.alive else interrupted if ran else ""
     window.app_state.fault.emit(Fault("crash", words.format(report), remedy))

@@ -13,8 +13,12 @@ class Aborted(Stopped):
     """The operator aborted: coils to zero first, the procedure's own way out after that."""
 
 
+GONE = "whoever ran this is gone"
+STOOD_STILL = "the window stood still for more than a second"
+
+
 class Left(Aborted):
-    """Whoever ran this is gone: the same way out."""
+    """Whoever ran this is gone, or stands still: the same way out."""
 
 
 class NotKept(Aborted):
@@ -34,6 +38,7 @@ class Control:
     def __init__(self, *, to_be_resumed: bool = False) -> None:
         self.to_be_resumed = to_be_resumed
         self._going, self._stop, self._abort, self._left = Event(), Event(), Event(), Event()
+        self._why_left = GONE
         self._going.set()
         self._notes: SimpleQueue[tuple[str, Mapping[str, str]]] = SimpleQueue()
 
@@ -53,8 +58,9 @@ class Control:
         """End now: the coils go to zero before anything else is done. The run is `failed: aborted by the operator`."""
         self._abort.set()
 
-    def leave(self) -> None:
+    def leave(self, why: str = GONE) -> None:
         """Whoever ran this is gone: as an abort, but the run is `interrupted`, and may be gone on with."""
+        self._why_left = why
         self._left.set()
 
     def note(self, text: str, **data: str) -> None:
@@ -91,6 +97,6 @@ class Control:
         if self._abort.is_set():
             raise Aborted("aborted by the operator")
         if self._left.is_set():
-            raise Left("whoever ran this is gone")
+            raise Left(self._why_left)
         if self._stop.is_set():
             raise Stopped("stopped by the operator")

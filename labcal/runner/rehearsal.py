@@ -21,7 +21,7 @@ from labcal.runner.prompts import first_choice
 from labcal.runner.run import run_procedure
 from labcal.store import Store
 
-LINK = re.compile(r'^(\s*link\s*=\s*)"[^"]*"', re.MULTILINE)
+LINK = re.compile(r"""(^\s*|[{,]\s*)(?:link|"link"|'link')\s*=\s*(?:"[^"]*"|'[^']*')""", re.MULTILINE)  # served: quoted
 TURNING_DEG = 1.0  # between two readings of the platform: less is rest
 
 
@@ -84,7 +84,7 @@ def rehearsed(bench: Path, procedure: FoundProcedure, given: Mapping[str, str], 
     """
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "bench.toml"
-        copy.write_text(LINK.sub(r'\1"emulated://"', bench.read_text(encoding="utf-8")), encoding="utf-8")
+        copy.write_text(LINK.sub(r'\1link = "emulated://"', bench.read_text(encoding="utf-8")), encoding="utf-8")
         clock = VirtualClock(datetime.now(UTC))
         with closing(open_bench(copy, clock=clock, seed=seed)) as lab, Store.open(Path(folder) / "r.sqlite") as store:
             limits = lab.config.dut.limits.temperature_C

@@ -26,12 +26,14 @@ def test_where_it_stands_is_written_and_nothing_that_was_typed(new_window, tmp_p
 
 
 def test_after_a_crash_it_stands_where_it_stood_and_says_what_happened(new_window):
-    come_back(new_window, "Fit", "window-1.zip")
+    come_back(new_window, "Fit", "window-1.zip", ran=True)
     assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
     assert "window-1.zip" in new_window.fault.text.text()
     assert "resume it on Start" in new_window.fault.remedy.text()
-    come_back(new_window, "no such page", "window-2.zip")
+    come_back(new_window, "no such page", "window-2.zip", ran=False)
     assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
+    assert "window-2.zip" in new_window.fault.text.text()
+    assert not new_window.fault.remedy.text()  # nothing ran: no run is spoken of
 
 
 def test_a_page_that_cannot_be_built_is_named_by_the_self_test_s_window(qapp, tmp_path, capsys):

@@ -4,14 +4,15 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 from test_path import RUN
 
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import ListRuns, ResumeRun, RunProcedure
-from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record.stream import FAULT, Measurement, Prompt, Step
+from labcal.runner.control import Left
 
 FIRST = Step(0.0, 1, 2, "x+20uT-nominal", 60.0, ("x+20uT-nominal", "closing"))
 STOPPED = Fault("stopped", "stopped by the operator")
@@ -49,6 +50,14 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
     assert "go on with it on the Start page" in verdict.next
 
 
+def test_a_run_that_nobody_stopped_says_why_it_was_left_and_not_that_it_was_stopped(running):
+    why = "the window stood still for more than a second"
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", fault_of(Left(why))))
+    assert run_verdict(running.app_state.run).word == "▲ INTERRUPTED"
+    card = running.page("Run").live.fault
+    assert (card.heading.text(), card.text.text()) == ("▲ Interrupted", why)
+
+
 def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gone_on_with(running):
     lost = Fault("instrument", "stage: the link is lost.", "Plug it in.")
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
@@ -80,6 +89,17 @@ def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_b
     assert card.choices["retry"].text().startswith("Hands off")
 
 
+@pytest.mark.parametrize(("procedure", "said"), [("preflight", False), ("field-sphere", True)])
+def test_a_run_that_cannot_be_gone_on_with_says_so_and_why(still, procedure, said):
+    still.open_page("Run")
+    still.app_state.resumable = frozenset({"preflight"})
+    still.app_state.run.start(RunProcedure(procedure, "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.bench_worker.items.emit((Step(0.0, 1, 2, "sphere", 60.0, ("sphere", "verify")),))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", STOPPED))
+    shown = " ".join(one.text() for one in still.page("Run").live.verdict.findChildren(QLabel))
+    assert ("It cannot be gone on with" in shown) is said
+
+
 def test_what_was_measured_before_an_interruption_counts_in_the_verdict_after_it(running):
     run, worker = running.app_state.run, running.app_state.bench_worker
     worker.items.emit((Measurement(1.0, "x+20uT-nominal: noise", 90.0, 1.0, "nT", 20.0),))
@@ -98,6 +118,10 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
     assert [one.objectName() for one in (mine, other, start.morning)] == ["primary", "", ""]
     qtbot.waitUntil(mine.isVisible, timeout=patience)
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert mine.hasFocus()
+    start.refresh()  # the list is made anew, as each time the page comes up
+    still.app_state.quick_worker.answer(ListRuns, broken)
+    mine = start.interrupted.body.itemAt(1).widget()
     assert mine.hasFocus()
     start.refresh()
     still.app_state.quick_worker.answer(ListRuns, ())

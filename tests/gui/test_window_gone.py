@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from labcal import session
+from labcal.bench.coils.state import CoilReading, LabState
 from labcal.errors import Stopped
 from labcal.gui.ipc.bench_commands import run
 from labcal.gui.ipc.channel import FROZEN_S, Channel
@@ -84,6 +85,27 @@ def test_a_window_that_stands_still_while_real_coils_are_driven_has_gone(simulat
         deadline = time.monotonic() + (30.0 if left else 3 * FROZEN_S)
         with pytest.raises(Stopped) if left else nullcontext():
             while time.monotonic() < deadline:
+                channel.control.check()
+                time.sleep(0.01)
+        os.close(says)
+        assert list(requests) == []
+
+
+@pytest.mark.parametrize("current_A", [0.0, 1.1])
+def test_a_window_that_stands_still_with_the_coils_at_zero_ends_no_run(current_A):
+    hears, says = os.pipe()
+    with os.fdopen(hears) as heard:
+        channel = Channel(heard, io.StringIO())
+        requests = channel.requests()
+        os.write(says, BEAT + ASK)
+        assert next(requests) == ASKED
+        channel.run_begins(simulated=False)
+        still_s, deadline = time.monotonic(), time.monotonic() + (30.0 if current_A else 3 * FROZEN_S)
+        with pytest.raises(Stopped, match="stood still") if current_A else nullcontext():
+            while time.monotonic() < deadline:
+                now = time.monotonic()
+                flows_A = current_A if now - still_s > 1.5 * FROZEN_S else 0.0  # it is energised behind its back
+                channel.send_state(LabState((CoilReading("x", flows_A, flows_A, flows_A == 0.0, read_s=now),)))
                 channel.control.check()
                 time.sleep(0.01)
         os.close(says)

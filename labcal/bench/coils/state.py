@@ -102,6 +102,14 @@ class FieldReading:
         return replace(self, set_nT=(x, y, z))
 
 
+def ago(age_s: float) -> str:
+    """In whole units that have passed: 12 s ago, 3 min ago, 2 h ago."""
+    for words, unit_s in (("s ago", 1), ("min ago", 60)):
+        if age_s < 120 * unit_s:
+            return f"{age_s // unit_s:.0f} {words}"
+    return f"{age_s // 3600:.0f} h ago"
+
+
 @dataclass(frozen=True, slots=True)
 class LabState:
     """`guardian`: whether it lives; None where a bench needs none. The record has `field` as samples, not here."""
@@ -123,9 +131,9 @@ class LabState:
         age_s = self.age_s(now_s)
         if flowing := [coil for coil in self.coils if not coil.zero]:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
-            return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {age_s:.0f} s ago")
+            return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {ago(age_s)}")
         if age_s > FRESH_S:
-            return f"coils last read back below their zero {age_s:.0f} s ago, not since"
+            return f"coils last read back below their zero {ago(age_s)}, not since"
         return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self._why(now_s)}"
 
     def at_zero(self, now_s: float) -> bool | None:

@@ -37,6 +37,7 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
 from labcal.runner import Control
+from labcal.runner.control import STOOD_STILL
 from labcal.system.run_door import Caller, Door
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
@@ -70,6 +71,7 @@ class Channel:
         self._back_by_s = 0.0  # until then a window that broke off is being started, or has just been
         self._door: Door | None = None
         self._past: PastMessages | None = None
+        self._state: LabState | None = None  # of the lab, as the run that goes on read it last
         self._comes: Caller | None = None  # let in, and not told yet how far the run is
         self._working_on, self._other_numbers = 0, dict[int, int]()  # requests of a window before as of this
 
@@ -101,7 +103,7 @@ class Channel:
 
     def run_begins(self, simulated: bool, going: GoesOn | None = None) -> None:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
-        self._on_bench, self.control = True, Control(to_be_resumed=True)
+        self._on_bench, self.control, self._state = True, Control(to_be_resumed=True), None
         if self._watched and going is not None:
             self._past = PastMessages(going)
             with suppress(OSError):  # no place for its card: then none comes back, and the run ends with its window
@@ -131,6 +133,7 @@ class Channel:
 
     def send_state(self, state: LabState) -> None:
         """How the lab is now, by the clock that all processes of this computer share."""
+        self._state = state
         self.send(StateRead(state))
 
     def flush(self) -> None:
@@ -212,8 +215,7 @@ class Channel:
                 self._write(replace(event, number=number) if isinstance(event, Done | Failed) else event)
 
     def _at_zero(self) -> bool:
-        state = None if self._past is None else self._past.state
-        return state is not None and state.at_zero(time.monotonic()) is True
+        return self._state is not None and self._state.at_zero(time.monotonic()) is True
 
     def close_door(self) -> None:
         """No window comes in any more."""
@@ -221,15 +223,18 @@ class Channel:
             self._door.close()
 
     def _watch_heartbeat(self, control: Control) -> None:
-        """See that the window still moves. Who wakes late itself was kept from listening, and judges nobody for it."""
+        """See that the window still moves while the coils are on, or not known to be at zero.
+
+        Who wakes late itself was kept from listening, and judges nobody for it.
+        """
         while self._on_bench and self.control is control:
             begun = time.monotonic()
             time.sleep(POLL_S)
             now, heard_s = time.monotonic(), self._heartbeat_s
             if heard_s is not None and now - begun > POLL_S + LATE_S:
                 self._heartbeat_s = now
-            elif heard_s is not None and now - heard_s > FROZEN_S and now > self._back_by_s:
-                control.leave()
+            elif heard_s is not None and now - heard_s > FROZEN_S and now > self._back_by_s and not self._at_zero():
+                control.leave(STOOD_STILL)
                 return
 
     def _dispatch(self, said: Request | Word) -> None:

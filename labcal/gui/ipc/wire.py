@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.named_links import named_links
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record.stream import Item
+from labcal.runner.control import Left
 
 BROKEN = ("crash", "ended")  # kinds of fault after which nobody knows what the work left behind
 
@@ -39,7 +40,10 @@ def item_from_json(said: list[Any]) -> Item:
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """What went wrong, for a card: `kind` is input, instrument, limit, stopped, page, crash or ended (its process)."""
+    """What went wrong, for a card.
+
+    `kind` is input, instrument, limit, stopped, left (by whoever ran it), page, crash or ended (its process).
+    """
 
     kind: str
     text: str
@@ -51,7 +55,10 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
     """The fault that an exception of labcal's (or any other) stands for."""
     if isinstance(error, InstrumentError):
         return Fault("instrument", error.what, error.remedy, details)
-    kinds = ((InputError, "input"), (LimitNotMet, "limit"), ((Stopped, KeyboardInterrupt), "stopped"))
+    kinds: tuple[tuple[type[BaseException], str], ...] = (
+        (InputError, "input"), (LimitNotMet, "limit"), (Left, "left"),
+        (Stopped, "stopped"), (KeyboardInterrupt, "stopped"),
+    )  # fmt: skip
     kind = next((name for types, name in kinds if isinstance(error, types)), "crash")
     if isinstance(error, InputError) and error.file is not None:  # its name; the whole path stands in the details
         return Fault(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from datetime import UTC, date, datetime
 
-from PySide6.QtCore import QDate, QLocale
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QDate, QLocale, Qt
+from PySide6.QtWidgets import QApplication, QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Checked, RunLine
 from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
@@ -222,6 +222,8 @@ class StartPage(QWidget):
         else:
             words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
             self._say("runs", self.tr("none yet"), words)
+        here = QApplication.focusWidget()
+        had_focus = here is not None and self.interrupted.isAncestorOf(here)
         while (old := self.interrupted.body.takeAt(0)) is not None:
             if (widget := old.widget()) is not None:
                 widget.hide()
@@ -229,6 +231,11 @@ class StartPage(QWidget):
         broken, self._to_go_on_with = to_be_resumed(runs), []
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
+        if had_focus:  # else Qt gives it to the DUT's serial, selected: the next key would replace it
+            again = (one for _, one in self._to_go_on_with)
+            there = next((one for one in again if one.objectName() == "primary"), self.morning)
+            there.show()
+            there.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _list_interrupted(self, broken: list[RunLine]) -> None:
         """A button each; how many more there are is said."""

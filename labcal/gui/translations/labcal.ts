@@ -713,15 +713,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils on: {0}, read back {1} s ago</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils last read back below their zero {0} s ago, not since</source>
+        <source>coils on: {0}, read back {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils last read back below their zero {0}, not since</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -782,6 +782,18 @@
     </message>
     <message>
         <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} min ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} h ago</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1126,6 +1138,10 @@
     </message>
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the window stood still for more than a second</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4151,6 +4167,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>offset and first position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>answers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4224,6 +4244,10 @@
     </message>
     <message>
         <source>■ Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Interrupted</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4788,6 +4812,10 @@
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -713,16 +713,16 @@
         <translation>Spulen nicht zurückgelesen, seit ein anderer Prozess sie ausschalten soll</translation>
     </message>
     <message>
-        <source>coils on: {0}, read back {1} s ago</source>
-        <translation>Spulen an: {0}, zurückgelesen vor {1} s</translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation>Spulen an: {0}</translation>
     </message>
     <message>
-        <source>coils last read back below their zero {0} s ago, not since</source>
-        <translation>Spulen zuletzt vor {0} s unter ihrer Null zurückgelesen, seither nicht</translation>
+        <source>coils on: {0}, read back {1}</source>
+        <translation>Spulen an: {0}, zurückgelesen {1}</translation>
+    </message>
+    <message>
+        <source>coils last read back below their zero {0}, not since</source>
+        <translation>Spulen zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, and no read-back told yet …</source>
@@ -783,6 +783,18 @@
     <message>
         <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
         <translation>Es ist, als flössen {0} A in Spule {1}: {2} am Netzschalter ausschalten (kein Befehl öffnet seinen Ausgang)</translation>
+    </message>
+    <message>
+        <source>{0} s ago</source>
+        <translation>vor {0} s</translation>
+    </message>
+    <message>
+        <source>{0} min ago</source>
+        <translation>vor {0} min</translation>
+    </message>
+    <message>
+        <source>{0} h ago</source>
+        <translation>vor {0} h</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -1127,6 +1139,10 @@
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
         <translation>der Name der Bedienperson muss eine druckbare Zeile von höchstens {0} Zeichen sein</translation>
+    </message>
+    <message>
+        <source>the window stood still for more than a second</source>
+        <translation>das Fenster stand länger als eine Sekunde still</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -4151,6 +4167,10 @@
         <translation>Achse {0} neu</translation>
     </message>
     <message>
+        <source>offset and first position</source>
+        <translation>Offset und erste Stellung</translation>
+    </message>
+    <message>
         <source>answers</source>
         <translation>antwortet</translation>
     </message>
@@ -4225,6 +4245,10 @@
     <message>
         <source>■ Stopped</source>
         <translation>■ Gestoppt</translation>
+    </message>
+    <message>
+        <source>▲ Interrupted</source>
+        <translation>▲ Unterbrochen</translation>
     </message>
     <message>
         <source>✕ This page cannot be shown</source>
@@ -4789,6 +4813,10 @@
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
+    </message>
+    <message>
+        <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
+        <translation>Er kann nicht fortgesetzt werden: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>

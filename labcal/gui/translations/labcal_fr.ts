@@ -713,16 +713,16 @@
         <translation>bobines non relues depuis qu&apos;un autre processus doit les couper</translation>
     </message>
     <message>
-        <source>coils on: {0}, read back {1} s ago</source>
-        <translation>bobines sous courant : {0}, relu il y a {1} s</translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation>bobines sous courant : {0}</translation>
     </message>
     <message>
-        <source>coils last read back below their zero {0} s ago, not since</source>
-        <translation>bobines relues sous leur zéro il y a {0} s, pas depuis</translation>
+        <source>coils on: {0}, read back {1}</source>
+        <translation>bobines sous courant : {0}, relu {1}</translation>
+    </message>
+    <message>
+        <source>coils last read back below their zero {0}, not since</source>
+        <translation>bobines relues sous leur zéro {0}, pas depuis</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, and no read-back told yet …</source>
@@ -783,6 +783,18 @@
     <message>
         <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
         <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : couper {2} au secteur (aucune commande n&apos;ouvre sa sortie)</translation>
+    </message>
+    <message>
+        <source>{0} s ago</source>
+        <translation>il y a {0} s</translation>
+    </message>
+    <message>
+        <source>{0} min ago</source>
+        <translation>il y a {0} min</translation>
+    </message>
+    <message>
+        <source>{0} h ago</source>
+        <translation>il y a {0} h</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -1127,6 +1139,10 @@
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
         <translation>le nom de l&apos;opérateur doit être une ligne imprimable d&apos;au plus {0} lettres</translation>
+    </message>
+    <message>
+        <source>the window stood still for more than a second</source>
+        <translation>la fenêtre est restée figée plus d&apos;une seconde</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -4151,6 +4167,10 @@
         <translation>Refaire l&apos;axe {0}</translation>
     </message>
     <message>
+        <source>offset and first position</source>
+        <translation>décalage et première position</translation>
+    </message>
+    <message>
         <source>answers</source>
         <translation>répond</translation>
     </message>
@@ -4225,6 +4245,10 @@
     <message>
         <source>■ Stopped</source>
         <translation>■ Arrêté</translation>
+    </message>
+    <message>
+        <source>▲ Interrupted</source>
+        <translation>▲ Interrompu</translation>
     </message>
     <message>
         <source>✕ This page cannot be shown</source>
@@ -4789,6 +4813,10 @@
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
+        <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>

@@ -23,9 +23,9 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference"),
     QT_TRANSLATE_NOOP("Data", "coils not read back in this session"),
     QT_TRANSLATE_NOOP("Data", "coils not read back since another process was asked to switch them off"),
-    QT_TRANSLATE_NOOP("Data", "coils on: {0}, read back {1} s ago"),
+    QT_TRANSLATE_NOOP("Data", "coils on: {0}, read back {1}"),
     QT_TRANSLATE_NOOP("Data", "coils on: {0}"),
-    QT_TRANSLATE_NOOP("Data", "coils last read back below their zero {0} s ago, not since"),
+    QT_TRANSLATE_NOOP("Data", "coils last read back below their zero {0}, not since"),
     QT_TRANSLATE_NOOP("Data", "taking the coils to zero: ordered, and no read-back told yet …"),
     QT_TRANSLATE_NOOP("Data", "zero is to be ordered: no guardian has answered yet …"),
     QT_TRANSLATE_NOOP("Data", "no reference was asked"),
@@ -46,6 +46,9 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP(
         "Data", "It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)"
     ),
+    QT_TRANSLATE_NOOP("Data", "{0} s ago"),
+    QT_TRANSLATE_NOOP("Data", "{0} min ago"),
+    QT_TRANSLATE_NOOP("Data", "{0} h ago"),
     QT_TRANSLATE_NOOP("Data", "Open the outputs that can open, or switch the supplies off at their mains"),
 )
 QUESTIONS = (

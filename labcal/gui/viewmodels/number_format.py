@@ -9,6 +9,8 @@ from typing import Literal
 
 from PySide6.QtCore import QLocale
 
+from labcal.gui.translations.translate import translated
+
 FieldUnit = Literal["nT", "µT", "mG"]
 PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
 DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
@@ -43,7 +45,12 @@ def clock_time(now: datetime, in_s: float) -> str:
 
 
 def step_title(name: str) -> str:
-    """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full"."""
+    """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full".
+
+    The step "zero" ends in a field: by that name alone it would say of energised coils that they are at zero.
+    """
+    if name == "zero":
+        return translated("offset and first position")
     return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), name)
 
 

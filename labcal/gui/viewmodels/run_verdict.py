@@ -36,6 +36,9 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "CANNOT DECIDE where U (k=2) exceeds half the limit: {0}."),
     QT_TRANSLATE_NOOP("Words", "It did not come to its end, so it has no verdict, and gives no calibration."),
     QT_TRANSLATE_NOOP("Words", "DONE"),
+    QT_TRANSLATE_NOOP(
+        "Words", "It cannot be gone on with: a result of {0} is worked out from one recording without a gap."
+    ),
 )
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
@@ -50,8 +53,11 @@ class RunVerdict:
     next: str
 
 
-def run_verdict(run: RunViewModel) -> RunVerdict:
-    """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish."""
+def run_verdict(run: RunViewModel, *, resumable: bool = True) -> RunVerdict:
+    """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish.
+
+    `resumable`: a run of this procedure may be gone on with; where not, that and why is said.
+    """
     status = run.status.partition(":")[0]
     wanted = run.fault is not None and run.fault.kind == "stopped"  # by Stop or COILS OFF: nothing failed
     if wanted and status == "failed":
@@ -60,7 +66,10 @@ def run_verdict(run: RunViewModel) -> RunVerdict:
         word = "stopped" if wanted else status
         shape, state = ENDS.get(word, ENDS["failed"])
         what = "lost" if status == "interrupted" and run.fault is not None and not wanted else status
-        return RunVerdict(f"{shape} {translated(word).upper()}", state, translated(str(TEXTS[4])), _next(what))
+        rule = translated(str(TEXTS[4]))
+        if not resumable and run.order is not None:
+            rule = f"{rule} {translated(str(TEXTS[6])).format(run.order.procedure)}"
+        return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     if not worst:
         return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))

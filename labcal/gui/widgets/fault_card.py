@@ -16,6 +16,7 @@ TITLES = {
     "instrument": "✕ An instrument failed",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
+    "left": "▲ Interrupted",
     "page": "✕ This page cannot be shown",
     "crash": "✕ Something in labcal broke",
     "ended": "✕ The work broke off",

@@ -1,0 +1,30 @@
+"""What a rehearsal makes of a bench file, however its links are written."""
+
+from pathlib import Path
+
+import pytest
+
+from labcal.runner.catalogue import find
+from labcal.runner.rehearsal import rehearsed
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
+DUT = '[instruments.dut]\ndriver = "csv-line"\nlink = "emulated://"\nrole = "dut"\nsettings = '
+
+
+@pytest.mark.parametrize("link", ['link = "{}"', '"link" = "{}"', "link = '{}'", "'link'=\"{}\" # where it is"])
+def test_every_way_to_write_a_link_is_rehearsed(tmp_path, link):
+    bench = tmp_path / "bench.toml"
+    text = EXAMPLE.read_text(encoding="utf-8").replace("[twin]\nsurprise = true\n", "")
+    bench.write_text(text.replace('link = "emulated://"', link.format("serial:///dev/ttyUSB0")), encoding="utf-8")
+    assert rehearsed(bench, find("ambient"), {}).seconds > 0
+
+
+def test_a_link_within_an_inline_table_is_rehearsed(tmp_path):
+    bench = tmp_path / "bench.toml"
+    text = EXAMPLE.read_text(encoding="utf-8").replace("[twin]\nsurprise = true\n", "")
+    before, after = text.split(DUT)
+    of_dut = 'dut = { driver = "csv-line", "link" = "tcp://10.0.0.7:4000", role = "dut", settings = '
+    settings, rest = after.split("\n", 1)
+    tables = before.split("[instruments.supply_x]")
+    bench.write_text(f"{tables[0]}[instruments]\n{of_dut}{settings} }}\n\n[instruments.supply_x]{tables[1]}{rest}")
+    assert rehearsed(bench, find("ambient"), {}).seconds > 0
