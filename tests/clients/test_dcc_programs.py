@@ -85,7 +85,7 @@ def test_the_toolkit_s_json_gives_the_same_certificate_back(certificate: Path, s
 
 
 def test_pydcc_reads_it(certificate: Path, monkeypatch: pytest.MonkeyPatch):
-    """Without its checks of certificates (their library refuses OpenSSL 3.0.10) and of the schema (it downloads that)."""
+    """Without its checks of certificates (their library refuses OpenSSL 3.0.10) and of the schema (it downloads it)."""
     absent = ModuleType("certvalidator")
     for name in ("CertificateValidator", "ValidationContext", "errors"):
         setattr(absent, name, None)
