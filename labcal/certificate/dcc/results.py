@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from labcal.certificate.dcc.basis import basis_in_words, basis_quantities
 from labcal.certificate.dcc.changes import change_results
 from labcal.certificate.dcc.conformity import conformity_results
 from labcal.certificate.dcc.parts import COVERAGE, Makers
@@ -87,8 +88,9 @@ def _effect(m: Makers, i: int, effect: EffectRecord, k: float, run: Run) -> Any:
         for name, value in effect.reference_value.items()
     ]
     channels = f" Channels: {', '.join(effect.channels)}." if effect.channels else ""
-    what = f"Formula: {formula}{channels}{f' {at}.' if at else ''}"
-    return m.result(f"effect {i}: {effect.effect}", what, m.d.list(*parameters, *reference), ref_type="labcal_effect")
+    what = f"Formula: {formula}{channels}{f' {at}.' if at else ''}{basis_in_words(effect)}"
+    listed = m.d.list(*parameters, *reference, *basis_quantities(m, effect, unit_of))
+    return m.result(f"effect {i}: {effect.effect}", what, listed, ref_type="labcal_effect")
 
 
 def _joint(m: Makers, c: Calibration, per_reading: str) -> list[Any]:
