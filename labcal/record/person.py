@@ -26,8 +26,8 @@ def check_operator(name: str) -> None:
 def same_person(one: str, other: str) -> bool:
     """Whether two names are one person's: "J. Doe", "j doe", "j.doe" and "j.doe@lab" are.
 
-    Capitals, blanks, dots, hyphens, underscores and accents tell nobody apart, nor do letters of another script and digits
-    that look the same; what stands behind an @ does where both say it.
+    Capitals, blanks, dots, hyphens, underscores and accents tell nobody apart, nor do letters of another script and
+    digits that look the same; what stands behind an @ does where both say it.
     """
     if ("@" in one) != ("@" in other):
         one, other = one.partition("@")[0], other.partition("@")[0]
