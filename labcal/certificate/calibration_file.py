@@ -39,6 +39,7 @@ from labcal.certificate.file_fields import (
     Table,
     Text,
     Uncertainty,
+    Utc,
     checked_map,
     checked_square,
     positive,
@@ -229,7 +230,7 @@ class _File2(_File):
     made_by: _MadeBy | None
     chain: _Chain | None
     number: Name | None
-    issued_utc: Name | None
+    issued_utc: Utc | None
 
     @model_validator(mode="after")
     def _named(self) -> _File2:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from typing import Annotated
 
 import numpy as np
@@ -60,8 +61,19 @@ def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
     return names
 
 
+def _time(text: str) -> str:
+    try:
+        zone = datetime.fromisoformat(text).tzinfo
+    except ValueError:
+        zone = None
+    if zone is None:
+        raise ValueError(f"{text[:40]!r} is no time of a known zone")
+    return text
+
+
 Text = Annotated[str, Field(max_length=10_000), AfterValidator(checked_text)]
 Name = Annotated[Text, Field(min_length=1)]
+Utc = Annotated[Name, AfterValidator(_time)]
 Names = Annotated[tuple[Name, ...], AfterValidator(_distinct)]
 Span = Annotated[tuple[float, float], AfterValidator(_range)]
 Row = tuple[float, float, float]

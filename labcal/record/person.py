@@ -9,9 +9,9 @@ from labcal.errors import InputError
 
 LONGEST = 100
 _BETWEEN = re.compile(r"[\s._-]+")  # what one person writes in a name today, and leaves out tomorrow
-_LOOKS_LIKE = str.maketrans(  # small letters of other scripts, and what they are taken for
-    "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχ",
-    "abehikmhopctyxsjdqwl" + "abezikvoptyx",
+_LOOKS_LIKE = str.maketrans(  # small letters of other scripts and digits, and what they are taken for
+    "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχ" + "01",
+    "abehikmhopctyxsjdqwl" + "abezikvoptyx" + "ol",
 )
 _SPELLED_OUT = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "å": "aa", "ø": "oe", "æ": "ae", "œ": "oe"})
 _WITHOUT = str.maketrans({"ø": "o", "æ": "a", "œ": "o", "ł": "l", "đ": "d"})  # what does not come apart
@@ -26,8 +26,8 @@ def check_operator(name: str) -> None:
 def same_person(one: str, other: str) -> bool:
     """Whether two names are one person's: "J. Doe", "j doe", "j.doe" and "j.doe@lab" are.
 
-    Capitals, blanks, dots, hyphens, underscores and accents tell nobody apart, nor do letters of another script that
-    look the same; what stands behind an @ does where both say it.
+    Capitals, blanks, dots, hyphens, underscores and accents tell nobody apart, nor do letters of another script and
+    digits that look the same; what stands behind an @ does where both say it.
     """
     if ("@" in one) != ("@" in other):
         one, other = one.partition("@")[0], other.partition("@")[0]

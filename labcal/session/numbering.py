@@ -85,6 +85,29 @@ def _check(draft: Calibration, number: str, digest: str = "") -> None:
         raise InputError(f"number: {number} is none of the bench {bench}, which recorded its run; make the draft again")
 
 
+def against_the_register(stated: Calibration) -> tuple[str, ...]:
+    """What the register has against number and date of issue of a calibration whose run was recorded here.
+
+    A number that the audit log alone still knows stands: the register was lost, or put back as it was before.
+    """
+    if stated.number is None or not (home() / register.FILE).exists():
+        return ()
+    given = next((one for one in register.listed(home()) if one.number == stated.number), None)
+    if given is None and noted_number(stated.number):
+        return ()
+    try:
+        register.check(home(), stated.number, stated.run_id)
+    except InputError as fault:
+        return (fault.what.partition(";")[0],)
+    if given and stated.issued_utc and _time(stated.issued_utc) < _time(given.utc):
+        return (f"issued_utc: {stated.issued_utc} is before {given.utc}, when its number was given out",)
+    return ()
+
+
+def _time(utc: str) -> datetime:
+    return datetime.fromisoformat(utc)
+
+
 def _by_hand(number: str) -> str:
     text = f"number: {number} is stated, and a draft that nobody has approved has none"
     return f"{text}; nothing was written: make the draft again"

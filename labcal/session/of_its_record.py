@@ -11,6 +11,7 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
 from labcal.session.audited import noted_heads, noted_runs
+from labcal.session.numbering import against_the_register
 from labcal.store import Bundle, Store
 from labcal.store.listing import FILE as STORE
 
@@ -79,7 +80,7 @@ def _of_store(stated: Calibration, store: Store) -> OfRecord:
     against += _of_head(stated, store.head_of(stated.run_id) is not None)
     if why := _against_log(store, stated.run_id, noted):
         against += (f"chain: {why}",)
-    return OfRecord(against)
+    return OfRecord(against + against_the_register(stated))
 
 
 def _of_imported(stated: Calibration, bundle: Bundle, noted: tuple[str, ...]) -> OfRecord:

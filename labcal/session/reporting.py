@@ -112,7 +112,8 @@ def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:
     stated = administrative_of(run.administrative if run else None, home() / LABORATORY)
     header = header_of(calibration.run_id) if run else None
     procedure = (header.procedure, header.source_sha256) if header else ("", "")
-    return Circumstances(stated, *procedure, images_in(home(), accredited=not calibration.simulated))
+    images = images_in(home(), accredited=not calibration.simulated)
+    return Circumstances(stated, *procedure, images, header.instruments if header else ())
 
 
 def changed_since(calibration: Calibration) -> Changes | None:

@@ -14,12 +14,14 @@ import rfc8785
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal import session
-from labcal.certificate import Signer, keys, read_calibration, register, signing
+from labcal.certificate import Signer, keys, read_calibration, register, signing, sshsig
 from labcal.certificate.agent import public_half
 from labcal.certificate.allowed_signers import own_line
 from labcal.errors import InputError
 from labcal.files.home import home
-from labcal.store import write_bundle
+from labcal.record import RunHeader
+from labcal.record.stream import Block, SegmentClosed, SegmentOpened
+from labcal.store import Store, write_bundle
 from labcal.testing.made_up_runs import made_up_run
 
 Edit = Callable[[dict[str, Any]], object]
@@ -140,7 +142,7 @@ def test_what_was_approved_is_what_is_signed(draft: Path):
     for edit, field in (
         (lambda c: c.update(issued_utc="2019-01-01T00:00:00Z"), "issued_utc: is not as bob approved it"),
         (lambda c: c.update(issued_utc="2139-01-01T00:00:00Z"), "issued_utc: 2139-01-01T00:00:00Z is later than"),
-        (lambda c: c.update(issued_utc="yesterday"), "issued_utc: 'yesterday' is no time"),
+        (lambda c: c.update(issued_utc="yesterday"), "issued_utc: 'yesterday' is no time of a known zone"),
         (lambda c: c["validity"].update(until="2099-01-01"), "validity.until: is not as bob approved it"),
         (lambda c: c.update(supersedes="ab" * 32), "supersedes: is not as bob approved it"),
         (lambda c: c.update(approvers=["eve"]), "approvers: is not as bob approved it"),
@@ -260,3 +262,67 @@ def trusting(lab: tuple[Signer, ...], draft: Path, tmp_path: Path) -> None:
     lines = [f"{lab[0].line()}\n", f"{lab[1].line().replace('bob', 'eve', 1)}\n"]
     (tmp_path / "signers").write_text("".join(lines))
     session.trust_keys(tmp_path / "signers")
+
+
+@pytest.fixture
+def released(tmp_path: Path) -> Path:
+    """A calibration of a run that this lab recorded on its bench `cage`, with its number, signed by two."""
+    made = made_up_run(rows=60, fields_nT=((30e3, 20e3, 25e3),), noise_nT=5.0).run
+    header = RunHeader("r-cage", made.started_utc, True, "Grace", made.dut, made.reference, bench='name = "cage"')
+    with Store.open() as store, store.begin(header) as writer:
+        for number, segment in enumerate(made.segments):
+            rows = made.segment_index == number
+            t = made.t_s[rows]
+            writer.write(SegmentOpened(t[0], segment))
+            for stream, names, values in (
+                ("dut", ("dut_x", "dut_y", "dut_z"), made.reading[rows]),
+                ("reference", ("ref_x", "ref_y", "ref_z"), made.reference_vector[rows]),
+                ("platform", ("angle_deg",), made.angle_deg[rows, None]),
+            ):
+                writer.write(Block(stream, stream, names, t, values, b""))
+            writer.write(SegmentClosed(t[-1]))
+    path = tmp_path / "released.json"
+    session.draft("r-cage", session.fit_run("r-cage")[1][0], path)
+    for name in ("ada", "bob"):
+        session.new_key(name, WORDS)
+    session.approve(path, "bob")
+    for name in ("bob", "ada"):
+        session.sign(path, name, WORDS)
+    return path
+
+
+def signed_elsewhere(path: Path) -> None:
+    """By both keys, past every check of `labcal sign`."""
+    for name, file in (("bob", f"{path}.sshsig"), ("ada", f"{path}.2.sshsig")):
+        Path(file).write_text(sshsig.sign(path.read_bytes(), keys.open_key(home(), name, WORDS)))
+
+
+@pytest.mark.parametrize(
+    ("edit", "says"),
+    [
+        (lambda c: c.update(number="SIM-CAGE-2026-0009"), "number: SIM-CAGE-2026-0009 was never given out"),
+        (lambda c: c.update(number="PTB 1"), "number: 'PTB 1' is no LAB-BENCH-YEAR-NNNN"),
+        (lambda c: c.update(issued_utc="2019-01-01T00:00:00Z"), "issued_utc: 2019-01-01T00:00:00Z is before"),
+    ],
+)
+def test_number_and_date_of_issue_are_those_of_the_register(released: Path, edit: Edit, says: str):
+    assert session.verify(released).status == "released"
+    edited(released, edit)
+    signed_elsewhere(released)
+    found = session.verify(released)
+    assert found.status == "invalid"
+    assert says in " ".join(found.against())
+
+
+def test_a_register_that_was_lost_speaks_against_no_certificate(released: Path):
+    (home() / register.FILE).unlink()
+    assert session.verify(released).status == "released"
+    register.take(home(), "SIM", "cage", "another", "cal.json", "2027-01-01T00:00:00Z")
+    assert session.verify(released).status == "released"
+
+
+def test_a_date_of_issue_that_is_no_time_is_refused(released: Path):
+    edited(released, lambda c: c.update(issued_utc="2026-11-24T00:06:21Zx"))
+    signed_elsewhere(released)
+    with pytest.raises(InputError, match=r"issued_utc: .*is no time of a known zone"):
+        session.verify(released)

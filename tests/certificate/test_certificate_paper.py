@@ -21,6 +21,7 @@ from labcal.errors import InputError
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
 from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
+from labcal.record.specification import Limit, Specification
 
 NOW = datetime(2026, 11, 21, tzinfo=UTC)
 BY = {"street": "Gasse 4", "postcode": "3011", "code": "FL", "accreditation": "SCS 0999", "place": "hall 2"}
@@ -45,9 +46,16 @@ RUN = Run(
     np.array([5.0, 1205.0]),
     np.zeros(2, dtype=np.intp),
     np.zeros((2, 3)),
+    specification=Specification(offset=Limit(500.0, "nT"), title="ICD-7, issue C"),
     environment={"pressure_hPa": 955.0, "ambient_nT": 48_000.0, "ambient_variation_nT": 35.0, "Kp": 2.0},
     channels=(Channel("t_room", "degC", "temperature", np.array([21.0, 23.0]), "room"),),
 )
+INSTRUMENTS = (
+    {"name": "supply_x", "manufacturer": "Aim-TTi", "model": "PL303", "serial": ""},
+    {"name": "fluxgate", "manufacturer": "Honeywell", "model": "HMR2300", "serial": "H-1"},
+)
+JUDGED = {"quantity": "scale x", "value": 1e-05, "U": 1e-6, "limit": 0.5, "unit": "%", "rule": "w = U", "risk": 0.0,
+          "result": "pass", "tur": None}  # fmt: skip
 ROW = {
     "source": "zero",
     "type": "B",
@@ -79,6 +87,8 @@ CLAUSES = [
     ("7.8.4.1 b", "Temperature 22.0 °C, from 21.0 to 23.0 measured along the run: t_room"),
     ("7.8.4.1 b", "Pressure 955 hPa"),
     ("7.8.4.1 b", "Its variation, peak to peak 35 nT"),
+    ("7.8.4.1 c", "reference (vector) Honeywell HMR2300 H-1 M-1 PTB 2026-01-05 2027-01-05"),
+    ("7.8.6.2 b", "Specification: ICD-7, issue C."),
     ("7.8.4.1 c", "thermometer Fluke 1524 T-77 T-1 METAS 2025-02-01 2026-02-01 OVERDUE 0.05 K"),
     ("7.8.4.3", "Last day of use 2027-11-21: a recommendation that stands here by agreement with the customer"),
     ("accreditation", "Accreditation SCS 0999"),
@@ -91,6 +101,7 @@ CLAUSES = [
 def issued(calibration: Calibration) -> Calibration:
     return replace(
         calibration, simulated=False, number="FL-CAGE-2026-0007", issued_utc="2026-11-21T09:00:00Z", budget=(BUDGET,),
+        specification=(JUDGED,),
         approvers=("bob",), made_by={"command": "fit", "method": "ml", "channels": None, "empirical": False,
                                      "version": "0.1.0"},
     )  # fmt: skip
@@ -99,7 +110,8 @@ def issued(calibration: Calibration) -> Calibration:
 def page_of(path: Path, calibration: Calibration, lab: tuple[Signer, ...] = (), run: Run | None = RUN) -> Page:
     path.write_bytes(calibration_bytes(calibration)) if not lab else None
     checked = verify(path, lab, frozenset(), NOW)
-    return calibration_page(calibration, checked, "now", run, None, Circumstances(STATED, "preflight", "cd" * 32))
+    said = Circumstances(STATED, "preflight", "cd" * 32, (), INSTRUMENTS)
+    return calibration_page(calibration, checked, "now", run, None, said)
 
 
 def words(page: Page) -> str:

@@ -93,6 +93,10 @@ FORMS = {
 
 @pytest.fixture(scope="module")
 def run() -> Run:
+    return with_own_channels()
+
+
+def with_own_channels() -> Run:
     """The simulated preflight of the example, with a current, a temperature and a power mode of our own."""
     recorded = read_bundle(PREFLIGHT / "run.zip")
     t = recorded.t_s

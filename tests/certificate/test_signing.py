@@ -272,6 +272,9 @@ def test_an_approver_who_is_the_operator_in_another_spelling_leaves_it_provision
         ("Grace Häberli", "grace.haberli", True),
         ("Grace Häberli", "grace.haeberli", True),
         ("Søren", "soren", True),
+        ("bob.keller", "bob.ke11er", True),
+        ("Bo Otto", "b0.0tt0", True),
+        ("operator1", "operator2", False),
         ("Anna", "Anno", False),
     ],
 )

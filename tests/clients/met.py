@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 NEEDS = {  # a file of checks: what it imports
+    "test_dcc_programs.py": ("dcclib", "dcc_json_toolkit", "dcc"),
     "test_ea_psu_controller.py": ("ea_psu_controller",),
     "test_foreign_emulators.py": ("lewis", "pyvisa_sim", "sinstruments"),
     "test_makers_modules.py": ("u6", "nidaqmx"),

@@ -1,4 +1,4 @@
-"""A Digital Calibration Certificate: PTB's DCC 3.2.1 in XML, with the calibration file itself inside (extra `dcc`).
+"""A Digital Calibration Certificate: PTB's DCC 3.3.0 in XML, with the calibration file itself inside (extra `dcc`).
 
 The XML carries the numbers, each with its expanded uncertainty and all with their covariance, method, equipment,
 conditions, budget and conformity: K, k and the parameters of the effects can be taken from it alone. The effects'
@@ -28,7 +28,7 @@ from labcal.uncertainty.conformity import Changes
 
 __all__ = ["DCC", "SI", "XmlKey", "dcc_xml", "objections", "read_xml_key", "si_unit", "signed_xml", "write_dcc"]
 
-VERSION = "3.2.1"
+VERSION = "3.3.0"
 
 
 def write_dcc(

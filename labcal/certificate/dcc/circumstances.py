@@ -42,9 +42,12 @@ def used_methods(m: Makers, c: Calibration, said: Circumstances) -> Any:
 def measuring_equipments(m: Makers, c: Calibration, run: Run, said: Circumstances) -> Any:
     """The reference and what else was stated, each with its certificate."""
     own = certified(run.reference.certificate)
-    reference = _equipment(m, f"reference ({run.reference.kind})", None, None, run.reference.serial, own, c.simulated)
+    serial = run.reference.serial
+    reference = _equipment(
+        m, f"reference ({run.reference.kind})", *said.made_by(serial), serial, own, simulated=c.simulated
+    )
     others = [
-        _equipment(m, e.name, e.manufacturer, e.model, e.serial, e.certificate or Certified(), c.simulated)
+        _equipment(m, e.name, e.manufacturer, e.model, e.serial, e.certificate or Certified(), simulated=c.simulated)
         for e in said.administrative.equipment
     ]
     reference.set("refType", "basic_referenceStandard")
@@ -58,6 +61,7 @@ def _equipment(
     model: str | None,
     serial: str | None,
     stated: Certified,
+    *,
     simulated: bool,
 ) -> Any:
     d, known = m.d, [("manufacturer", serial, "serial number")]

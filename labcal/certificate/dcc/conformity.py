@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from labcal.certificate.dcc.parts import COVERAGE, Makers
+from labcal.certificate.report.conformity import title_of
 from labcal.model import Calibration
+from labcal.record.specification import Specification
 from labcal.uncertainty.conformity import Judged, ratio_in_words, risk_in_words, stated_lines
 from labcal.uncertainty.conformity.of_the_map import in_the_budget
 
@@ -18,19 +20,21 @@ STATUS = {
 GUIDES = ("ILAC-G8:09/2019", "JCGM 106:2012")
 
 
-def conformity_results(m: Makers, c: Calibration) -> list[Any]:
+def conformity_results(m: Makers, c: Calibration, specification: Specification | None) -> list[Any]:
     """One dcc:result for each line: the value with U, and beside it what was decided by which rule.
 
-    Its k is that of the figure's budget; 2 for what has none.
+    `specification` is what the run stated, whose title it is. The k of a line is that of the figure's budget; 2 for
+    what has none.
     """
     of_budget = {b["quantity"]: b["k"] for b in c.budget}
-    return [_result(m, line, of_budget.get(in_the_budget(line.quantity), COVERAGE)) for line in stated_lines(c)]
+    which = "specification" if specification is None else f"specification {title_of(specification)}"
+    return [_result(m, line, of_budget.get(in_the_budget(line.quantity), COVERAGE), which) for line in stated_lines(c)]
 
 
-def _result(m: Makers, line: Judged, k: float) -> Any:
+def _result(m: Makers, line: Judged, k: float, which: str) -> Any:
     limit = m.quantity(line.limit, line.unit, name="limit", ref_type="basic_acceptanceLimit")
     decided = m.d.metaData(
-        m.text("name", "conformity with the specification"),
+        m.text("name", f"conformity with the {which}"),
         *(m.d.norm(guide) for guide in GUIDES),
         m.text("declaration", _declaration(line)),
         m.d.conformity(STATUS[line.result]),

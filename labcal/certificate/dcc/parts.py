@@ -67,7 +67,7 @@ class Makers:
         """Numbers of one unit, and their expanded uncertainties, k times the standard ones, where all are known."""
         si, given = self.si, [self.si.valueXMLList(listed(values)), self.si.unitXMLList(si_unit(unit))]
         if U is not None and np.isfinite(U).all():
-            uncertainty = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(f"{k:g}"))
+            uncertainty = (si.valueExpandedMUXMLList(listed(U)), si.coverageFactorXMLList(written(k)))
             expanded = si.expandedMUXMLList(*uncertainty, si.coverageProbabilityXMLList(str(PROBABILITY)))
             given.append(si.measurementUncertaintyUnivariateXMLList(expanded))
         return si.realListXMLList(*given)

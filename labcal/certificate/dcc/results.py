@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from labcal.certificate.dcc.basis import basis_in_words, basis_quantities
 from labcal.certificate.dcc.changes import change_results
 from labcal.certificate.dcc.conformity import conformity_results
 from labcal.certificate.dcc.parts import COVERAGE, Makers
@@ -36,9 +37,9 @@ def results(m: Makers, c: Calibration, run: Run, changed: Changes | None) -> lis
         *_indications(m, c, run),
         m.result("K", f"Row by row. {MODEL}", m.d.quantity(K), ref_type="labcal_K"),
         m.result(f"k {c.k_means()}".rstrip(), "", m.d.quantity(k), ref_type="labcal_k"),
-        *(_effect(m, i, effect, f) for i, effect in enumerate(c.effects) if effect.parameters),
+        *(_effect(m, i, effect, f, run) for i, effect in enumerate(c.effects) if effect.parameters),
         *_joint(m, c, per_reading),
-        *conformity_results(m, c),
+        *conformity_results(m, c, run.specification),
         *change_results(m, changed),
         *(_budget(m, b) for b in c.budget if b["rows"]),
     ]
@@ -75,18 +76,21 @@ def _indication(m: Makers, c: Calibration, point: Point, indicated: Any, u: Any)
     return m.result(f"Indication of {point.says}", what, listed, ref_type="basic_result")
 
 
-def _effect(m: Makers, i: int, effect: EffectRecord, k: float) -> Any:
+def _effect(m: Makers, i: int, effect: EffectRecord, k: float, run: Run) -> Any:
     """One effect with its formula and the reference values of its channels: what is taken off, beside K m - k."""
     family = find(effect.effect)
     formula = " ".join((family.kernel.__doc__ or "").split()) if family else "known to the package that brings it"
     at = "; ".join(f"reference value of {name}: {value!r}" for name, value in effect.reference_value.items())
     parameters = [m.quantity(p.value, p.unit, k * p.u, "labcal_effectParameter", p.name, k) for p in effect.parameters]
+    unit_of = {channel.name: channel.unit for channel in run.channels}
     reference = [
-        m.quantity(value, "1", None, "labcal_channelReference", name) for name, value in effect.reference_value.items()
+        m.quantity(value, unit_of.get(name, "1"), None, "labcal_channelReference", name)
+        for name, value in effect.reference_value.items()
     ]
     channels = f" Channels: {', '.join(effect.channels)}." if effect.channels else ""
-    what = f"Formula: {formula}{channels}{f' {at}.' if at else ''}"
-    return m.result(f"effect {i}: {effect.effect}", what, m.d.list(*parameters, *reference), ref_type="labcal_effect")
+    what = f"Formula: {formula}{channels}{f' {at}.' if at else ''}{basis_in_words(effect)}"
+    listed = m.d.list(*parameters, *reference, *basis_quantities(m, effect, unit_of))
+    return m.result(f"effect {i}: {effect.effect}", what, listed, ref_type="labcal_effect")
 
 
 def _joint(m: Makers, c: Calibration, per_reading: str) -> list[Any]:

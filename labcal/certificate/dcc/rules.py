@@ -78,6 +78,8 @@ RULES = (
          "dcc:identifications/dcc:identification[dcc:name/dcc:content = 'number of its certificate']"),
     Rule("ISO/IEC 17025:2017, 7.8.6.2 a", "what each statement of conformity is about",
          f"{RESULTS}[@refType='labcal_specification']", "dcc:name/dcc:content[normalize-space()]", optional=True),
+    Rule("ISO/IEC 17025:2017, 7.8.6.2 b", "specification of each statement", JUDGED,
+         "dcc:name/dcc:content[contains(., 'specification')]", optional=True),
     Rule("ISO/IEC 17025:2017, 7.8.6.2 b", "limit of each statement", JUDGED,
          "dcc:data/dcc:quantity[@refType='basic_acceptanceLimit']/si:real", optional=True),
     Rule("ISO/IEC 17025:2017, 7.8.6.2 c", "decision rule of each statement",

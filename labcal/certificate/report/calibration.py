@@ -68,7 +68,6 @@ def calibration_page(
     changed since the calibration before, `said` what the record tells beside it.
     """
     dut, lines = calibration.dut, stated_lines(calibration)
-    stated = said.administrative
     return Page(
         kind="Calibration certificate",
         title=dut.serial,
@@ -79,10 +78,10 @@ def calibration_page(
         facts=identity(calibration, run, said),
         sections=sections(
             section("Results", [*field_blocks(calibration), *_parameters(calibration)]),
-            section("Is it in specification?", conformity_blocks(lines)),
+            section("Is it in specification?", conformity_blocks(lines, run.specification if run else None)),
             section("As found, as left", change_blocks(changed)),
             section("Environment", environment(run)),
-            section("Equipment and traceability", equipment(calibration, run, stated)),
+            section("Equipment and traceability", equipment(calibration, run, said)),
             section(
                 "Effects of the sensor, corrected by this calibration",
                 effect_tables(calibration.effects, k_of_parameters(calibration)),

@@ -5,6 +5,7 @@ Each block names in its comment the clause of ISO/IEC 17025:2017 that asks for i
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import date, datetime, timedelta
 
@@ -35,12 +36,21 @@ STATED = (  # keys of [environment], as they are printed
 
 @dataclass(frozen=True, slots=True)
 class Circumstances:
-    """What the record tells beside the calibration; `images` are data: addresses of logo and accreditation mark."""
+    """What the record tells beside the calibration; `images` are data: addresses of logo and accreditation mark.
+
+    `instruments` are what answered on the bench, as `RunHeader` has them.
+    """
 
     administrative: Administrative = NOTHING_STATED
     procedure: str = ""
     procedure_sha256: str = ""
     images: tuple[str, ...] = ()
+    instruments: tuple[Mapping[str, str], ...] = ()
+
+    def made_by(self, serial: str) -> tuple[str, str]:
+        """Manufacturer and model of the instrument of this serial number, as it answered; empty where unknown."""
+        known = (one for one in self.instruments if serial and one.get("serial") == serial)
+        return next(((one.get("manufacturer", ""), one.get("model", "")) for one in known), ("", ""))
 
 
 NOTHING_SAID = Circumstances()
@@ -131,23 +141,23 @@ def _measured(run: Run) -> list[tuple[str, str, str]]:
     return rows
 
 
-def equipment(c: Calibration, run: Run | None, stated: Administrative) -> list[Block | None]:
+def equipment(c: Calibration, run: Run | None, said: Circumstances) -> list[Block | None]:
     """Reference and equipment with their certificates, and what that says of traceability (7.8.4.1 c, 6.5)."""
     if run is None:
         return [Prose((f"Reference and equipment are {UNKNOWN_RUN}.",))]
     day, of_reference = performed(run)[0].date(), certified(run.reference.certificate)
-    rows = [_row(f"reference ({run.reference.kind})", run.reference.serial, of_reference, day)]
-    for one in stated.equipment:
-        serial = " ".join(filter(None, (one.manufacturer, one.model, one.serial)))
-        rows.append(_row(one.name, serial, one.certificate or Certified(), day))
-    header = ("Equipment", "Serial", "Certificate", "Issuer", "Date", "Due", "U")
+    reference = (*said.made_by(run.reference.serial), run.reference.serial)
+    rows = [_row(f"reference ({run.reference.kind})", reference, of_reference, day)]
+    for one in said.administrative.equipment:
+        rows.append(_row(one.name, (one.manufacturer, one.model, one.serial), one.certificate or Certified(), day))
+    header = ("Equipment", "Maker, model, serial", "Certificate", "Issuer", "Date", "Due", "U")
     return [Table(header, tuple(rows)), Prose(_traceability(c, run, of_reference))]
 
 
-def _row(name: str, serial: str, stated: Certified, day: date) -> tuple[str, ...]:
+def _row(name: str, known_as: Iterable[str | None], stated: Certified, day: date) -> tuple[str, ...]:
     overdue = stated.due is not None and date.fromisoformat(stated.due) < day
     due = f"{stated.due} OVERDUE" if overdue else stated.due
-    cells = (serial, stated.number, stated.issuer, stated.date, due, stated.U)
+    cells = (" ".join(filter(None, known_as)), stated.number, stated.issuer, stated.date, due, stated.U)
     return name, *(cell or NOTHING for cell in cells)
 
 

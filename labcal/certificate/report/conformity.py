@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from labcal.certificate.report.page import Block, Mark, Prose, Table, Tone
 from labcal.certificate.report.style import number, printed_unit, with_uncertainty
+from labcal.record.specification import Specification
 from labcal.uncertainty.conformity import WORDS, Change, Changes, Judged, ratio_in_words, risk_in_words
 
 MARKS: dict[str, tuple[str, Tone]] = {
@@ -33,14 +34,23 @@ def conformity_marks(lines: Sequence[Judged]) -> tuple[Mark, ...]:
     return () if worst is None else (Mark(*MARKS[worst]),)
 
 
-def conformity_blocks(lines: Sequence[Judged]) -> list[Block | None]:
-    """The table of the specification's lines and the rule that decided; nothing where there are none."""
+def conformity_blocks(lines: Sequence[Judged], specification: Specification | None = None) -> list[Block | None]:
+    """The table of the specification's lines and the rule that decided; nothing where there are none.
+
+    `specification` is what the run stated, which has the title (ISO/IEC 17025:2017, 7.8.6.2 b).
+    """
     if not lines:
         return []
     header = ("Figure", "Value", "U", "Limit ±", "Unit", "Result", "Risk", "TUR")
     rules = dict.fromkeys(line.rule for line in lines)
     said = f"Decision rule, chosen before the measurement: {'; '.join(rules)}."
-    return [Table(header, tuple(map(_line, lines)), frozenset({1, 2, 3, 6, 7}), RISK), Prose((said,))]
+    which = () if specification is None else (f"Specification: {title_of(specification)}.",)
+    return [Table(header, tuple(map(_line, lines)), frozenset({1, 2, 3, 6, 7}), RISK), Prose((*which, said))]
+
+
+def title_of(specification: Specification) -> str:
+    """Which specification it is, in words."""
+    return specification.title.rstrip(".") or "without a title; its limits are those that are stated here"
 
 
 def _line(line: Judged) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ SCALE_nT = 1e4  # of the field in the projection, so that its coefficients are o
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """E_i = Σ_j s_j,i φ_j(x), less its projection on the base: [1, a / SCALE_nT] on each axis."""
+    """E_i = Σ_j s_j,i φ_j(x), less its projection on the base: [1, a / 10 000 nT] on each axis."""
     if term.basis is None:
         raise InputError("the empirical effect states no basis")
     functions = term.basis.at([value(name, scene) for name in term.inputs])
