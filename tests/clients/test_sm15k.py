@@ -8,9 +8,7 @@ from served_benches import Line
 from waiting import settled, until
 
 
-@pytest.mark.met(
-    "delta-sm", "SM15K", "identity, set-points in long words, output, measured values; a connection each"
-)
+@pytest.mark.met("delta-sm", "SM15K", "identity, set-points in long words, output, measured values; a connection each")
 def test_delta_elektronika(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Communication, "port_name", line.port)
     monkeypatch.setattr(Communication, "timeout", 30)
