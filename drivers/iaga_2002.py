@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Literal
 
 import numpy as np
 
 from drivers.framing.columns import OwnClock
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
@@ -51,35 +50,13 @@ class Settings:
             raise ValueError(f"elements must be four letters, such as XYZF, with {self.reads} among them")
 
 
-class Iaga2002(Listener):
-    """It is only read, from a port or from the file of the day. A row in which what is read is missing gives none."""
-
-    roles = ("reference",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings = settings
-
-        def begin(mishaps: Mishaps) -> Parser:
-            return Parser(name, settings, mishaps, lambda: clock.now() - clock.utc().timestamp())
-
-        super().__init__(name, link, clock, Identity("IAGA-2002", settings.station or settings.elements, ""), begin)
-        self.first_s = max(self.first_s, PATIENT_PERIODS * settings.period_s)
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, k) of lines as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
-
-
 class Parser:
-    """Lines in any cutting, into blocks; `bench_less_utc`: the bench's clock less UTC [s]."""
+    """Lines in any cutting, into blocks, stamped on the bench's clock or, where that is stated, in UTC [s]."""
 
-    def __init__(
-        self, source: str, settings: Settings, mishaps: Mishaps, bench_less_utc: Callable[[], float] = lambda: 0.0
-    ) -> None:
+    def __init__(self, source: str, settings: Settings, mishaps: Mishaps) -> None:
         self._source, self._settings, self._mishaps = source, settings, mishaps
         self._lines, self._clock = SentLines(mishaps, LONGEST), OwnClock(mishaps)
-        self._bench_less_utc, self._columns = bench_less_utc, [settings.elements.index(e) for e in settings.reads]
+        self._columns = [settings.elements.index(e) for e in settings.reads]
         self._last_s = math.inf  # of the row before [s since 1970]
 
     def feed(self, pieces: Pieces) -> list[Block]:
@@ -90,7 +67,7 @@ class Parser:
         table, s = np.array(rows), self._settings
         own_s, values = table[:, 0], table[:, 1:]
         tied = s.stamp == "host"
-        t = self._clock.tie(np.array(stamps) - s.delay_s, own_s) if tied else own_s + self._bench_less_utc()
+        t = self._clock.tie(np.array(stamps) - s.delay_s, own_s) if tied else own_s
         if s.reads == "HDZ":
             angle = np.radians(values[:, 1] / 60)
             values = np.column_stack([values[:, 0] * np.cos(angle), values[:, 0] * np.sin(angle), values[:, 2]])
@@ -134,6 +111,26 @@ class Parser:
                 fault="another instrument",
                 remedy="Correct station and elements in bench.toml, or the file's name.",
             )
+
+
+class Iaga2002(ParsedListener):
+    """It is only read, from a port or from the file of the day. A row in which what is read is missing gives none."""
+
+    roles = ("reference",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        who = Identity("IAGA-2002", settings.station or settings.elements, "")
+        super().__init__(name, link, clock, settings, who)
+        self.first_s = max(self.first_s, PATIENT_PERIODS * settings.period_s)
+
+    def read_until(self, t_s: float) -> list[Block]:
+        """What arrived up to `t_s`, on the bench's clock."""
+        blocks = super().read_until(t_s)
+        if self.settings.stamp == "host":
+            return blocks
+        bench_less_utc = self._clock.now() - self._clock.utc().timestamp()
+        return [replace(block, t_s=block.t_s + bench_less_utc) for block in blocks]
 
 
 def _parts(line: bytes) -> tuple[bytes, ...]:
