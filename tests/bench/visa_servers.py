@@ -89,8 +89,8 @@ def exactly(connection: socket.socket, count: int) -> bytes:
 class Hislip(Server):
     """IVI-6.1, chapter 6: both channels by their messages; the sub-address is told from others by its letters.
 
-    A reply is announced (MAV) from when it is sent until the host says, by the lowest bit of a control code, that it has
-    it (RMT-delivered).
+    A reply is announced (MAV) from when it is sent until the host says, by the lowest bit of a control code, that it
+    has it (RMT-delivered).
     """
 
     name, sent = b"hislip0", False
