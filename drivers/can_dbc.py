@@ -10,7 +10,7 @@ import numpy as np
 
 from drivers.framing.columns import NT, Columns, OwnClock, channels
 from drivers.framing.dbc import FIELD_UNITS, Signal, database, found, frames
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
@@ -52,23 +52,6 @@ class Settings:
         """The names beside the reading, as a column map: it knows their quantities."""
         others = tuple(name for name in self.signals if name not in (*READING, "t", "count"))
         return Columns((*READING, *others), quantities=self.quantities)
-
-
-class CanDbc(Listener):
-    """Frames that the DBC cannot decode give no value and are reported, and so is each gap in `count`."""
-
-    roles = ("dut",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings, self.channels = settings, channels(settings.housekeeping)
-        model = f"CAN {settings.signals['x'].partition('.')[0]}"
-        who = Identity("", model, settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, 3) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, raw)])
 
 
 class Parser:
@@ -136,6 +119,20 @@ class Parser:
             t = self._clock.tie(t, table[:, 0])
         values = table[:, -3:] * (s.scale * NT[s.unit])
         return [Block("dut", self._source, ("dut_x", "dut_y", "dut_z"), t - s.delay_s, values, raw)]
+
+
+class CanDbc(ParsedListener):
+    """Frames that the DBC cannot decode give no value and are reported, and so is each gap in `count`."""
+
+    roles = ("dut",)
+    parser = Parser
+    before = b""
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.channels = channels(settings.housekeeping)
+        model = f"CAN {settings.signals['x'].partition('.')[0]}"
+        who = Identity("", model, settings.serial)
+        super().__init__(name, link, clock, settings, who)
 
 
 def _one_frame(settings: Settings, signals: dict[str, Signal]) -> int:

@@ -9,7 +9,7 @@ from typing import Literal
 from drivers.framing import ccsds, cobs, slip
 from drivers.framing.columns import Columns, Table, channels, complete
 from drivers.framing.crc16 import crc16
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import Array, ParsedListener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.framing import Lines
@@ -49,25 +49,6 @@ class Settings(Columns):
             raise ValueError(f"layout must begin with > or < and give the {len(self.columns)} numbers of columns")
         if not 0 <= self.apid < ccsds.IDLE or not 0 <= self.cuc_fine <= 3:
             raise ValueError("apid is 0 to 2046, cuc_fine 0 to 3")
-
-
-class Ccsds(Listener):
-    """Packets with a wrong CRC, length or layout are dropped and reported, and so is each gap in the count."""
-
-    roles = ("dut",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        if settings.framing == "datagram" and not link.url.startswith(UNFRAMED):
-            raise InputError(f"{name}: framing datagram needs a link udp://, not {link.url}")
-        self.settings, self.channels = settings, channels(settings)
-        who = Identity("", f"CCSDS packets, APID {settings.apid}", settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, 3) of packets as a record keeps them, by the parser that read them."""
-        whole = replace(settings, framing="datagram")
-        return values_again(Parser("", whole, Mishaps("")), [(0.0, packet) for packet in ccsds.packets(raw)])
 
 
 class Parser:
@@ -132,6 +113,26 @@ class Parser:
         if self._settings.time == "none":
             return ()
         return (ccsds.cds_s(field),) if self._settings.time == "cds" else (ccsds.cuc_s(field, self._settings.cuc_fine),)
+
+
+class Ccsds(ParsedListener):
+    """Packets with a wrong CRC, length or layout are dropped and reported, and so is each gap in the count."""
+
+    roles = ("dut",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        if settings.framing == "datagram" and not link.url.startswith(UNFRAMED):
+            raise InputError(f"{name}: framing datagram needs a link udp://, not {link.url}")
+        self.channels = channels(settings)
+        who = Identity("", f"CCSDS packets, APID {settings.apid}", settings.serial)
+        super().__init__(name, link, clock, settings, who)
+
+    @classmethod
+    def parse_again(cls, settings: Settings, raw: bytes) -> Array:
+        """The samples (n, 3) of packets as a record keeps them, by the parser that read them."""
+        whole = replace(settings, framing="datagram")
+        return values_again(Parser("", whole, Mishaps("")), [(0.0, packet) for packet in ccsds.packets(raw)])
 
 
 def _column_map(s: Settings) -> Columns:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from drivers.framing.columns import Columns, Table, channels
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from drivers.framing.text import Text, TextRows
 from labcal.bench.clock import Clock
@@ -23,25 +23,6 @@ class Settings(Columns, Text):
         Text.__post_init__(self)
 
 
-class CsvLine(Listener):
-    """Lines that are not the numbers of the column map (headers, cut or noisy lines) are dropped and reported.
-
-    Text has no checksum: digits lost on the way cannot be noticed. `pmag` and `ccsds` notice them.
-    """
-
-    roles = ("dut",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings, self.channels = settings, channels(settings)
-        who = Identity("", "text line", settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
-
-
 class Parser:
     """Text in any cutting, into blocks."""
 
@@ -52,3 +33,18 @@ class Parser:
     def feed(self, pieces: Pieces) -> list[Block]:
         """The blocks of the lines that these pieces complete."""
         return self._table.blocks(*self._rows.feed(pieces))
+
+
+class CsvLine(ParsedListener):
+    """Lines that are not the numbers of the column map (headers, cut or noisy lines) are dropped and reported.
+
+    Text has no checksum: digits lost on the way cannot be noticed. `pmag` and `ccsds` notice them.
+    """
+
+    roles = ("dut",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.channels = channels(settings)
+        who = Identity("", "text line", settings.serial)
+        super().__init__(name, link, clock, settings, who)

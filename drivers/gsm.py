@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
@@ -40,23 +40,6 @@ class Settings:
     serial: str = ""
 
 
-class Gsm(Listener):
-    """It is set on its keys to measure at a steady beat and to send as it measures; nothing is sent to it."""
-
-    roles = ("reference",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings = settings
-        who = Identity("GEM Systems", settings.model, settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-        self.first_s = max(self.first_s, PATIENT_PERIODS * settings.period_s)
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, 1) of lines as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
-
-
 class Parser:
     """Lines in any cutting, into blocks; the first after the start may be cut and is dropped."""
 
@@ -80,3 +63,15 @@ class Parser:
             return [float(found[1])]
         self._mishaps.note("bad frame", stamp)
         return None
+
+
+class Gsm(ParsedListener):
+    """It is set on its keys to measure at a steady beat and to send as it measures; nothing is sent to it."""
+
+    roles = ("reference",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        who = Identity("GEM Systems", settings.model, settings.serial)
+        super().__init__(name, link, clock, settings, who)
+        self.first_s = max(self.first_s, PATIENT_PERIODS * settings.period_s)

@@ -10,7 +10,7 @@ import numpy as np
 
 from drivers.framing.columns import JUMP_S, OwnClock
 from drivers.framing.crc16 import crc16
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
@@ -61,27 +61,6 @@ class Settings:
         return (1.0, 1.0, 1.0) if self.unit == "count" else self.nT_per_count or NT_PER_COUNT[self.chip]
 
 
-class I2cBoard(Listener):
-    """A line with a wrong checksum gives no value; numbers that are missing are a gap.
-
-    Raises InstrumentError where another chip answers, where the board hears none, and at the end of its converter.
-    """
-
-    roles = ("dut",)
-    channels: tuple[ChannelSpec, ...] = ()
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings = settings
-        scale = " ".join(f"{one:g}" for one in settings.nT_per_count or NT_PER_COUNT[settings.chip])
-        who = Identity("labcal-mag/1", settings.chip, settings.serial, f"{scale} nT a count")
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, 3) of lines as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
-
-
 class Parser:
     """Lines in any cutting, into blocks; the first after the start may be cut and is dropped."""
 
@@ -129,3 +108,19 @@ class Parser:
             self._wraps_s += WRAPS_S
         self._ms = ms
         return ms / 1000 + self._wraps_s
+
+
+class I2cBoard(ParsedListener):
+    """A line with a wrong checksum gives no value; numbers that are missing are a gap.
+
+    Raises InstrumentError where another chip answers, where the board hears none, and at the end of its converter.
+    """
+
+    roles = ("dut",)
+    parser = Parser
+    channels: tuple[ChannelSpec, ...] = ()
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        scale = " ".join(f"{one:g}" for one in settings.nT_per_count or NT_PER_COUNT[settings.chip])
+        who = Identity("labcal-mag/1", settings.chip, settings.serial, f"{scale} nT a count")
+        super().__init__(name, link, clock, settings, who)

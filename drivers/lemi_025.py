@@ -8,7 +8,7 @@ import numpy as np
 
 from drivers.framing import lemi
 from drivers.framing.columns import OwnClock
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
@@ -36,23 +36,6 @@ class Settings:
     def __post_init__(self) -> None:
         if len(self.tag) != lemi.TAG:
             raise ValueError(f"tag must have {lemi.TAG} letters, such as L025")
-
-
-class Lemi025(Listener):
-    """Readings keep the spacing of GPS seconds; a second that is missing is reported as a gap of ten samples."""
-
-    roles = ("reference",)
-    period_s = 1.0  # between two records
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings = settings
-        who = Identity("LEMI", settings.tag, settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, raw)])
 
 
 class Parser:
@@ -85,3 +68,16 @@ class Parser:
         if self._before_s and 0 < missing < 3600:
             self._mishaps.note("gap", stamp, missing * lemi.SAMPLES)
         self._before_s = record.second_s
+
+
+class Lemi025(ParsedListener):
+    """Readings keep the spacing of GPS seconds; a second that is missing is reported as a gap of ten samples."""
+
+    roles = ("reference",)
+    parser = Parser
+    before = b""
+    period_s = 1.0  # between two records
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        who = Identity("LEMI", settings.tag, settings.serial)
+        super().__init__(name, link, clock, settings, who)

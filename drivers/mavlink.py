@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from drivers.framing import mavlink
 from drivers.framing.columns import QUANTITIES
-from drivers.framing.listener import Array, Listener, values_again
+from drivers.framing.listener import ParsedListener
 from drivers.framing.mavlink_stream import Parser, Settings
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
@@ -18,28 +18,22 @@ HEARTBEAT_S, ANSWERS_S = 3.0, 2.0
 GROUND = 255  # the system id that ground stations have
 
 
-class Mavlink(Listener):
+class Mavlink(ParsedListener):
     """Frames with a wrong checksum give no value. It asks for parameters by name, and tells the vehicle nothing else.
 
     What the vehicle's own calibration holds is an event of the record: its readings may have that applied already.
     """
 
     roles = ("dut",)
+    parser, before = Parser, b""
     never = (rb"^(?!\xfe\x14.{3}\x14.{22}$)",)  # but one PARAM_REQUEST_READ (20) in MAVLink 1
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings, self.channels = settings, tuple(map(_channel, settings.channels))
+        self.channels = tuple(map(_channel, settings.channels))
         self._dialect = mavlink.dialect()
         self._on_board: dict[str, float] | None = None
         self._reported = True
-        super().__init__(
-            name, link, clock, Identity("", "", settings.serial), lambda mishaps: Parser(name, settings, mishaps)
-        )
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, 3) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, raw)])
+        super().__init__(name, link, clock, settings, Identity("", "", settings.serial))
 
     def identify(self) -> Identity:
         """Wait for a reading and a heartbeat, then read the calibration on board. Raises InstrumentError (silent)."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from drivers.framing import nmea
 from drivers.framing.columns import Columns, Table, channels, numbers
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from drivers.framing.sent_lines import SentLines
 from labcal.bench.clock import Clock
@@ -23,22 +23,6 @@ class Settings(Columns):
 
     columns: tuple[str, ...] = ("t", "x", "y", "z", "temp_dut")
     sentence: str = "PMAG"
-
-
-class Pmag(Listener):
-    """Sentences with a wrong checksum, cut ones and those longer than 82 signs are dropped and reported."""
-
-    roles = ("dut",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings, self.channels = settings, channels(settings)
-        who = Identity("", f"${settings.sentence} sentence", settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
 
 
 class Parser:
@@ -63,3 +47,15 @@ class Parser:
         if (row := numbers(values, self._settings)) is None:
             self._mishaps.note("bad frame", stamp)
         return row
+
+
+class Pmag(ParsedListener):
+    """Sentences with a wrong checksum, cut ones and those longer than 82 signs are dropped and reported."""
+
+    roles = ("dut",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.channels = channels(settings)
+        who = Identity("", f"${settings.sentence} sentence", settings.serial)
+        super().__init__(name, link, clock, settings, who)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps
 from drivers.text_line import Parser as TextParser
 from drivers.text_line import Settings as TextSettings
@@ -37,23 +37,6 @@ class Settings:
         return 1000 / (self.counts_per_uT or 0.3671 * self.cycle_count + 1.5)
 
 
-class Rm3100(Listener):
-    """Refuses a bridge that sends fractions: it has applied a calibration of its own, and counts are needed."""
-
-    roles = ("reference",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings = settings
-        scale = f"cycle count {settings.cycle_count}, {settings.nT_per_count:.4f} nT a count"
-        who = Identity("PNI", "RM3100 bridge", settings.serial, scale)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
-
-
 class Parser:
     """Counts in any cutting, into blocks [nT]."""
 
@@ -71,3 +54,15 @@ class Parser:
                 remedy="Switch off the calibration in the bridge's firmware: labcal needs raw counts.",
             )
         return blocks
+
+
+class Rm3100(ParsedListener):
+    """Refuses a bridge that sends fractions: it has applied a calibration of its own, and counts are needed."""
+
+    roles = ("reference",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        scale = f"cycle count {settings.cycle_count}, {settings.nT_per_count:.4f} nT a count"
+        who = Identity("PNI", "RM3100 bridge", settings.serial, scale)
+        super().__init__(name, link, clock, settings, who)

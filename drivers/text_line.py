@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from drivers.framing.columns import NT, SECONDS, OwnClock
-from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.listener import ParsedListener, Pieces
 from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.text import Text, TextRows
 from labcal.bench.clock import Clock
@@ -48,22 +48,6 @@ class Settings(Text):
         return ("f",) if "f" in self.columns else ("x", "y", "z")
 
 
-class TextLine(Listener):
-    """Lines that are not the numbers of the column map are dropped and reported; text has no checksum."""
-
-    roles = ("reference",)
-
-    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.settings = settings
-        who = Identity("", "text line", settings.serial)
-        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
-
-    @staticmethod
-    def parse_again(settings: Settings, raw: bytes) -> Array:
-        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
-        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
-
-
 class Parser:
     """Text in any cutting, into blocks."""
 
@@ -85,3 +69,14 @@ class Parser:
             raise overloaded(self._source)
         columns = tuple(f"ref_{axis}" for axis in s.axes)
         return [Block("reference", self._source, columns, t - s.delay_s, values, raw)]
+
+
+class TextLine(ParsedListener):
+    """Lines that are not the numbers of the column map are dropped and reported; text has no checksum."""
+
+    roles = ("reference",)
+    parser = Parser
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        who = Identity("", "text line", settings.serial)
+        super().__init__(name, link, clock, settings, who)

@@ -17,7 +17,11 @@ from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError, LimitError
 
 READY, BUSY, JOGS = b"R", b"B", b"Jb"  # answers to V; the last two while somebody turns it from its panel
-POSITION = re.compile(rb"([+-]\d{7})\r")
+POSITION = re.compile(rb"[XYZT]?([+-]\d{7})\r")  # some clients have met the letter that asked before it
+PASSED_OVER, MOST_PASSED_OVER = (
+    b"^O\r\n",
+    20,
+)  # what it says of a program that has ended, and line ends of what was said before
 COUNTERS = "XYZT"  # of motors 1 to 4
 FASTEST = 6000  # steps a second
 SWITCHES = {"negative": "-0", "positive": "0"}
@@ -94,8 +98,7 @@ class VelmexStage:
     def angle_deg(self) -> float:
         """The position [deg] in the stage's own sense: what it has counted, for it sees nothing of the table."""
         reply = self._ask(COUNTERS[self.settings.motor - 1], end=b"\r")
-        found = POSITION.fullmatch(reply.lstrip(b"^O"))  # what it says of a program that has ended
-        if not found:
+        if not (found := POSITION.fullmatch(reply.lstrip(PASSED_OVER))):
             raise self._wrong("a position", reply)
         return int(found[1]) * 360 / self.settings.steps_per_turn
 
@@ -115,8 +118,6 @@ class VelmexStage:
 
     def _moves(self) -> bool:
         reply = self._ask("V", end=1)
-        while reply in (b"^", b"O"):  # it has just come to rest
-            reply = self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
         if reply in JOGS:
             message = f"{self.name}: it is turned from its own panel."
             raise InstrumentError(message, fault="touched", remedy="Let go of it, home it and begin this step again.")
@@ -131,7 +132,13 @@ class VelmexStage:
 
     def _ask(self, words: str, *, end: bytes | int) -> bytes:
         self._link.flush()
-        return self._link.ask(f"{words}\r".encode(), end=end, timeout_s=self.settings.timeout_s)
+        request, reply = f"{words}\r".encode(), b""
+        for _ in range(MOST_PASSED_OVER):
+            reply = self._link.ask(request, end=end, timeout_s=self.settings.timeout_s)
+            if reply.strip(PASSED_OVER):
+                break
+            request = b""  # it has just come to rest
+        return reply
 
     def _speed(self, rate_deg_per_s: float) -> int:
         if not 1 <= (speed := int(rate_deg_per_s * self.settings.steps_per_turn / 360)) <= FASTEST:

@@ -14,6 +14,7 @@ from drivers.framing.scpi_table import Table
 
 MARKS = {"value": "\ue000", "channel": "\ue001", "on": "\ue002"}  # letters of no alphabet, while words are shortened
 SELECT = re.compile(r"(INST(?::N?SEL)?)(?:\?| (?:CH|OUTP?)?(\d))")  # by number or by name, whatever the table says
+NETWORK_ALONE = ("delta-sm", "siglent-spd1000x", "siglent-spd3303x")  # without a serial line, by their manuals
 SWITCHED = {"1": "ON", "0": "OFF", "ON": "1", "OFF": "0"}  # SCPI 1999, 7.3: a state may be said in both ways
 NUMBER = r"(?P<value>[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)"
 Act = Callable[[float, "Channel", str], str]
@@ -37,6 +38,7 @@ class TableEmulator(Answers):
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         table: Table = settings.words
+        self.wire = "tcp" if settings.model in NETWORK_ALONE else "serial"
         alone = settings.channel if len(roles) == 1 else 1
         self.channels = {int(s.get("channel", alone)): Channel(lab.coils[role[-1]]) for role, s in roles.items()}
         self._selected, self._table = min(self.channels), table

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,14 @@ class Parser(Protocol):
 
     def feed(self, pieces: Pieces) -> list[Block]:
         """The blocks that these pieces complete."""
+        ...
+
+
+class BeginsParser(Protocol):
+    """The class of a parser: one is made for each stream that begins."""
+
+    def __call__(self, source: str, settings: Any, mishaps: Mishaps, /) -> Parser:
+        """A parser of what `source` sends, as its settings say; what is no good is noted in `mishaps`."""
         ...
 
 
@@ -93,3 +101,22 @@ class Listener:
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
+
+
+class ParsedListener(Listener):
+    """A listener whose bytes the class `parser` reads, now and again from a record.
+
+    `before` is put before what is read again: a parser of lines drops the first, which may have been cut.
+    """
+
+    parser: ClassVar[BeginsParser]
+    before: ClassVar[bytes] = b"\n"
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Any, who: Identity) -> None:
+        self.settings = settings
+        super().__init__(name, link, clock, who, lambda mishaps: self.parser(name, settings, mishaps))
+
+    @classmethod
+    def parse_again(cls, settings: Any, raw: bytes) -> Array:
+        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
+        return values_again(cls.parser("", settings, Mishaps("")), [(0.0, cls.before + raw)])

@@ -151,8 +151,12 @@ class TcpOutlet:
         return []
 
     def read(self) -> bytes:
-        """What the host sent; one that has gone is let go."""
-        self._welcome()
+        """What the host sent; one that has gone is let go, and the next is heard once this one has said all."""
+        if not (data := self._heard()):
+            self._welcome()
+        return data
+
+    def _heard(self) -> bytes:
         if self._host is None:
             return b""
         try:

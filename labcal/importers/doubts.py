@@ -6,6 +6,7 @@ accepts it. What else was found (gaps, missing values, a delay between streams) 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import permutations, product
@@ -30,7 +31,8 @@ MOST_ROWS = 4000  # that are looked at for axes and delays
 DELAY = 1.5  # of the slower stream's period, for a delay to be told
 CLEARER = 0.7  # what it must leave of the rms
 FEW = 20
-REACH = 20  # half periods either way, of the delays that are tried
+REACH, FAR_REACH = 20, 200  # half periods either way, of the delays that are tried
+POOR = 0.3  # of the readings' spread: what leaves more is tried further away, and must leave that part of it there
 MOST_IN_A_ROW = 20_000
 TOO_GOOD = 0.003  # of the readings' spread: a fit that leaves less has no delay to be told
 
@@ -232,16 +234,30 @@ def _best_delay(run: Run, rows: NDArray[np.intp], period: float) -> float | None
     known = np.isfinite(reference).all(axis=1) & np.isfinite(seen).all(axis=1)
     if known.sum() < 5 * FEW or run.reference.kind == "none":
         return None
-    delays = np.arange(-REACH, REACH + 1) * period / 2
-    left = np.array([_left_at(run.t_s[rows][known], reference[known], seen[known], delay) for delay in delays])
-    best, spread = int(np.argmin(left)), float(np.sqrt(np.mean(np.var(seen[known], axis=0))))
-    return float(delays[best]) if left[best] < CLEARER * left[REACH] and left[REACH] > TOO_GOOD * spread else 0.0
+    t, reference, seen = run.t_s[rows][known], reference[known], seen[known]
+    spread = float(np.sqrt(np.mean(np.var(seen, axis=0))))
+    delay, left, stated = _best_of(t, reference, seen, REACH, period)
+    if stated > POOR * spread:
+        far, left_far, _ = _best_of(t, reference, seen, FAR_REACH, period)
+        if left_far < min(left, POOR * stated):
+            return far
+    return delay if left < CLEARER * stated and stated > TOO_GOOD * spread else 0.0
+
+
+def _best_of(t: Array, reference: Array, seen: Array, reach: int, period: float) -> tuple[float, float, float]:
+    """The delay that leaves least, that rms, and what the stated times leave."""
+    delays = np.arange(-reach, reach + 1) * period / 2
+    left = np.array([_left_at(t, reference, seen, delay) for delay in delays])
+    best = int(np.argmin(left))
+    return float(delays[best]), float(left[best]), float(left[reach])
 
 
 def _left_at(t: Array, reference: Array, seen: Array, delay: float) -> float:
-    """The rms that an affine map of the reference, moved `delay` later, leaves of what was seen."""
+    """The rms that an affine map of the reference, moved `delay` later, leaves of what was seen; inf: too few rows."""
     moved = np.stack([np.interp(t - delay, t, column) for column in reference.T], axis=1)
     inside = (t - delay >= t[0]) & (t - delay <= t[-1])
+    if inside.sum() < len(t) / 2:
+        return math.inf
     design = np.column_stack([moved, np.ones(len(t))])[inside]
     solved, *_ = np.linalg.lstsq(design, seen[inside], rcond=None)
     return float(np.sqrt(np.mean((seen[inside] - design @ solved) ** 2)))

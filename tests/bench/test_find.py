@@ -25,7 +25,7 @@ from labcal.twin import open_twin
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 PATIENCE_S = 60.0
-LATE = ("gsm", "twinleaf")  # known after all questions: by what it sends, and by the last of them
+LATE = ("gsm", "iaga-2002", "twinleaf")  # known after all questions: by what it sends, and by the last of them
 MORE = {  # what stands in place of the example's own
     'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-y"': 'driver = "scpi-table"\nlink = "emulated://"\n'
     'role = "coil-y"\nsettings = { model = "siglent-spd3303x" }',
@@ -117,6 +117,7 @@ def on_a_line(name: str, role: str) -> Iterator[str]:
         ("genesys", "coil-x", "LAMBDA,GEN40-38"),
         ("pos-1", "reference", "POS-1 Overhauser magnetometer N 117"),
         ("gsm", "reference", "sends by itself"),
+        ("iaga-2002", "reference", "sends by itself"),
         ("i2c-board", "dut", "sends by itself"),
         ("thorlabs-apt", "platform", "K10CR1"),
         ("trinamic-tmcl", "platform", "module"),

@@ -167,3 +167,22 @@ def test_what_is_said_while_nobody_reads_a_full_line_is_lost() -> None:
     os.close(host)
     outlet.close()
     assert b"unheard" not in heard
+
+
+def test_what_a_host_said_before_it_went_is_heard_before_the_next() -> None:
+    """Some programs make a connection for each message."""
+    outlet, heard = TcpOutlet("tcp"), list[bytes]()
+    there = ("127.0.0.1", urlsplit(outlet.url).port or 0)
+
+    def both() -> bool:
+        heard.append(outlet.read())
+        return b"".join(heard).endswith(b"CURR?\n")
+
+    with socket.create_connection(there) as host:
+        until(lambda: outlet.read() == b"" and len(outlet.files()) == 2)
+        host.sendall(b"CURR 1\n")
+    with socket.create_connection(there) as host:
+        host.sendall(b"CURR?\n")
+        until(both)
+    assert b"".join(heard) == b"CURR 1\nCURR?\n"
+    outlet.close()

@@ -87,14 +87,18 @@ def exactly(connection: socket.socket, count: int) -> bytes:
 
 
 class Hislip(Server):
-    """IVI-6.1, chapter 6: both channels by their messages; the sub-address is told from others by its letters."""
+    """IVI-6.1, chapter 6: both channels by their messages; the sub-address is told from others by its letters.
 
-    name = b"hislip0"
+    A reply is announced (MAV) from when it is sent until the host says, by the lowest bit of a control code, that it
+    has it (RMT-delivered).
+    """
+
+    name, sent = b"hislip0", False
 
     def serve(self, take: Callable[[int], bytes], send: Callable[[bytes], None]) -> None:
         message = b""
         while True:
-            _, kind, _, parameter, length = struct.unpack("!2sBBIQ", take(16))
+            _, kind, control, parameter, length = struct.unpack("!2sBBIQ", take(16))
             payload = take(length)
             match kind:
                 case 0 if payload == self.name:  # Initialize
@@ -106,14 +110,16 @@ class Hislip(Server):
                 case 15:  # AsyncMaximumMessageSize
                     reply = 16, 0, 0, payload
                 case 21:  # AsyncStatusQuery
-                    reply = 22, self.device.status(), 0, b""
+                    self.sent = self.sent and not control & 1
+                    reply = 22, MAV if self.sent else 0, 0, b""
                 case 19:  # AsyncDeviceClear
                     self.device.clear()
+                    self.sent = False
                     reply = 23, 0, 0, b""
                 case 8:  # DeviceClearComplete
                     reply = 9, 0, 0, b""
                 case 6 | 7:  # Data, DataEnd
-                    message += payload
+                    message, self.sent = message + payload, False
                     if kind == 6:
                         continue
                     self.device.write(message)
@@ -121,7 +127,7 @@ class Hislip(Server):
                     message = b""
                     if not said:
                         continue
-                    reply = 7, 0, parameter, said
+                    self.sent, reply = True, (7, 0, parameter, said)
                 case _:
                     reply = 3, 1, 0, b"not known"
             send(struct.pack("!2sBBIQ", b"HS", *reply[:3], len(reply[3])) + reply[3])

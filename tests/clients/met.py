@@ -7,6 +7,7 @@ from pathlib import Path
 
 NEEDS = {  # a file of checks: what it imports
     "test_dcc_programs.py": ("dcclib", "dcc_json_toolkit", "dcc"),
+    "test_dcps.py": ("dcps", "pyvisa_py"),
     "test_ea_psu_controller.py": ("ea_psu_controller",),
     "test_foreign_emulators.py": ("lewis", "pyvisa_sim", "sinstruments"),
     "test_makers_modules.py": ("u6", "nidaqmx"),
@@ -18,8 +19,10 @@ NEEDS = {  # a file of checks: what it imports
     "test_qcodes.py": ("qcodes", "pyvisa_py"),
     "test_rd6006.py": ("rd6006",),
     "test_pynmea2.py": ("pynmea2",),
+    "test_sm15k.py": ("deltaelektronika",),
     "test_spacepackets.py": ("spacepackets",),
     "test_tenma.py": ("tenma",),
+    "test_thorlabs_apt_device.py": ("thorlabs_apt_device",),
     "test_tio.py": ("tio",),
     "test_zaber.py": ("zaber_motion", "zaber"),
 }

@@ -52,7 +52,7 @@ BENCHES: tuple[tuple[Part, ...], ...] = (  # in the order of ROLES
     (table("siglent-spd1000x"), table("bk-9130b"), table("agilent-66xx"), RELAY,
      ("leadshine", {"address": 1}), ("gsm", {"period_s": 0.25}), LINE),
     (table("delta-sm"), table("agilent-e3631a"), ("genesys", {}), RELAY,
-     ("zaber", {}), ("twinleaf", {}), ("i2c-board", {"chip": "lis3mdl"})),
+     ("thorlabs-apt", {}), ("twinleaf", {}), ("i2c-board", {"chip": "lis3mdl"})),
     (table("keithley-2260b"), table("kikusui-pbz"), table("rohde-schwarz-hmc804x"), RELAY,
      ("zaber", {}), ("pos-1", {}), LINE),
 )  # fmt: skip

@@ -39,6 +39,7 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
     "velmex-vxm": {"home": "negative"},
     "gsm": {"period_s": 0.1},
+    "iaga-2002": {"period_s": 0.1},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
@@ -69,6 +70,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "replay": [b"1"],
     "rm3100": [b"\x01"],
     "i2c-board": [b"\x01"],
+    "iaga-2002": [b"\n"],
     "text-line": [b"x"],
     "alphalab": [bytes([code, 0, 0, 0, 0, 0]) for code in (0x04, 0x05, 0x0B, 0x0C, 0x0E, 0x14)],
     "metrolab": [b"*RST\n", b":CAL\n", b":SYST:PRES\n", b":INIT;*SAV 1\n", b":MEM:DATA?\n"],

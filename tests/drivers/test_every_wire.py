@@ -49,7 +49,10 @@ def fault_of(name: str, *replies: Any) -> str:
 
 def test_every_driver_is_here_or_only_listens() -> None:
     slow = {"pos-1", "mavlink", "twinleaf"}  # what it answers comes with a later look: test_pos1.py and their own
-    listens = {"can-dbc", "ccsds", "csv-line", "gsm", "i2c-board", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
+    listens = {
+        "can-dbc", "ccsds", "csv-line", "gsm", "i2c-board", "iaga-2002", "lemi-025", "pmag", "replay", "rm3100",
+        "text-line",
+    }  # fmt: skip
     assert set(WIRES) | listens | slow | {"manual"} == set(DRIVERS)
 
 
@@ -224,7 +227,7 @@ def test_a_move_out_of_range_sends_nothing(name: str, angle_deg: float, rate: fl
         BenchPlatform(stage, PlatformConfig(), DutLimits()).move_to(angle_deg, rate)
 
 
-LISTENING = ("ccsds", "csv-line", "gsm", "i2c-board", "lemi-025", "pmag", "rm3100", "text-line")
+LISTENING = ("ccsds", "csv-line", "gsm", "i2c-board", "iaga-2002", "lemi-025", "pmag", "rm3100", "text-line")
 
 
 @pytest.mark.parametrize("name", LISTENING)

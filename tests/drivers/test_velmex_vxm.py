@@ -44,6 +44,20 @@ def test_a_move_is_a_program_told_once_and_its_end_no_state() -> None:
         assert not motor.moving()
 
 
+@pytest.mark.parametrize("position", [b"\r+0001220\r", b"^\r+0001220\r", b"\n+0001220\r", b"X+0001220\r"])
+def test_line_ends_of_what_it_said_before_and_the_letter_that_asks_are_passed_over(position: bytes) -> None:
+    with stage([MOVE, (b"V\r", b"^\rR"), (b"X\r", position)]) as motor:
+        motor.move_to(30.5, 6.0)
+        later(motor)
+        assert not motor.moving()
+
+
+def test_one_that_says_nothing_but_that_it_has_come_to_rest_answers_nothing() -> None:
+    with stage([(b"F\r", SILENT), (b"V\r", b"^" * 100)]) as motor, pytest.raises(InstrumentError) as caught:
+        motor.identify()
+    assert caught.value.fault == "wrong reply"
+
+
 def test_stopped_at_a_limit_it_has_not_arrived() -> None:
     with stage([MOVE, (b"V\r", b"O^R"), (b"X\r", b"+0001216\r")]) as motor:
         motor.move_to(30.5, 6.0)

@@ -81,7 +81,9 @@ def test_two_clocks_that_share_no_time_are_named_with_the_offset(tmp_path: Path)
     assert "clock_offset_s = 14390" in told
 
 
-@pytest.mark.parametrize(("offset_s", "rate_ppm"), [(1.0, 0.0), (-1.25, 0.0), (0.0, 20_000.0)])
+@pytest.mark.parametrize(
+    ("offset_s", "rate_ppm"), [(1.0, 0.0), (-1.25, 0.0), (13.0, 0.0), (-7.5, 0.0), (0.0, 20_000.0)]
+)
 def test_a_delay_and_a_drift_between_two_streams_are_told(offset_s: float, rate_ppm: float, tmp_path: Path) -> None:
     made = tumble(500)
     theirs = made.t_s * (1 - rate_ppm * 1e-6) - offset_s

@@ -28,6 +28,7 @@ IDN = (  # of what answers *IDN?, by its text
 SENDS = (  # of what sends lines by itself, by the last of them
     (rb"\$PMAG.*", "pmag", "dut"),
     (rb"(\d\d-\d\d-\d{4} +)?\d{5,7}(\.\d+)? +\d{5,6}\.\d+( +\d\d)? *", "gsm", "reference"),
+    (rb"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{3} \d{3}( +-?\d+\.\d\d){4} *", "iaga-2002", "reference"),
     (rb"\d{1,3} (?P<chip>rm3100|mmc5983|lis3mdl|qmc5883|bmm350) \d+ [-a-z\d ]+\*[\dA-F]{4}", "i2c-board", "dut"),
     (rb".*", "csv-line", "dut or reference"),
 )

@@ -1,4 +1,4 @@
-"""serial, tcp, telnet, udp, usbtmc, visa, can, daq: links on real lines. A lost one stays so until opened anew."""
+"""serial, tcp, telnet, udp, usbtmc, visa, can, daq, file: links on real lines. A lost one stays so until reopened."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from labcal.bench.links.canbus import CanPort
 from labcal.bench.links.daq import DaqPort
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
+from labcal.bench.links.followed import FollowedFile
 from labcal.bench.links.gone import failed, is_gone, not_open, stands
 from labcal.bench.links.line import drop, read_reply
 from labcal.bench.links.ports import claim
@@ -336,6 +337,8 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
         return CanPort(address, options)
     if scheme == "daq":
         return DaqPort(address)
+    if scheme == "file":
+        return FollowedFile(address)
     host, port = place(url, scheme, address)
     if scheme == "udp":
         return UdpPort(host, port)
