@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.steps import Work, measure_ambient, mount, ready
 from labcal.geometry import rotate, shortest_rotation, unit
-from labcal.record.run import Vector
+from labcal.record.vector import Vector
 
 Array = NDArray[np.float64]
 AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.bench import Bench
 from labcal.errors import InputError
 from labcal.record import Administrative, Dut, Reference, Run, Segment
-from labcal.record.run import Vector
+from labcal.record.vector import Vector
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
-from labcal.record.run import Matrix, Segment
+from labcal.record.run import Segment
 from labcal.record.stream import (
     FAULT,
     NOT_USED,
@@ -32,6 +32,7 @@ from labcal.record.stream import (
     SegmentOpened,
     Step,
 )
+from labcal.record.vector import Matrix
 
 T = TypeVar("T")
 Work = Generator[Item, str | None, T]  # yields what it measured, receives answers, returns what the caller needs

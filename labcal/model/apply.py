@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.model.affine import jacobian
-from labcal.model.calibration import Calibration, EffectRecord
+from labcal.model.calibration import Calibration
 from labcal.model.effects import Fitted, Scene, load_shipped, of_temperature
 from labcal.model.effects.inputs import channels_of
 from labcal.model.gaps import bridged
 from labcal.model.pieces import Recording, Taken, Walk, remembers
 from labcal.model.plausibility import bends, saturated, second_difference_outliers
 from labcal.model.readings import Applied, Readings
+from labcal.model.records import EffectRecord
 from labcal.model.seen import Seen
 
 Array = NDArray[np.float64]

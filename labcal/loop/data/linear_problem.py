@@ -20,7 +20,7 @@ from labcal.geometry import rotation, shortest_rotation
 from labcal.loop.data.credible import credible, is_of_the_rig, min_new_share, without_wild_rows
 from labcal.model import AffineMap
 from labcal.model.effects import Scene, Term
-from labcal.model.effects.protocol import Rig
+from labcal.model.effects.scene import Rig
 from labcal.model.gaps import bridged
 from labcal.record import Run
 from labcal.record.observation import stands_turned
