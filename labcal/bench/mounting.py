@@ -24,7 +24,7 @@ def attitude(bench: Bench, axis: str) -> Array:
 
 
 def how_to_mount(axis: str) -> str:
-    """What the technician is told."""
+    """What the technician reads."""
     return f"Mount the DUT with body {axis.upper()} up along the platform axis, {MARK[axis]}, at platform angle 0."
 
 

@@ -72,7 +72,7 @@ def as_positions(
     its field to the DUT.
 
     `body_from_cage` (n, 3, 3) are the DUT's attitudes, `u_mounting_deg` how well its axes are known in its body; 0 is
-    not stated. Where no attitude is told, nothing hangs on the platform's axis.
+    not stated. Where no attitude is stated, nothing hangs on the platform's axis.
     """
     field = np.asarray(reference_nT, dtype=float)
     n = len(field)

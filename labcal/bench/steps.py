@@ -200,7 +200,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
             yield Event(bench.clock.now(), FAULT, said, {"step": name, "fault": fault.fault})
             yield from coils_off(bench)
             text = f"{name}: {said} ({bench.sentence()})"
-            drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not be told
+            drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not read it
             choices = ("stop", "retry", "skip")
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
             if answer == "stop":

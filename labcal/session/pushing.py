@@ -82,7 +82,7 @@ class Pusher:
         return cls(archive, site, place_of_bundles(archive, bundles), known(archive, site), on_remark)
 
     def push(self, names: Sequence[str]) -> Pushed:
-        """Push what is named, else all; then the audit log. What cannot be pushed is passed over and told."""
+        """Push what is named, else all; then the audit log. What cannot be pushed is passed over and reported."""
         for name in names:
             self._one(name, self._named)
         if not names:

@@ -115,7 +115,7 @@ class Ended:
 
 @dataclass(frozen=True, slots=True)
 class Procedure:
-    """What there is to run, and what it may be told."""
+    """What there is to run, and its parameters."""
 
     name: str
     title: str

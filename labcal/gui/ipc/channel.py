@@ -70,7 +70,7 @@ class Channel:
         self._back_by_s = 0.0  # until then a window that broke off is being started, or has just been
         self._door: Door | None = None
         self._past: PastMessages | None = None
-        self._comes: Caller | None = None  # let in, and not told yet how far the run is
+        self._comes: Caller | None = None  # let in, and not informed yet how far the run is
         self._working_on, self._other_numbers = 0, dict[int, int]()  # requests of a window before as of this
 
     def requests(self) -> Iterator[Request]:

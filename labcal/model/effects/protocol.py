@@ -65,7 +65,7 @@ class Family:
     shapes: tuple[Shape, ...] = ()  # the parameters that do not enter linearly; values and grids are the candidates'
 
     # What the decision has to know
-    of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
+    of_field: bool = False  # grows with the field itself: a gain that the run does not determine looks alike
     from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
     repeats: bool = False  # may act more than once, each time at another moment or frequency
     harmonics: bool = False  # what is left of it may be its own overtones
