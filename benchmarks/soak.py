@@ -2,8 +2,8 @@
 
     QT_QPA_PLATFORM=offscreen python benchmarks/soak.py --preflights 30 --minutes 60 --runs 10000
 
-A store with so many runs; then preflights on the virtual clock, one after the other, a simulated day each; then 1 kHz
-at true pace, which the simulated DUT sends in the preflights too. The window is open on its Run page all the while;
+A store with so many runs; then preflights on the virtual clock, one after the other, as a month has days; then 1 kHz at
+true pace, which the simulated DUT sends in the preflights too. The window is open on its Run page all the while;
 between two preflights the History page is opened and `labcal runs` is asked. Read are this process and the worker that
 it starts and that records. It prints what was seen, leaves every reading in --out (soak.csv) as it comes, and draws a
 picture where --picture names it; Ctrl-C ends it early with both. Exit 1 where memory, handles or threads of either
@@ -195,10 +195,8 @@ def live_through(soak: Soak, preflights: int, minutes: float) -> None:
     """The month, then the hour; either may be left out."""
     from labcal.gui.ipc.messages import RunProcedure
 
-    before = ""
     for _ in range(preflights):
-        soak.record("month", RunProcedure("preflight", str(BENCH), DAY, SERIAL, "J. Doe", seed=1, after=before))
-        before = soak.run.run_id
+        soak.record("month", RunProcedure("preflight", str(BENCH), DAY, SERIAL, "J. Doe", seed=1))
         soak.latencies("month")
     if minutes:
         listening = {"duration_s": f"{60 * minutes:g}", "mains_s": "5"}
