@@ -2,11 +2,12 @@
 
     QT_QPA_PLATFORM=offscreen python benchmarks/soak.py --preflights 30 --minutes 60 --runs 10000
 
-A store with so many runs; then preflights on the virtual clock, one after the other, a simulated day each; then 1 kHz
-at true pace, which the simulated DUT sends in the preflights too. The window is open on its Run page all the while;
+A store with so many runs; then preflights on the virtual clock, one after the other, as a month has days; then 1 kHz at
+true pace, which the simulated DUT sends in the preflights too. The window is open on its Run page all the while;
 between two preflights the History page is opened and `labcal runs` is asked. Read are this process and the worker that
-it starts and that records. It prints what was seen, leaves every reading in --out (soak.csv), and draws a picture where
---picture names it. Exit 1 where memory, handles or threads of either process grew.
+it starts and that records. It prints what was seen, leaves every reading in --out (soak.csv) as it comes, and draws a
+picture where --picture names it; Ctrl-C ends it early with both. Exit 1 where memory, handles or threads of either
+process grew.
 """
 
 from __future__ import annotations
@@ -70,8 +71,12 @@ def work() -> None:
 class Soak:
     """The window, what is done in it, and what was read."""
 
-    def __init__(self, application: Any, window: Any) -> None:
+    def __init__(self, application: Any, window: Any, out: Path) -> None:
         self.application, self.window = application, window
+        out.mkdir(parents=True, exist_ok=True)
+        self.file = (out / "soak.csv").open("w", newline="", buffering=1)
+        self.writer = csv.DictWriter(self.file, [field.name for field in fields(Reading)])
+        self.writer.writeheader()
         self.state, self.run = window.app_state, window.app_state.run
         self.began, self.readings = time.monotonic(), list[Reading]()
 
@@ -104,6 +109,7 @@ class Soak:
         store = sum(path.stat().st_size for path in home.glob("store.sqlite*") if path.is_file()) / MB
         pairs = (value for pair in zip(mine, its, strict=True) for value in pair)
         self.readings.append(Reading(phase, time.monotonic() - self.began, *pairs, store_MB=store, **latencies))
+        self.writer.writerow(asdict(self.readings[-1]))
 
     def latencies(self, phase: str) -> None:
         """What a person waits for who looks for a run."""
@@ -121,8 +127,10 @@ class Soak:
 
 def standing(process: int) -> tuple[float, int, int]:
     """Memory [MB], open handles and threads of a process."""
-    told = Path(f"/proc/{process}/status").read_text()
-    found = {line.split(":")[0]: line.split()[1] for line in told.splitlines() if line.startswith(("VmRSS", "Threads"))}
+    status = Path(f"/proc/{process}/status").read_text()
+    found = {
+        line.split(":")[0]: line.split()[1] for line in status.splitlines() if line.startswith(("VmRSS", "Threads"))
+    }
     handles = len(os.listdir(f"/proc/{process}/fd"))
     return int(found["VmRSS"]) * 1024 / MB, handles, int(found["Threads"])
 
@@ -159,7 +167,6 @@ def main() -> int:
     from PySide6.QtWidgets import QApplication
 
     from labcal.gui.ipc.client import Client
-    from labcal.gui.ipc.messages import RunProcedure
     from labcal.gui.theming.theme import LIGHT
     from labcal.gui.viewmodels.app_state import AppState
     from labcal.gui.viewmodels.run import RunViewModel
@@ -172,20 +179,29 @@ def main() -> int:
     app_state.run = RunViewModel(app_state.bench_worker)
     window = Window(app_state, LIGHT)
     window.show()
-    soak, before = Soak(application, window), ""
-    for _ in range(given.preflights):
-        soak.record("month", RunProcedure("preflight", str(BENCH), DAY, SERIAL, "J. Doe", seed=1, after=before))
-        before = soak.run.run_id
-        soak.latencies("month")
-    listening = {"duration_s": f"{60 * given.minutes:g}", "mains_s": "5"}
-    soak.record("1 kHz", RunProcedure("ambient", str(BENCH), listening, SERIAL, "J. Doe", pace="true", seed=1))
-    soak.latencies("1 kHz")
+    soak = Soak(application, window, given.out)
+    try:
+        live_through(soak, given.preflights, given.minutes)
+    except KeyboardInterrupt:
+        print("ended early")
     window.close()
-    given.out.mkdir(parents=True, exist_ok=True)
-    keep(soak.readings, given.out / "soak.csv")
+    soak.file.close()
     if given.picture:
         draw(soak.readings, given.picture)
-    return tell(soak.readings)
+    return summarise(soak.readings)
+
+
+def live_through(soak: Soak, preflights: int, minutes: float) -> None:
+    """The month, then the hour; either may be left out."""
+    from labcal.gui.ipc.messages import RunProcedure
+
+    for _ in range(preflights):
+        soak.record("month", RunProcedure("preflight", str(BENCH), DAY, SERIAL, "J. Doe", seed=1))
+        soak.latencies("month")
+    if minutes:
+        listening = {"duration_s": f"{60 * minutes:g}", "mains_s": "5"}
+        soak.record("1 kHz", RunProcedure("ambient", str(BENCH), listening, SERIAL, "J. Doe", pace="true", seed=1))
+        soak.latencies("1 kHz")
 
 
 def arguments() -> argparse.Namespace:
@@ -199,7 +215,7 @@ def arguments() -> argparse.Namespace:
     return asked.parse_args()
 
 
-def tell(readings: list[Reading]) -> int:
+def summarise(readings: list[Reading]) -> int:
     """Say for each phase how it began and how it ended; 1 where something grew."""
     grew = False
     for phase in dict.fromkeys(one.phase for one in readings):
@@ -214,14 +230,6 @@ def tell(readings: list[Reading]) -> int:
             grew |= bool(more)
             print(f"{phase:6} {name:16} {early:9.3g} → {late:9.3g}{'  GREW' if more else ''}")
     return int(grew)
-
-
-def keep(readings: list[Reading], path: Path) -> None:
-    """Every reading as a row."""
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, [field.name for field in fields(Reading)])
-        writer.writeheader()
-        writer.writerows(asdict(one) for one in readings)
 
 
 def draw(readings: list[Reading], path: Path) -> None:

@@ -23,7 +23,7 @@ REMOTE, OUTPUT = 0x10, 0x01  # bits of its control, each told with itself as mas
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`channel`: 1 is the output of a single and the first of a triple, 2 the second (the third cannot be told).
+    """`channel`: 1 is the output of a single and the first of a triple, 2 the second (the third is not distinguished).
 
     `gap_s`: the least pause between telegrams.
     """

@@ -28,7 +28,7 @@ NEEDS, LASTS_MIN = "the cage as it will be used, coils off", 1
 Array = NDArray[np.float64]
 MAINS_OFF_HZ = 0.1  # how far the mains may be from its nominal frequency
 ROTATION_HARMONICS = (1, 2, 3, 4)  # nonlinearity and hysteresis show up to here
-FEWEST = 3  # samples that a trend is told from
+FEWEST = 3  # samples that a trend is estimated from
 BLIND_HZ = 0.05  # an alias nearer to zero than this looks like a field
 
 
@@ -59,7 +59,7 @@ def ambient(
 
 
 def _heard(bench: Bench, seconds: float) -> Work[dict[Stream, Running]]:
-    """Record the room as a segment; returns what reference and DUT told. Raises InstrumentError for too few samples."""
+    """Record the room as a segment; returns what reference and DUT read. Raises InstrumentError for too few samples."""
     streams: tuple[Stream, ...] = ("reference", "dut")
     room = {stream: Running(stream) for stream in streams}
 

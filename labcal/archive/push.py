@@ -66,7 +66,7 @@ class AuditRow:
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What the archive has of a site, as far as it can be told without reading runs."""
+    """What the archive has of a site, as far as it can be known without reading runs."""
 
     heads: Mapping[str, str]  # {head of the chain in a store: SHA-256 of the run}
     documents: frozenset[tuple[str, str]]  # SHA-256 of the calibration, of the document

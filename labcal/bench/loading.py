@@ -205,7 +205,7 @@ class Loader:
         raise InputError(f"{'.'.join(keys)}: {what}", file=self.path, line=line)
 
     def emulator(self, name: str) -> Emulator:
-        """What is emulated on the line of `name`: each device by an emulator of its own, told all its roles."""
+        """What is emulated on the line of `name`: each device by an emulator of its own, given all its roles."""
         if self.twin is None:
             self.twin = self._twin()
         devices: dict[tuple[str, Any], list[str]] = {}

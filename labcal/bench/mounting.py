@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.steps import Work, measure_ambient, mount, ready
 from labcal.geometry import rotate, shortest_rotation, unit
-from labcal.record.run import Vector
+from labcal.record.vector import Vector
 
 Array = NDArray[np.float64]
 AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -24,7 +24,7 @@ def attitude(bench: Bench, axis: str) -> Array:
 
 
 def how_to_mount(axis: str) -> str:
-    """What the technician is told."""
+    """What the technician reads."""
     return f"Mount the DUT with body {axis.upper()} up along the platform axis, {MARK[axis]}, at platform angle 0."
 
 

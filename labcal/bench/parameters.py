@@ -1,4 +1,4 @@
-"""What a procedure may be told: its keyword parameters with unit, range and default, declared once, in its signature.
+"""What a procedure may be given: its keyword parameters with unit, range and default, declared once, in its signature.
 
     def rotate_axis(bench: Bench, *, rate_deg_per_s: Annotated[float, Limits(0.1, 36, unit="deg/s"), "rate"] = 2.0)
 

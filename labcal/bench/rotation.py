@@ -13,8 +13,9 @@ from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, t
 from labcal.bench.streams.samples import samples
 from labcal.bench.turn_diagnostics import look_at_turn
 from labcal.errors import InputError, InstrumentError
-from labcal.record.run import Segment, Vector
+from labcal.record.run import Segment
 from labcal.record.stream import Block
+from labcal.record.vector import Vector
 
 SECTOR_DEG = 15.0
 MOST_NOISE = 1.5  # times what the bench file states

@@ -52,7 +52,7 @@ def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
     """Bring every coil of `path` to zero and open it, `meanwhile` beside it; one report an axis, faults included.
 
     The guardian does it where one lives, also while the file cannot be read or names other ports than before; one that
-    does not hear is ended, and another takes its place. What no guardian has told of is brought down from here, its
+    does not hear is ended, and another takes its place. What no guardian has reported is brought down from here, its
     ports held against everybody meanwhile; of a port that another program holds it is said. Of the file that is read
     which says where the supplies are, whatever else is wrong with it. Raises InputError where no guardian lives and it
     does not say that.
@@ -136,7 +136,7 @@ def _links(benches: Sequence[Bench]) -> list[str]:
 
 
 def _left(benches: Sequence[Bench], reported: Mapping[str, AtZero]) -> list[tuple[Bench, list[str]]]:
-    """Of each bench the axes whose supplies nobody has told of, each supply once."""
+    """Of each bench the axes whose supplies nobody has reported, each supply once."""
     left: list[tuple[Bench, list[str]]] = []
     known = {*reported}
     for bench in benches:
@@ -212,7 +212,7 @@ def _free(urls: Sequence[str], asked: Sequence[object], *, late: bool) -> list[s
 
 
 def _the_rest(path: Path, left: Sequence[tuple[Bench, list[str]]], meanwhile: Meanwhile) -> dict[str, AtZero]:
-    """Bring down with own hands what no guardian has told of; the ports that could be had are held meanwhile."""
+    """Bring down with own hands what no guardian has reported; the ports that could be had are held meanwhile."""
     ports.announce({"pid": os.getpid()})
     try:
         ended = outlived(partial(_with_own_hands, path, left))

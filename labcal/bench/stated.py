@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.bench import Bench
 from labcal.errors import InputError
 from labcal.record import Administrative, Dut, Reference, Run, Segment
-from labcal.record.run import Vector
+from labcal.record.vector import Vector
 
 Array = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ def as_positions(
     its field to the DUT.
 
     `body_from_cage` (n, 3, 3) are the DUT's attitudes, `u_mounting_deg` how well its axes are known in its body; 0 is
-    not stated. Where no attitude is told, nothing hangs on the platform's axis.
+    not stated. Where no attitude is stated, nothing hangs on the platform's axis.
     """
     field = np.asarray(reference_nT, dtype=float)
     n = len(field)

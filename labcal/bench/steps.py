@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
-from labcal.record.run import Matrix, Segment
+from labcal.record.run import Segment
 from labcal.record.stream import (
     FAULT,
     NOT_USED,
@@ -32,6 +32,7 @@ from labcal.record.stream import (
     SegmentOpened,
     Step,
 )
+from labcal.record.vector import Matrix
 
 T = TypeVar("T")
 Work = Generator[Item, str | None, T]  # yields what it measured, receives answers, returns what the caller needs
@@ -199,7 +200,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
             yield Event(bench.clock.now(), FAULT, said, {"step": name, "fault": fault.fault})
             yield from coils_off(bench)
             text = f"{name}: {said} ({bench.sentence()})"
-            drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not be told
+            drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not read it
             choices = ("stop", "retry", "skip")
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
             if answer == "stop":

@@ -48,7 +48,7 @@ from labcal.errors import InputError
 from labcal.files.plain_file import read_limited
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.affine import MAP_PARAMETERS
-from labcal.model.calibration import Rival
+from labcal.model.records import Rival
 from labcal.model.smooth import Basis, Domain
 from labcal.record import Dut
 

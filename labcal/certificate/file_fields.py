@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field
 
 from labcal.files.text_safety import checked_text
 
-WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
+WORST_CONDITION = 1e8  # of K; beyond it readings cannot be distinguished
 ROUNDING = 1e-6  # of a covariance scaled to unit variances
 
 

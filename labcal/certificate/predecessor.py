@@ -22,7 +22,7 @@ def changed_from(calibration: Calibration, before: Path) -> Changes:
 def changed_since(calibration: Calibration, folder: Path, started_utc: Mapping[str, str]) -> Changes | None:
     """What changed since the last calibration in `folder` of the same DUT; None where none is before.
 
-    Which was before is told by when their runs were `started_utc` {run id: ISO 8601}; a file whose run is not known
+    Which was before follows from when their runs were `started_utc` {run id: ISO 8601}; a file whose run is not known
     there, or that cannot be read, is passed over.
     """
     own = started_utc.get(calibration.run_id)

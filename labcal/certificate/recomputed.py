@@ -76,7 +76,7 @@ def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
 
 
 def of_its_run(stated: Calibration, run: Run) -> tuple[str, ...]:
-    """The fields of `stated` that another run than its own is told by, each in words."""
+    """The fields of `stated` that another run than its own is identified by, each in words."""
     span = (float(run.t_s[0]), float(run.t_s[-1]))
     made = replace(stated, run_id=run.run_id, simulated=run.simulated, operator=run.operator, dut=run.dut, span_s=span)
     return _of_the_run(stated, made)

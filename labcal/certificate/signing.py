@@ -276,7 +276,7 @@ def verify(
 ) -> Verification:
     """Check every signature of the calibration at `path` against `signers`, and its run where one is named.
 
-    The run is told by `run_sha256`, and by the head of its hash `chain` where both it and the calibration have one.
+    The run is identified by `run_sha256`, and by the head of its hash `chain` where both have one.
     A key is judged at the time at which its signature is `shown` to have been there, else `now`.
     The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot
     be read, or a trusted person signed something that is no calibration.

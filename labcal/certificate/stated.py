@@ -55,7 +55,7 @@ def state(path: Path, stated: Stated) -> Calibration:
 
 
 def stated_by_people(until: str | None, supersedes: Path | None, today: date | None = None) -> Stated:
-    """What a command was told. Raises InputError for a day that is none or past, and a file that is no calibration."""
+    """What a command was given. Raises InputError for a day that is none or past, and a file that is no calibration."""
     if until is not None:
         day = _day(until)
         if day < (today or datetime.now().astimezone().date()):

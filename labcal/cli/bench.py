@@ -1,4 +1,4 @@
-"""`labcal bench`: greet every instrument, serve emulated ones, take the coils to zero."""
+"""`labcal bench`: identify every instrument, serve emulated ones, take the coils to zero."""
 
 from __future__ import annotations
 

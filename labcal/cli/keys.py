@@ -133,7 +133,7 @@ def _date(stated: str | None) -> datetime | None:
 def passphrase(question: str, *, again: bool = False) -> str:
     """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError.
 
-    It leaves the environment as it is read: nobody whom this process starts is told, nor who reads its memory.
+    It leaves the environment as it is read: nobody whom this process starts gets it, nor who reads its memory.
     """
     kept_private()
     if (stated := os.environ.pop(PASSPHRASE, None)) is not None:

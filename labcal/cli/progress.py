@@ -111,7 +111,7 @@ class JsonLines(Nothing):
 
 
 class Bar(Nothing):
-    """Step n of m with the lab time left; measurements with their verdict, and instruments lost, as they are told."""
+    """Step n of m with the lab time left; measurements with their verdict, and instruments lost, as they come."""
 
     def __init__(self, progress: Progress) -> None:
         self._progress = progress

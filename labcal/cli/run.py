@@ -92,7 +92,7 @@ def run(
 
 
 def _list() -> None:
-    """What there is to run, with what each may be told."""
+    """What there is to run, with the parameters of each."""
     from rich.table import Table
 
     from labcal.runner import catalogue

@@ -1,6 +1,6 @@
 """The whole line on the simulated bench, headless: cage check, record, fit, close the loop, sign, verify, report.
 
-The simulated DUT suffers an effect that its seed picked and that nobody downstream of the wire is told.
+The simulated DUT suffers an effect that its seed picked and that nobody downstream of the wire knows.
 """
 
 from __future__ import annotations

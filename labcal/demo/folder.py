@@ -1,4 +1,4 @@
-"""The demo's folder: nothing gives way to a demo but what an earlier demo left, which is told by its content."""
+"""The demo's folder: nothing gives way to a demo but what an earlier demo left, which is recognised by its content."""
 
 from __future__ import annotations
 

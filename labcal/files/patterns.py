@@ -1,7 +1,7 @@
 """Regular expressions that somebody states: only such as come to an end soon, whatever text they meet.
 
 `re` tries one after the other all ways to divide a text among the repetitions and choices of a pattern. How many those
-are is told by the pattern and the length of the text: `(a+)+` has 2^n for n letters, `a*a*` n².
+are follows from the pattern and the length of the text: `(a+)+` has 2^n for n letters, `a*a*` n².
 """
 
 from __future__ import annotations

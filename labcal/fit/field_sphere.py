@@ -51,7 +51,7 @@ def fit_sphere(
 ) -> SphereFit:
     """Least squares of fields (n, 3) [nT] on mean readings (n, 3) at `t_s` (n,).
 
-    `others` are errors that are declared of the fields, each with the fields (n, 3) as they would have been told with
+    `others` are errors that are declared of the fields, each with the fields (n, 3) as they would have been stated with
     one standard deviation of it: the same least squares moves by so much.
 
     With A = [m, −1, −(t − t̄)] (n, 5) and residuals' covariance S = RᵀR / (n − 5) (3, 3), cov = S ⊗ (AᵀA)⁻¹

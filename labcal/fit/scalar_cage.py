@@ -158,7 +158,7 @@ def fit_scalar_cage(
 
     dF = b̂ · db with b = A (I + ρ∘s) + b0 + S(t) c, S a cubic spline's columns about their mean. Covariance: of the
     residuals, with degrees of freedom taken off, widened where neighbours in time correlate; and the shift by each of
-    `others`, errors that are declared of the sensor, with the magnitudes (n,) as it would have told them.
+    `others`, errors that are declared of the sensor, with the magnitudes (n,) as it would have read them.
     Raises ValueError where the rows do not determine all twelve.
     """
     A, b0 = by_components(seen) if start is None else (start.matrix_nT_per_A, start.ambient_nT)

@@ -60,7 +60,7 @@ def _opened(path: Path) -> Iterator[Any]:
         yield log
     finally:
         for part in ("filehandle", "data_map"):
-            with suppress(AttributeError, BufferError):  # an error that is told may still look at the map
+            with suppress(AttributeError, BufferError):  # an error that is reported may still look at the map
                 getattr(log, part).close()
 
 

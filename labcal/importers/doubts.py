@@ -1,7 +1,7 @@
 """What looks wrong in a recording, named before anything is fitted.
 
 A doubt (units, axes, attitude, clocks, constant, time) would spoil every fit: the import refuses it unless the mapping
-accepts it. What else was found (gaps, missing values, a delay between streams) is told, and the run is made.
+accepts it. What else was found (gaps, missing values, a delay between streams) is reported, and the run is made.
 """
 
 from __future__ import annotations
@@ -21,25 +21,25 @@ Array = NDArray[np.float64]
 
 FACTORS = (10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e9)  # between nT, mG, µT, G, mT, T
 NEAR = 0.2  # of a factor, for it to be the one of two units
-FAR = 4.0  # a reading that many times its reference, or one part of it, is told
+FAR = 4.0  # a reading that many times its reference, or one part of it, is reported
 SMALLEST_nT = 200.0  # a median field below says nothing about its unit
 BETTER = 3.0  # times smaller has the rms to be under other axes
 AS_GOOD = 1.5  # times the best rms leave axes that fit as well
 GAP = 5.0  # median steps that make a gap
 SHORTEST_S, LONGEST_S = 1e-5, 3600.0  # between two samples
 MOST_ROWS = 4000  # that are looked at for axes and delays
-DELAY = 1.5  # of the slower stream's period, for a delay to be told
+DELAY = 1.5  # of the slower stream's period, for a delay to be reported
 CLEARER = 0.7  # what it must leave of the rms
 FEW = 20
 REACH, FAR_REACH = 20, 200  # half periods either way, of the delays that are tried
 POOR = 0.3  # of the readings' spread: what leaves more is tried further away, and must leave that part of it there
 MOST_IN_A_ROW = 20_000
-TOO_GOOD = 0.003  # of the readings' spread: a fit that leaves less has no delay to be told
+TOO_GOOD = 0.003  # of the readings' spread: a fit that leaves less has no delay to be reported
 
 
 @dataclass(frozen=True, slots=True)
 class ImportFinding:
-    """One sentence; `doubt` is the word by which a mapping accepts it, None where it is only told."""
+    """One sentence; `doubt` is the word by which a mapping accepts it, None where it is only reported."""
 
     text: str
     doubt: str | None = None
@@ -134,7 +134,7 @@ def _axes(run: Run, attitude: Array | None) -> Iterator[ImportFinding]:
         yield ImportFinding("the attitude fits far better the other way round: is `maps` inverted?", "attitude")
     elif as_stated > BETTER * best:
         as_good = [word for left, word in tried[1:4] if left < AS_GOOD * best]
-        axes = " or ".join([axes, *as_good])  # along an axis that saw little field no sign can be told
+        axes = " or ".join([axes, *as_good])  # along an axis that saw little field no sign can be determined
         what = f"the readings fit the reference with axes {axes} {as_stated / best:.1f} times better than as stated"
         yield ImportFinding(f"{what}: are axes swapped or turned about?", "axes")
 

@@ -86,5 +86,5 @@ def _refuse_lengths(streams: Mapping[str, Stream], path: Path) -> None:
     for stream in streams.values():
         for name, values in stream.numbers.items():
             if len(values) != len(stream.numbers["time"]) or not len(values):
-                told = f"{name} has {len(values)} records, its times have {len(stream.numbers['time'])}"
-                raise InputError(f"expected an ImagCDF file: {told}", file=path)
+                counts = f"{name} has {len(values)} records, its times have {len(stream.numbers['time'])}"
+                raise InputError(f"expected an ImagCDF file: {counts}", file=path)

@@ -37,8 +37,9 @@ from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord, Parameter
-from labcal.model.calibration import Rival, k_means
+from labcal.model.calibration import k_means
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
+from labcal.model.records import Rival
 from labcal.record import Run
 from labcal.uncertainty import Sources
 

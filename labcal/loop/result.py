@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from labcal.fit import Fit
 from labcal.model import AffineMap, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
-from labcal.model.calibration import Owner
 from labcal.model.effects import Confounded
+from labcal.model.records import Owner
 from labcal.uncertainty import Sources
 from labcal.uncertainty.conformity import Assessment
 

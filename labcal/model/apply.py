@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.model.affine import jacobian
-from labcal.model.calibration import Calibration, EffectRecord
+from labcal.model.calibration import Calibration
 from labcal.model.effects import Fitted, Scene, load_shipped, of_temperature
 from labcal.model.effects.inputs import channels_of
 from labcal.model.gaps import bridged
 from labcal.model.pieces import Recording, Taken, Walk, remembers
 from labcal.model.plausibility import bends, saturated, second_difference_outliers
 from labcal.model.readings import Applied, Readings
+from labcal.model.records import EffectRecord
 from labcal.model.seen import Seen
 
 Array = NDArray[np.float64]
@@ -47,7 +48,7 @@ def apply(calibration: Calibration, readings: Readings, *, begins_known: bool = 
 
     u_nT is the root mean square over the components of: covariance of K and k, noise of the reading through K, each
     effect's parameters, what is left out, and what an effect with memory may have met before the first row, unless that
-    `begins_known`. A channel's gaps are bridged where they can be told. Raises InputError where a needed column is
+    `begins_known`. A channel's gaps are bridged where they can be estimated. Raises InputError where a needed column is
     missing, or an effect of the file is not whole.
     """
     return next(apply_in_pieces(calibration, readings, max(len(readings), 1), begins_known=begins_known))
@@ -212,7 +213,7 @@ def held_out_components(calibration: Calibration) -> int:
     """Of how many components the held-out residual is the length: three of a vector, or one, the magnitude's.
 
     A run that knows the frame may have been closed on magnitudes all the same, as by axes without angles. Files of
-    before do not say it: then it is told by the frame.
+    before do not say it: then the frame says it.
     """
     stated = calibration.metrics.get("after", {}).get("holdout_components")
     return 1 if stated == 1 or (stated is None and not calibration.frame_known) else 3
@@ -254,7 +255,7 @@ def _slopes(reading: Array, part: _Corrected) -> Array:
 
 
 def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
-    """The recording with those gaps of its channels filled that can be told, as a fit fills them; and where."""
+    """The recording with those gaps of its channels filled that can be estimated, as a fit fills them; and where."""
     t, channels, filled = readings.t_s, dict(readings.channels), dict[str, Mask]()
     if t is None or not (np.diff(t) > 0).all():
         t = np.arange(len(readings), dtype=float)

@@ -12,11 +12,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.calibration import Calibration, EffectRecord
+from labcal.model.calibration import Calibration
 from labcal.model.effects import DELAY, Fitted, Scene, Shape, Term, load_shipped
 from labcal.model.effects.inputs import channels_of, outside
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
+from labcal.model.records import EffectRecord
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

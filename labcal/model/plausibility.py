@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.calibration import Calibration, EffectRecord, Parameter
+from labcal.model.calibration import Calibration
 from labcal.model.effects.set_aside import beyond_limits, limits_of, saturation_record
+from labcal.model.records import EffectRecord, Parameter
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

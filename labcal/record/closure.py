@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from labcal.record.run import Matrix, Vector
+from labcal.record.vector import Matrix, Vector
 
 
 @dataclass(frozen=True, slots=True)

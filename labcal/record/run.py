@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.record.administrative import Administrative
+from labcal.record.closure import Closure
 from labcal.record.specification import Specification
-
-if TYPE_CHECKING:
-    from labcal.record.closure import Closure
+from labcal.record.vector import Matrix, Vector
 
 Array = NDArray[np.float64]
-Vector = tuple[float, float, float]
-Matrix = tuple[Vector, Vector, Vector]
 
 SegmentKind = Literal["rotation", "static", "free"]
 Quantity = Literal["temperature", "current", "voltage", "power", "rate", "pressure", "humidity", "count", "other"]

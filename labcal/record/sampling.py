@@ -1,4 +1,4 @@
-"""How often a stream samples, told from its stamps as they are: lines that arrive together share one."""
+"""How often a stream samples, worked out from its stamps as they are: lines that arrive together share one."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ GROUP = "labcal.procedures"
 
 @dataclass(frozen=True, slots=True)
 class FoundProcedure:
-    """A procedure as found: what it is called, what it may be told, and the text it was read from."""
+    """A procedure as found: what it is called, its parameters, and the text it was read from."""
 
     name: str
     function: Callable[..., Procedure]

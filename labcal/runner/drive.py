@@ -21,8 +21,8 @@ from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
-PROMPT_S = 1.0  # what is told later than this says so
-UNDONE_S = 0.3  # that a procedure is given, once it was told to end, before its coils are taken to zero
+PROMPT_S = 1.0  # what is reported later than this says so
+UNDONE_S = 0.3  # that a procedure is given, once it was asked to end, before its coils are taken to zero
 CLOCK_BACK = "clock set back"
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 OnItem = Callable[[Item], None]
@@ -109,7 +109,7 @@ class Drive:
             reply, self._reply = self._reply, None
             try:
                 item: object = procedure.send(reply)
-                while not isinstance(item, Item):  # told at the line that yields it
+                while not isinstance(item, Item):  # reported at the line that yields it
                     item = procedure.throw(TypeError(f"a procedure yields items of a run, and {item!r} is none"))
             except StopIteration:
                 return
@@ -134,7 +134,7 @@ class Drive:
             self._keep_one(event)
 
     def _keep_news(self) -> None:
-        """What was lost or is back, before anything that came later; told late, it says how long ago that was."""
+        """What was lost or is back, before anything that came later; reported late, it says how long ago that was."""
         now = self.bench.clock.now()
         for event in self.bench.news():
             self._keep_one(event, now - event.t_s)
@@ -217,7 +217,7 @@ class Drive:
             raise
 
     def _zero_at_once(self) -> None:
-        with suppress(Exception):  # tried again, and told, on the way to rest
+        with suppress(Exception):  # tried again, and reported, on the way to rest
             self.bench.cage.zero()
 
     def _look(self) -> None:

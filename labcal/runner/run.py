@@ -146,7 +146,7 @@ def resume_run(
 ) -> Outcome:
     """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
 
-    What was measured before is told first, and counts in the outcome.
+    What was measured before is reported first, and counts in the outcome.
     Raises InputError where the run was not interrupted, the procedure cannot be resumed, is another or has changed
     since, or another DUT (`dut_serial` where it is stated) or another bench's instruments stand there.
     """
@@ -249,7 +249,7 @@ def _still_counts(item: Item) -> bool:
 
 
 def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
-    """A mistake in a procedure of one's own is told with its line, as any other wrong input."""
+    """A mistake in a procedure of one's own is reported with its line, as any other wrong input."""
     if not procedure.own or ending.fault is None or isinstance(ending.fault, KNOWN):
         return ending
     frames = traceback.extract_tb(ending.fault.__traceback__)

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import platform
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 from time import sleep
@@ -14,56 +10,13 @@ from typing import TYPE_CHECKING, Any, Literal, NoReturn
 
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
-from labcal.files.home import ARCHIVE, home
 from labcal.files.outputs import claim
-from labcal.system.private_memory import kept_private
+from labcal.session.opened_archive import archive_address, needing_the_extra, opened, place_of_bundles
 
 if TYPE_CHECKING:
-    from labcal.archive.address import Address
-    from labcal.archive.server import Archive
+    from labcal.session.pushing import Pushed
 
-MISSING = "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"
-LIBRARIES = ("sqlalchemy", "alembic", "psycopg")
-BUNDLES = "bundles"  # in labcal's folder, where nobody says another place
 OnRemark = Callable[[str], None]
-
-
-def archive_address(given: str | None) -> Address:
-    """What `--archive`, else LABCAL_ARCHIVE, names. Raises InputError: neither is there, or a password on view."""
-    from labcal.archive.address import parse_address
-
-    stated = given if given is not None else os.environ.get(ARCHIVE)
-    if not stated:
-        raise InputError(f"which archive? --archive URL, or the URL in {ARCHIVE} (docs/archive.md)")
-    address = parse_address(stated)
-    if address.has_password:
-        kept_private()
-    if given is not None and address.has_password:
-        what = "everybody on this machine can read a password on a command line"
-        raise InputError(f"{what}: put the URL into {ARCHIVE}, or the password into ~/.pgpass; and change it now")
-    return address
-
-
-@contextmanager
-def opened(given: str | None) -> Iterator[Archive]:
-    """The archive that is named, its catalogue there and of this version. Raises InputError."""
-    with needing_the_extra():
-        from labcal.archive import server, versions
-
-        with server.opened(archive_address(given)) as archive:
-            versions.check(archive)
-            yield archive
-
-
-@contextmanager
-def needing_the_extra() -> Iterator[None]:
-    """Within, a library that is not installed is one sentence."""
-    try:
-        yield
-    except ImportError as missing:
-        if (missing.name or "").partition(".")[0] in LIBRARIES or "libpq" in str(missing):
-            raise InputError(MISSING) from None
-        raise
 
 
 def init_archive(given: str | None, bundles: str | None) -> str:
@@ -123,30 +76,6 @@ def fetch_from_archive(given: str | None, run: str, site: str | None, out: Path,
         write_bytes(out, content)
 
 
-def place_of_bundles(archive: Archive, stated: str | None = None) -> str:
-    """Where bundles lie: as stated, else as the URL says, else the archive itself, else in labcal's own folder."""
-    from labcal.archive.versions import setting
-
-    return stated or archive.address.bundles or setting(archive, "bundles") or str(home() / BUNDLES)
-
-
-@dataclass(frozen=True, slots=True)
-class Pushed:
-    """What was new in the archive, and what could not be pushed, a sentence each."""
-
-    shown: str
-    site: str
-    runs: int = 0
-    calibrations: int = 0
-    entries: int = 0
-    refused: tuple[str, ...] = ()
-
-    def in_words(self) -> str:
-        """One line."""
-        new = f"{self.runs} runs, {self.calibrations} calibrations, {self.entries} entries of the audit log"
-        return f"{self.shown}, site {self.site}: new there {new}"
-
-
 def push(
     given: str | None, names: Sequence[str] = (), bundles: str | None = None, on_remark: OnRemark = lambda one: None
 ) -> Pushed:
@@ -181,16 +110,6 @@ def push_every(
             on_remark(remark)
         said = now
         wait(seconds)
-
-
-def own_site(archive: Archive) -> str:
-    """The site whose rows are pushed: as the URL says, else the role's one lab, else this machine's name."""
-    from labcal.archive.rights import own_lab
-
-    if archive.address.site:
-        return archive.address.site
-    with archive.transaction() as connection:
-        return own_lab(connection) or platform.node() or "unnamed"
 
 
 def as_moment(text: str | None) -> datetime | None:

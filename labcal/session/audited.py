@@ -1,4 +1,4 @@
-"""What the lab's audit log is told; a run that has ended is told of whatever becomes of its entry."""
+"""What is written into the lab's audit log; a run that has ended hears of whatever becomes of its entry."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def note(deed: audit.Deed, who: str = "", **about: str | None) -> None:
 def note_file(
     deed: audit.Deed, who: str, path: Path, signature: Path | None = None, number: str | None = None, **about: str
 ) -> None:
-    """The same of a file, told by its name, the SHA-256 of what it holds now, so is its new `signature`, its number."""
+    """The same of a file by its name, the SHA-256 of what it holds now, so is its new `signature`, its number."""
     signed = None if signature is None else _sha256(signature)
     note(deed, who, file=path.name, sha256=_sha256(path), signature=signed, number=number, **about)
 
@@ -61,7 +61,7 @@ def noted_signatures() -> dict[str, datetime]:
     with suppress(InputError):
         log = audit.read(home())
         for entry in () if log.fault else log.entries:
-            latest = max(latest, entry.utc)  # a clock that was put back shows nothing earlier than what it had told
+            latest = max(latest, entry.utc)  # a clock that was put back shows nothing earlier than what it had shown
             if entry.deed in ("sign", "approve") and "signature" in entry.about:
                 found.setdefault(entry.about["signature"], datetime.fromisoformat(latest))
     return found

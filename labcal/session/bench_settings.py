@@ -1,4 +1,4 @@
-"""A bench file as a list of settings, each with unit and meaning; changed ones as a text, told apart line by line."""
+"""A bench file as a list of settings, each with unit and meaning; changed ones as a text, compared line by line."""
 
 from __future__ import annotations
 

@@ -69,9 +69,11 @@ def cage_remark(bench: Path) -> str | None:
     config = read_config(bench)
     named = config.cage.calibration
     if named is None or not (cage := bench.parent / named).is_file():
-        return None  # a file that is not there is told when the bench is opened
+        return None  # a file that is not there is reported when the bench is opened
     found: CageCalibration | None = None
-    with suppress(InputError):  # what is wrong with its text is told by its signature, else when the bench is opened
+    with suppress(
+        InputError
+    ):  # what is wrong with its text is reported by its signature, else when the bench is opened
         found = read_cage(cage)
     approver, gone = found.approved_by if found else "", certificate.keys.revoked(home())
     unsigned = check_cage(cage, approver, handed_out(), gone, datetime.now(UTC), shown)

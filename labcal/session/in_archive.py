@@ -12,7 +12,7 @@ from pathlib import Path
 
 from labcal.errors import InputError
 from labcal.files.home import ARCHIVE
-from labcal.session.archiving import opened
+from labcal.session.opened_archive import opened
 
 InArchive = Callable[[bytes, Sequence[bytes], Path], Mapping[str, datetime]]
 SIGNATURE = re.compile(r".*?((?:\.[1-9]\d?)?\.sshsig)")

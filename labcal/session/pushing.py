@@ -30,8 +30,8 @@ from labcal.files.home import home
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.record import Run
-from labcal.session.archiving import Pushed, own_site, place_of_bundles
 from labcal.session.audited import note, noted_signatures
+from labcal.session.opened_archive import own_site, place_of_bundles
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING, signatures
 from labcal.session.sources import is_path, run_bundle
 from labcal.store import Bundle, Store, zipped
@@ -40,6 +40,23 @@ from labcal.store.listing import FILE as STORE
 FINISHED = ("finished", "imported")
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
+
+
+@dataclass(frozen=True, slots=True)
+class Pushed:
+    """What was new in the archive, and what could not be pushed, a sentence each."""
+
+    shown: str
+    site: str
+    runs: int = 0
+    calibrations: int = 0
+    entries: int = 0
+    refused: tuple[str, ...] = ()
+
+    def in_words(self) -> str:
+        """One line."""
+        new = f"{self.runs} runs, {self.calibrations} calibrations, {self.entries} entries of the audit log"
+        return f"{self.shown}, site {self.site}: new there {new}"
 
 
 @dataclass(slots=True)
@@ -65,7 +82,7 @@ class Pusher:
         return cls(archive, site, place_of_bundles(archive, bundles), known(archive, site), on_remark)
 
     def push(self, names: Sequence[str]) -> Pushed:
-        """Push what is named, else all; then the audit log. What cannot be pushed is passed over and told."""
+        """Push what is named, else all; then the audit log. What cannot be pushed is passed over and reported."""
         for name in names:
             self._one(name, self._named)
         if not names:

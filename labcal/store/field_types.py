@@ -10,7 +10,7 @@ from pydantic import AfterValidator, BeforeValidator, Field
 
 from labcal.files.text_safety import checked_text
 from labcal.record.physical import LARGEST_FIELD_nT
-from labcal.record.run import Matrix, Vector
+from labcal.record.vector import Matrix, Vector
 
 ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four decimals are rounded, not wrong
 

@@ -17,7 +17,7 @@ FLOCK = "hhqqi4x"  # struct flock of Linux: type, whence, start, length, process
 
 
 def holder(path: Path) -> str:
-    """Who keeps others from writing into the store just now: "process 42 (python3)"; "" where that is not told."""
+    """Who keeps others from writing into the store just now: "process 42 (python3)"; "" where that is not known."""
     for process in _processes(path):
         name = ""
         with suppress(OSError):

@@ -130,7 +130,7 @@ def _name(pid: int) -> str:
 
 
 def _begun(pid: int) -> str:
-    """When a process began, in ticks of the system; "-" where that is not told, "dead" where nobody reaped it."""
+    """When a process began, in ticks of the system; "-" where that is not known, "dead" where nobody reaped it."""
     try:
         with open(f"/proc/{pid}/stat", encoding="ascii", errors="replace") as stat:
             stat_fields = stat.read().rpartition(")")[2].split()

@@ -18,8 +18,9 @@ from labcal.record import Administrative, Dut, Reference, Run, Segment, Specific
 from labcal.record.administrative import without_nothing
 from labcal.record.closure import Closure, Standstill
 from labcal.record.physical import LARGEST_FIELD_nT
-from labcal.record.run import Quantity, Role, SegmentKind, Vector
+from labcal.record.run import Quantity, Role, SegmentKind
 from labcal.record.run_id import checked_run_id
+from labcal.record.vector import Vector
 from labcal.store.field_types import Axis, Celsius, Day, Mode, Name, Nanotesla, Rotation, Spread, Text, Utc, null_is
 from labcal.store.json_text import check_json, line_of, refuse, refuse_too_many
 from labcal.store.limits import MOST_KEYS

@@ -21,9 +21,9 @@ from labcal.store.place import require_same
 
 COMMIT_EVERY_S = 0.25  # of wall time
 ASK_AGAIN_MS = 100  # while another program holds the store
-LATE_S = 15.0  # a row that waits so long for the disk is told; with real coils on, sooner: see `RunWriter.late_s`
+LATE_S = 15.0  # a row that waits so long for the disk is reported; with real coils on, sooner: see `RunWriter.late_s`
 PATIENCE_S = 10.0  # at the end, with nothing energised any more: by then a lock or a full disk may be gone
-SAY_S = 1.0  # so long nobody is told that the end of a run waits for the disk
+SAY_S = 1.0  # so long nobody hears that the end of a run waits for the disk
 TOLD_S = 0.1  # a row that has waited less has not waited
 PASSING = ("store locked", "disk full")  # faults that may go away by themselves
 ROWS_BUFFERED = 5_000
@@ -170,7 +170,7 @@ class RunWriter:
                 self.commit()
                 require_same(self._path, self._connection.files)
                 self._fault = None
-            except Exception as error:  # told to whoever writes or looks next, and tried again
+            except Exception as error:  # raised for whoever writes or looks next, and tried again
                 self._fault = error
         if self._left.is_set():
             self._let_go()

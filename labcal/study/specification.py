@@ -23,7 +23,7 @@ class _Stated(BaseModel):
 
 
 class _Simulated(_Stated):
-    """A procedure on the simulated bench. `lab` is what differs in the bench file, `settings` what it is told."""
+    """A procedure on the simulated bench. `lab` is what differs in the bench file, `settings` its parameters."""
 
     bench: Path | None = None  # that of the demo
     procedure: str = "preflight"
@@ -59,7 +59,7 @@ class MonteCarlo(_Judged):
 
 
 class Blind(_Simulated):
-    """The loop on effects that nobody told it of."""
+    """The loop on effects that are not declared to it."""
 
     kind: Literal["blind"]
 

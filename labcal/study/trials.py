@@ -51,7 +51,7 @@ def _direction_U(found: Fit, field_nT: float) -> float:
 
 
 def blind(settings: Mapping[str, Any]) -> Row:
-    """The twin suffers what its seed picked; the loop is told nothing. What it named beside what it was."""
+    """The twin suffers what its seed picked; the loop knows nothing of it. What it named beside what it was."""
     recorded = record(settings)
     closed = loop.close_loop(recorded.run)
     hidden, hidden_on = next((name, given.get("channel", "")) for name, given in pick_effect(settings["seed"]).items())

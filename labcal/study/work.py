@@ -12,7 +12,7 @@ _one_at_a_time = threading.Lock()  # the threads of a Dask worker share clocks, 
 
 
 def work(job: Job) -> Row:
-    """The job's row. What a lab would have to live with, as a limit not met or a run without a fit, is told in it.
+    """The job's row. What a lab would have to live with, as a limit not met or a run without a fit, stands in it.
 
     Raises InputError where this computer has another version of labcal than the one that asked.
     """

@@ -128,7 +128,7 @@ def keep_report(ended: WindowEnd) -> Path:
 
 
 def without_secrets(text: str) -> str:
-    """The text without what this process was told in confidence."""
+    """The text without what this process was given in confidence."""
     for name in SECRETS:
         if secret := os.environ.get(name):
             text = text.replace(secret, f"({name})")

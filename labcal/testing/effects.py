@@ -14,9 +14,9 @@ from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop
 from labcal.model import Calibration
 from labcal.model.apply import apply
-from labcal.model.calibration import EffectRecord
 from labcal.model.effects import Family, Scene, Term, family, load
 from labcal.model.readings import Readings
+from labcal.model.records import EffectRecord
 from labcal.record import Channel, Run
 from labcal.testing.made_up_runs import MadeUp, made_up_run
 from labcal.testing.require import require

@@ -1,4 +1,4 @@
-"""A page of the window held to its protocol, with workers that answer only when they are told to."""
+"""A page of the window held to its protocol, with workers that answer only when they are asked to."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Asked(NamedTuple):
 
 
 class DeafWorker(QObject):
-    """A worker that answers only when it is told to."""
+    """A worker that answers only when it is asked to."""
 
     items = Signal(tuple)
     states = Signal(object)

@@ -1,4 +1,4 @@
-"""How a broken promise is told: an AssertionError whose sentence says what was seen and what to do."""
+"""How a broken promise is reported: an AssertionError whose sentence says what was seen and what to do."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The seed picks what the DUT suffers. Nobody else is told."""
+"""The seed picks what the DUT suffers. Nobody else knows."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""A watch: new runs of a folder or the archive are fitted, looped and drafted, and a person is told. It never signs.
+"""A watch: new runs of a folder or the archive are fitted, looped and drafted, a person notified. It never signs.
 
 What was looked at stands in `watched.json` of the watch's own folder, written after each run: a watch that was killed
-goes on where it was, and nobody is told twice. A run that cannot be worked out is told like any other.
+goes on where it was, and nobody is notified twice. A run that cannot be worked out is reported like any other.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def require_folder(out: Path) -> None:
 
 
 def look(source: Source, out: Path, ways: Sequence[Way], say: Say = lambda one: None) -> list[WatchedRun]:
-    """Look once: work out what is new, then tell of it and of what nobody could be told before; returns what is new.
+    """Look once: work out what is new, then notify of it and of what could not be sent before; returns what is new.
 
     Raises InputError where the source is away, `out` cannot be written, or telling failed; what was found is kept.
     """
@@ -112,7 +112,7 @@ def watch(
     say: Say,
     wait: Callable[[float], object] = time.sleep,
 ) -> None:
-    """Look again and again until somebody stops it; what is away is told once, and looked for again."""
+    """Look again and again until somebody stops it; what is away is reported once, and looked for again."""
     said = ""
     while True:
         try:

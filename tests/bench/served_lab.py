@@ -25,6 +25,7 @@ import pytest
 
 import labcal.bench.serve as serving
 from labcal.bench.clock import RealClock
+from labcal.bench.guardian.standbys import HOW_MANY
 from labcal.bench.links import Nobody
 from labcal.bench.loading import Loader
 from labcal.files.home import home
@@ -252,6 +253,15 @@ def of_bench(bench: Path) -> list[int]:
 def children_of(parent: int) -> list[int]:
     listed = [path.read_text() for path in Path(f"/proc/{parent}/task").glob("*/children")]
     return [int(pid) for pid in " ".join(listed).split()]
+
+
+def kill_all(child: subprocess.Popen[str]) -> None:
+    """End session, guardian and those that stand by, at once: nobody is left who could order zero."""
+    (first,) = guardians()
+    until(lambda: len(children_of(first)) == HOW_MANY)
+    for pid in (*children_of(first), first, child.pid):
+        os.kill(pid, signal.SIGKILL)
+    child.wait()
 
 
 def log() -> str:

@@ -5,12 +5,23 @@ from __future__ import annotations
 import os
 import re
 import signal
-import subprocess
 import sys
 
 import numpy as np
 import pytest
-from served_lab import ZERO_A, Served, Sessions, at_zero, children_of, example, guardians, log, of_bench, until
+from served_lab import (
+    ZERO_A,
+    Served,
+    Sessions,
+    at_zero,
+    children_of,
+    example,
+    guardians,
+    kill_all,
+    log,
+    of_bench,
+    until,
+)
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, SIGSTOP and ptys, which Windows lacks")
 WATCHDOG_S = 3.0
@@ -35,14 +46,6 @@ def opened_s(lab: Served) -> float:
 
 def flowed(lab: Served, t_s: float) -> list[float]:
     return [abs(float(coil.at(np.array([t_s]))[0])) for coil in lab.coils.values()]
-
-
-def kill_all(child: subprocess.Popen[str]) -> None:
-    (first,) = guardians()
-    until(lambda: len(children_of(first)) == 2)
-    for pid in (*children_of(first), first, child.pid):
-        os.kill(pid, signal.SIGKILL)
-    child.wait()
 
 
 def test_all_three_killed_the_interlock_falls_open(lab: Served, session: Sessions) -> None:

@@ -19,6 +19,7 @@ from served_lab import (
     children_of,
     example,
     guardians,
+    kill_all,
     log,
     of_bench,
     until,
@@ -87,10 +88,7 @@ def test_who_takes_the_guardian_s_place_knows_the_coils(lab: Served, session: Se
 @pytest.mark.parametrize("spoil", [*SPOILT, untouched], ids=lambda spoil: spoil.__name__)
 def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: Sessions, spoil) -> None:
     child = session("idle")
-    (first,) = guardians()
-    until(lambda: len(children_of(first)) == HOW_MANY)
-    for pid in (*children_of(first), first, child.pid):
-        os.kill(pid, signal.SIGKILL)
+    kill_all(child)
     until(lambda: not of_bench(lab.file))
     assert not at_zero(lab)
     spoil(lab.file)

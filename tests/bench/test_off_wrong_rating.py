@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-import os
-import signal
 import subprocess
 import sys
 
 import pytest
-from served_lab import LABCAL, LONG_S, Served, Sessions, at_zero, children_of, guardians, of_bench, three_genesys, until
-
-from labcal.bench.guardian.standbys import HOW_MANY
+from served_lab import (
+    LABCAL,
+    LONG_S,
+    Served,
+    Sessions,
+    at_zero,
+    kill_all,
+    of_bench,
+    three_genesys,
+    until,
+)
 
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="needs SIGKILL and ptys"),
@@ -20,10 +26,7 @@ pytestmark = [
 
 def test_off_reaches_supplies_that_deliver_less_than_is_stated(lab: Served, session: Sessions) -> None:
     child = session("idle")
-    (first,) = guardians()
-    until(lambda: len(children_of(first)) == HOW_MANY)
-    for pid in (*children_of(first), first, child.pid):
-        os.kill(pid, signal.SIGKILL)
+    kill_all(child)
     until(lambda: not of_bench(lab.file))
     assert not at_zero(lab)
     lab.file.write_text(lab.file.read_text().replace('"max_current_A" = 3.0', '"max_current_A" = 50.0'))

@@ -93,7 +93,7 @@ def test_a_successor_tells_what_it_knows_of_the_one_before(pair: Pair) -> None:
     handed = handed_over(pair)
     coils = {**handed.coils, "y": Held(0.7, True, handed.coils["y"].who, falling=True)}
     ended = {end.axis: end for end in pair.guardian(Handover(handed.exchanges_s, coils)).zero("it is gone")}
-    told = "zero, open; before that: coil y: the guardian before is gone; it had ordered zero and told of no read-back"
+    told = "zero, open; before that: coil y: the guardian before is gone; it had ordered zero and reported no read-back"
     assert [ended[axis].words for axis in "xyz"] == ["zero, open", told, "zero, open"]
     assert [axis for axis, end in ended.items() if end.abrupt] == ["y"]
 

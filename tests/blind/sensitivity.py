@@ -1,23 +1,22 @@
-"""How far answers hang on each judgement of `labcal.loop.policy`: `sensitivity.py OUT [SEED]`.
+"""How far answers hang on each judgement of `labcal.loop.policy`: `sensitivity.py OUT`.
 
 Each judgement is moved by 30 % down and up, on 24 blind runs that are hard to judge and on faulty copies of two of
 them; counted are the runs whose answer changes: verdict, named causes, findings. Results go to OUT/answers.jsonl as
 they come, and a second call goes on where the first one ended; another policy starts anew.
 
 Each run is first put through with judgements that know where they would be if they were moved. Where no comparison
-comes out otherwise, the answer stays as it is. For the others the run is put through again, but only what the move
-matters to: every result that the loop keeps is remembered with the moves that would have turned a comparison in it.
+comes out otherwise, the answer stays as it is; for the other moves the run is put through again.
 """
 
 from __future__ import annotations
 
+import argparse
 import json
 import operator
 import os
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -26,10 +25,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small; tw
 
 import numpy as np
 
-from labcal.loop import assemble, close, parallel, policy
-from labcal.loop.candidates.columns import Memo
-from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.selection import joint_fit, proof
+from labcal.loop import close, parallel, policy
+from labcal.loop.selection import proof
 from labcal.record import Run
 from labcal.store import load_bundle
 
@@ -118,115 +115,35 @@ class Watch:
 
     def forget(self) -> None:
         """As for a run that nobody has seen."""
-        self.read, self.mattering = set[str](), [set[Move]()]
+        self.read, self.mattering = set[str](), set[Move]()
         self.move_to(None)
 
     def move_to(self, move: Move | None) -> None:
         """One judgement moved, or none."""
         usual = policy.Policy()
-        self.move = move
+        self.moved = move is not None
         self.policy = usual if move is None else replace(usual, **{move[0]: moved(*move)})
 
     def __getattr__(self, name: str) -> Any:
         derived = getattr(policy.Policy, name, None)
         if isinstance(derived, property) and derived.fget is not None:
             return derived.fget(self)
+        value = getattr(self.policy, name)
+        if self.moved:
+            return value
         self.read.add(name)
-        value, moves = getattr(self.policy, name), [(name, factor) for factor in MOVES]
-        if self.move is None and isinstance(value, float):
-            return Probe.of(value, {move: moved(*move) for move in moves}, self.note)
-        for move in moves:
-            self.note(move)
-        return value
-
-    def note(self, move: Move) -> None:
-        """A move that matters to all that is being watched."""
-        for level in self.mattering:
-            level.add(move)
-
-    @contextmanager
-    def watching(self) -> Iterator[set[Move]]:
-        """The moves that matter to what is done inside."""
-        self.mattering.append(set())
-        try:
-            yield self.mattering[-1]
-        finally:
-            self.mattering.pop()
-
-
-@dataclass(frozen=True, eq=False)
-class Result:
-    """What a function gave, the moves that matter to it, and what its key names by address: not to be freed."""
-
-    value: Any
-    mattering: set[Move]
-    alive: Any
-
-
-class Kept:
-    """Results of pure functions by their arguments."""
-
-    def __init__(self, watch: Watch) -> None:
-        self.watch = watch
-        self.known: dict[Any, Result] = {}
-        self.under_move: dict[Any, Result] = {}
-
-    def get(self, key: Any, make: Callable[[], Any], alive: Any) -> Any:
-        """What `make` gives; made anew where the present move matters to it."""
-        found = self.under_move.get(key)
-        if found is None and (usual := self.known.get(key)) and self.watch.move not in usual.mattering:
-            found = usual
-        if found is None:
-            with self.watch.watching() as mattering:
-                found = Result(make(), mattering, alive)
-            home = self.under_move if self.watch.move in mattering else self.known
-            home[key] = found
-        for move in found.mattering:
-            self.watch.note(move)
-        return found.value
-
-    def function(self, of: Callable[..., Any]) -> Callable[..., Any]:
-        """The function, its results kept."""
-
-        def kept(*args: Any, **words: Any) -> Any:
-            key = (of, *map(_key, args), *((name, _key(value)) for name, value in sorted(words.items())))
-            return self.get(key, lambda: of(*args, **words), (args, words))
-
-        return kept
-
-
-def _key(value: Any) -> Any:
-    """Arrays and numbers by what they are, sequences by their elements, all else by identity."""
-    if isinstance(value, np.ndarray):
-        return value.tobytes()
-    if isinstance(value, (list, tuple)):
-        return tuple(map(_key, value))
-    return value if isinstance(value, (int, float, str, type(None))) else id(value)
+        return Probe.of(value, {(name, factor): moved(name, factor) for factor in MOVES}, self.mattering.add)
 
 
 @cache
-def watch_the_loop() -> tuple[Watch, Kept]:
-    """The loop with its policy watched and its results kept; in this process, for good."""
-    # what is ignored below is meant: everything is replaced by itself, watched, and this process does nothing else
+def watch_the_loop() -> Watch:
+    """The loop with its policy watched; in this process, for good."""
+    # what is ignored below is meant: this process does nothing else
     watch = Watch()
-    kept = Kept(watch)
     policy.POLICY = watch  # type: ignore[assignment]
-    parallel.CORES = 1  # what one thread reads belongs to the result that it makes
-    Memo.get = lambda self, what, about, make: kept.get((id(self), what, *map(id, about)), make, (self, about))  # type: ignore[method-assign,assignment]
-    for name in ("prepare", "check_data", "joint_fit"):
-        setattr(close, name, kept.function(getattr(close, name)))
-    for module, name in ((proof, "joint_fit"), (assemble, "joint_fit"), (assemble, "residual_tests")):
-        setattr(module, name, kept.function(getattr(module, name)))
-    CandidateSet.of = kept.function(CandidateSet.of)  # type: ignore[method-assign]
-    CandidateSet.without_rows = _method(kept, CandidateSet.without_rows)  # type: ignore[method-assign]
-    joint_fit.JointFit.uncorrected = _method(kept, joint_fit.JointFit.uncorrected)  # type: ignore[method-assign]
-    proof.null_distribution = lambda *_: np.zeros(1)  # p-values are told, and decide nothing
-    return watch, kept
-
-
-def _method(kept: Kept, of: Callable[..., Any]) -> Callable[..., Any]:
-    function = kept.function(of)
-    return lambda self, *args: function(self, *args)
+    parallel.CORES = 1  # two processes share the cores
+    proof.null_distribution = lambda *_: np.zeros(1)  # p-values are reported, and decide nothing
+    return watch
 
 
 def answer(run: Run) -> Answer:
@@ -253,19 +170,17 @@ def moved(name: str, factor: float) -> float:
 def answers(task: Task) -> dict[str, Any]:
     """Of one run: its answer, the answers that change, and the judgements that were read."""
     folder, fault = task
-    watch, kept = watch_the_loop()
+    watch = watch_the_loop()
     watch.forget()
-    kept.known.clear()
     run = FAULTS[fault](load_bundle(folder / "bundle").run())
     usual, changed = answer(run), {}
-    read, mattering = sorted(watch.read), sorted(watch.mattering[0])
+    read, mattering = sorted(watch.read), sorted(watch.mattering)
     for move in mattering:
         watch.move_to(move)
-        kept.under_move.clear()
         if (now := answer(run)) != usual:
             changed[f"{move[0]} {move[1]}"] = now
-    told = {"run": folder.name, "fault": fault, "answer": usual, "changed": changed, "read": read}
-    return {**told, "turned": sorted({name for name, _ in mattering})}
+    seen = {"run": folder.name, "fault": fault, "answer": usual, "changed": changed, "read": read}
+    return {**seen, "turned": sorted({name for name, _ in mattering})}
 
 
 def _turned(run: Run, P: list[int]) -> Run:
@@ -322,7 +237,14 @@ def table(rows: list[dict[str, Any]]) -> str:
     return "\n".join([*lines, "", f"{len(rows)} runs, {len(found)} judgements."])
 
 
-def main(out: Path, seed: str) -> None:
+def finished(kept: Path) -> list[dict[str, Any]]:
+    """The answers in a file; a line that was cut short is none, and goes."""
+    whole = kept.read_bytes().rpartition(b"\n")
+    kept.write_bytes(whole[0] + whole[1])
+    return [json.loads(line) for line in whole[0].splitlines()]
+
+
+def main(out: Path, seed: str, processes: int) -> None:
     """Write what is missing of the answers, then print the table."""
     from concurrent.futures import ProcessPoolExecutor, as_completed
 
@@ -336,9 +258,9 @@ def main(out: Path, seed: str) -> None:
         import subprocess
 
         subprocess.run([sys.executable, HERE / "simulate.py", out / "runs", "delicate", seed], check=True)
-    rows = [json.loads(line) for line in kept.read_text().splitlines()]
+    rows = finished(kept)
     done = {(r["run"], r["fault"]) for r in rows}
-    with ProcessPoolExecutor(2) as pool:
+    with ProcessPoolExecutor(processes) as pool:
         left = [t for t in tasks(out / "runs") if (t[0].name, t[1]) not in done]
         for future in as_completed([pool.submit(answers, t) for t in left]):
             rows.append(future.result())
@@ -349,4 +271,8 @@ def main(out: Path, seed: str) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2] if len(sys.argv) > 2 else "4242")
+    asked = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    asked.add_argument("out", type=Path)
+    asked.add_argument("--seed", default="4242")
+    asked.add_argument("--processes", type=int, default=2)
+    main(**vars(asked.parse_args()))

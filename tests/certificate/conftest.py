@@ -14,7 +14,7 @@ from labcal.certificate.allowed_signers import own_line
 from labcal.certificate.calibration_file import calibration_bytes
 from labcal.certificate.sshsig import public_key_blob
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
-from labcal.model.calibration import Rival
+from labcal.model.records import Rival
 from labcal.record import Dut
 
 

@@ -48,7 +48,7 @@ def test_a_process_that_opened_a_key_leaves_no_core_dump(tmp_path: Path) -> None
     [
         "from labcal.cli.keys import passphrase; passphrase('?')",
         "from labcal.certificate.pkcs8 import unlocked; unlocked(b'-----BEGIN ENCRYPTED PRIVATE KEY-----', 'x')",
-        "from labcal.session.archiving import archive_address; archive_address('postgresql://a:b@h/d')",
+        "from labcal.session.opened_archive import archive_address; archive_address('postgresql://a:b@h/d')",
         "import sys; sys.argv = ['labcal', 'nothing']; from labcal.cli import main; main()",
     ],
 )

@@ -8,7 +8,7 @@ from typing import Any
 
 from labcal import session
 from labcal.loop import NextExperiment
-from labcal.model.calibration import EffectRecord, Rival
+from labcal.model.records import EffectRecord, Rival
 from labcal.runner import procedures
 
 

@@ -8,7 +8,7 @@ from labcal.errors import InputError
 from labcal.fit import fit
 from labcal.fit.scalar import telemetry
 from labcal.model.effects import load
-from labcal.model.effects.protocol import Scene
+from labcal.model.effects.scene import Scene
 
 E = np.array([[1200.0, -400.0, 300.0], [200.0, 900.0, -700.0], [-3000.0, 1500.0, 800.0]])  # nT/A
 

@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.widgets.parameter_form import ParameterForm
 from labcal.gui.widgets.typed_number import NotClear, number_stated
-from labcal.model.calibration import EffectRecord, Rival
+from labcal.model.records import EffectRecord, Rival
 
 
 @pytest.fixture

@@ -17,7 +17,7 @@ from labcal.loop.selection.equivalents import equally_likely
 from labcal.loop.selection.stepwise import stepwise_forward
 from labcal.model.effects import family
 from labcal.model.effects.iron import table_axes
-from labcal.model.effects.protocol import Rig
+from labcal.model.effects.scene import Rig
 
 Rows = dict[str, np.ndarray]
 UP = np.array([0.0, 0.0, 1.0])

@@ -6,8 +6,8 @@ import numpy as np
 
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.hysteresis import candidates, dahl, kernel, stop
-from labcal.model.effects.protocol import Shape
 from labcal.model.effects.regressors import low_passed, per_axis, shifted
+from labcal.model.effects.shape import Shape
 from labcal.record import Dut, Reference, Run, Segment
 
 

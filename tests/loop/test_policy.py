@@ -8,7 +8,6 @@ import re
 from collections.abc import Iterator
 from dataclasses import FrozenInstanceError, fields
 from pathlib import Path
-from runpy import run_path
 
 import numpy as np
 import pytest
@@ -189,11 +188,6 @@ def test_the_policy_is_frozen_and_what_is_derived_follows() -> None:
     assert policy.Policy(floor_ratio=1.25).min_white_level == 0.8
     assert policy.Policy(min_evidence=20.0).saturation_significance == pytest.approx(math.exp(-20.0))
     assert len(fields(policy.Policy)) == len(policy.judgements()) <= 25
-
-
-def test_the_page_about_the_loop_holds_the_judgements_as_they_are() -> None:
-    page = (ROOT / "docs" / "closed-loop.md").read_text(encoding="utf-8")
-    assert run_path(str(ROOT / "tools" / "policy_table.py"))["with_table"](page) == page, "run tools/policy_table.py"
 
 
 def test_a_policy_put_in_its_place_is_the_one_that_is_used(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -56,3 +56,23 @@ def test_a_ratio_is_moved_from_one_and_a_count_by_one(tool: ModuleType) -> None:
     assert tool.moved("floor_ratio", 1.3) == pytest.approx(1.195)
     assert tool.moved("material_share", 0.7) == pytest.approx(0.021)
     assert tool.moved("max_equivalents", 0.7) == 2
+
+
+def test_a_run_whose_line_was_cut_short_is_answered_again(tool: ModuleType, tmp_path: Path) -> None:
+    kept = tmp_path / "answers.jsonl"
+    kept.write_text('{"run": "b0000"}\n{"run": "b00')
+    assert tool.finished(kept) == [{"run": "b0000"}]
+    with kept.open("a") as file:
+        file.write('{"run": "b0001"}\n')
+    assert tool.finished(kept) == [{"run": "b0000"}, {"run": "b0001"}]
+
+
+def test_a_policy_that_was_moved_is_made_of_plain_numbers(tool: ModuleType) -> None:
+    watch = tool.Watch()
+    assert watch.floor_ratio > 1.11
+    assert watch.read == {"floor_ratio"}
+    watch.move_to(("floor_ratio", 1.3))
+    assert [type(watch.floor_ratio), type(watch.min_white_level)] == [float, float]
+    assert watch.floor_ratio == pytest.approx(1.195)
+    assert watch.min_white_level == pytest.approx(1 / 1.195)
+    assert watch.mattering == {("floor_ratio", 0.7)}

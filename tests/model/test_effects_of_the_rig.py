@@ -7,7 +7,8 @@ from scipy.spatial.transform import Rotation
 
 from labcal.model.effects import axis_tilt
 from labcal.model.effects.field_gradient import SYMMETRIC, kernel
-from labcal.model.effects.protocol import Rig, Scene, Term
+from labcal.model.effects.scene import Rig, Scene
+from labcal.model.effects.term import Term
 
 
 def turned(n: int, rng: np.random.Generator) -> Scene:

@@ -11,7 +11,7 @@ import numpy as np
 
 from labcal.certificate import calibration_bytes, read_calibration
 from labcal.model import AffineMap, Calibration, EffectRecord
-from labcal.model.calibration import Parameter
+from labcal.model.records import Parameter
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "calibration-2.json"
 FIRST = datetime(2016, 3, 1, 8, tzinfo=UTC)

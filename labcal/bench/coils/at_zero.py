@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from labcal.errors import InstrumentError
 
 BY_WORD = "by the supply's word only"  # of who has no reference to ask
-ORDERED = "taking the coils to zero: ordered, and no read-back told yet …"
-FROM_HERE = "taking to zero from here what no guardian holds: no read-back told yet …"
+ORDERED = "taking the coils to zero: ordered, not read back yet …"
+FROM_HERE = "taking to zero from here what no guardian holds: not read back yet …"
 NOT_ORDERED = "zero is to be ordered: no guardian has answered yet …"
-FRESH_S = 2.0  # what was read back longer ago is told as past
+FRESH_S = 2.0  # what was read back longer ago is reported as past
 SLOW_S = 0.7  # so long after it was wanted that is said
 
 

@@ -37,7 +37,7 @@ class Cage:
 
     `ambient_nT` (3,) is the field in C with the coils at zero, as last measured by whoever measured it; `set_field`
     aims at the total field. `wait` is how time passes during ramps: the bench keeps its streams read meanwhile.
-    `guardian` brings real coils to zero in its own process, told why. `contacts` are the axes behind reversing
+    `guardian` brings real coils to zero in its own process, with the reason. `contacts` are the axes behind reversing
     contacts, whose sign is confirmed by what `see` sees: the reference's field (3,) in C, None where there is none.
     `check` hears what the reference sends and compares it with what ought to flow; where it does not see a zero that
     the supplies state, `latch` keeps everything from being energised. `where` tells a person which supply a name means.
@@ -142,9 +142,9 @@ class Cage:
 
     @property
     def way_down_s(self) -> float:
-        """How long the ramp to zero takes from the set-points that were told last; 0 with the outputs open."""
-        told = {axis: abs(self._read[axis].set_A or 0.0) for axis in AXES}
-        return max(told[axis] / rate for axis, rate in self._rates().items()) if self.on else 0.0
+        """How long the ramp to zero takes from the set-points that were read last; 0 with the outputs open."""
+        last_A = {axis: abs(self._read[axis].set_A or 0.0) for axis in AXES}
+        return max(last_A[axis] / rate for axis, rate in self._rates().items()) if self.on else 0.0
 
     def coils(self) -> tuple[CoilReading, ...]:
         """Each axis as it was last read, on the bench's clock."""
@@ -257,7 +257,7 @@ class Cage:
         return list(to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails).values())
 
     def _wait_whatever_fails(self, t_s: float) -> None:
-        """A stream that has died is told elsewhere; it does not keep the coils from zero."""
+        """A stream that has died is reported elsewhere; it does not keep the coils from zero."""
         with suppress(InstrumentError):
             self._wait(t_s)
         self._clock.wait_until(t_s)

@@ -66,7 +66,7 @@ def _of(path: Path) -> Doubt | None:
 
 
 def left_so(path: Path, ended: Iterable[AtZero]) -> str:
-    """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is told."""
+    """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is stated."""
     advice = OPEN_THEM if (doubt := _of(path)) is None else doubt.advice
     return of_ends(ended, doubt_of(path), advice).sentence(time.monotonic())
 

@@ -49,8 +49,8 @@ class SignCheck:
     def probes(self, start_A: Array, target_A: Array) -> Iterator[Probe]:
         """Where to stop on the straight way from `start_A` to `target_A` (3,), in order.
 
-        Axes that cross zero at about the same point share a probe. A current too small to be told is left alone, and
-        is looked at when it grows.
+        Axes that cross zero at about the same point share a probe. A current too small to be measured is left alone,
+        and is looked at when it grows.
         """
         change, waiting = target_A - start_A, dict[int, tuple[float, float]]()
         for axis in self._contacts:

@@ -216,7 +216,7 @@ class Steady(Magnetometer, Protocol):
 
 @runtime_checkable
 class Paced(Magnetometer, Protocol):
-    """A magnetometer that can be told how fast to sample."""
+    """A magnetometer that can be set how fast to sample."""
 
     rate_hz: float
 

@@ -91,7 +91,7 @@ class Watch:
                     self._guardian.zero("its lock or its socket was removed: nobody could find it")
                     return
             if self._end_requested.is_set():
-                self._guardian.zero("the guardian was told to end")
+                self._guardian.zero("the guardian was asked to end")
                 return
             lonely = server.had_session or time.monotonic() - begun > alone_s
             needless = server.dismissed.is_set() or (server.session is None and lonely)
@@ -175,7 +175,7 @@ def main(path: Path, how: str, line: str) -> None:
     handed = (zero_first(path, line) if how == SUCCESSOR else None) or Handover()
     bench = briefed(path, line)
     config = bench.config
-    with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
+    with suppress(InputError):  # a session has heard it; who takes over does so without the group's folder too
         ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
     if how == STANDBY:

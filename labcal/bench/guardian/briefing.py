@@ -1,4 +1,4 @@
-"""What a guardian is told of its bench by whoever starts it: the file may be edited, moved or gone when it counts.
+"""What a guardian is given of its bench by whoever starts it: the file may be edited, moved or gone when it counts.
 
 It is the first line of the standard input of a process that is started with `BRIEFED`.
 """

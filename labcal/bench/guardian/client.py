@@ -120,7 +120,7 @@ class GuardianClient:
         self._urls = config.guarded_links
         self._connection: Connection | None = None
         self._next_beat_s = 0.0
-        self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
+        self._lost, self._start_after_s = False, 0.0  # lost, and nobody has heard it yet
         self._untold = set[str]()  # coils whose orders have not met the loss: another's question may have
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
@@ -161,7 +161,7 @@ class GuardianClient:
     def zero(self, why: str) -> list[AtZero]:
         """Every coil to zero and open."""
         ended = [wire.zero_of(end) for end in self.ask("zero", why=why)]
-        self._untold.clear()  # what holds now is told with it
+        self._untold.clear()  # what holds now is sent with it
         for end in ended:
             if end.current_A is not None:
                 self._read.keep(end.axis, end.current_A, end.read_s)
@@ -269,7 +269,7 @@ class GuardianClient:
                 if fault.fault != wire.OTHER_BENCH:
                     raise
                 not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy)
-            self._clock.wait_until(self._clock.now() + 0.02)  # whoever watches is told that it takes long
+            self._clock.wait_until(self._clock.now() + 0.02)  # whoever watches hears that it takes long
         raise not_met
 
     def _forget(self) -> None:

@@ -32,7 +32,7 @@ class GuardedCoil:
     ramp_limit_A_per_s: float
     energised: bool = False
     held_A: float | None = None  # the least that the bare supply may hold; None where that is not known
-    tripped: InstrumentError | None = None  # told to the session until it sets zero itself
+    tripped: InstrumentError | None = None  # raised in the session until it sets zero itself
     unresolved: InstrumentError | None = None  # why zero is not confirmed
     asked_s: float | None = None  # when zero was last asked for (monotonic clock)
     doubt: InstrumentError | None = None  # why it may not answer: it is written zero before it is asked anything
@@ -77,7 +77,7 @@ class GuardedCoil:
         self.held_A, self.energised = held.held_A, held.energised
         if held.energised and held.falling:
             self.doubt = InstrumentError(
-                f"coil {self.axis}: the guardian before is gone; it had ordered zero and told of no read-back.",
+                f"coil {self.axis}: the guardian before is gone; it had ordered zero and reported no read-back.",
                 fault="guardian lost",
             )
         if held.who is not None:

@@ -164,7 +164,7 @@ class Guardian:
     def order_zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> None:
         """Stop whatever is under way on any line, and let nothing up again; waits for nobody.
 
-        Where it was not the session that asked, it is told so, or told `fault`, at its next order.
+        Where it was not the session that asked, it hears so, or `fault`, at its next order.
         """
         for coil in self.coils.values() if not by_session else ():
             coil.tripped = fault or InstrumentError(
@@ -178,7 +178,7 @@ class Guardian:
     def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
         """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError.
 
-        A session that asks again while nothing more can be done is told what stands: what does not answer is tried
+        A session that asks again while nothing more can be done hears what stands: what does not answer is tried
         again all the time, and nobody waits for that twice.
         """
         self.order_zero(why, by_session=by_session, fault=fault)
@@ -226,7 +226,7 @@ class Guardian:
     def give_back(self) -> None:
         """Give every supply that is at zero back to its panel. Never raises InstrumentError."""
         for coil in self.coils.values():
-            with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is told to nobody
+            with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is reported to nobody
                 if coil.unresolved is None and not coil.energised:
                     coil.bare.make_safe()
 

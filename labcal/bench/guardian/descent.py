@@ -65,7 +65,7 @@ def _greet(coil: GuardedCoil, within_s: float) -> None:
 
 
 def _write_zeros(coils: Sequence[GuardedCoil], others: Sequence[str]) -> None:
-    """Zero to each of them, then to each again: none waits while another is told it several times.
+    """Zero to each of them, then to each again: none waits while another hears it several times.
 
     Whom the link failed is tried once more, where it came back for one after them.
     """

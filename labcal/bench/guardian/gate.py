@@ -34,7 +34,7 @@ class Gate:
         self.asks_until_s = float("inf")  # on the line's clock: what is asked ends then, answered or not
 
     def close(self, why: str = "") -> None:
-        """From now on the line belongs to whoever passes; `why`, who ordered zero, is told to whoever gives way."""
+        """From now on the line belongs to whoever passes; `why`, who ordered zero, is sent to whoever gives way."""
         self._why = why.removesuffix(".") or self._why
         self._closed.set()
 

@@ -1,4 +1,4 @@
-"""What a session read of each coil through its guardian, and when: told where nobody answers any more."""
+"""What a session read of each coil through its guardian, and when: reported where nobody answers any more."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class LastRead:
         self._words[axis] = f"coil {axis} {current_A:+.4f} A at {self._clock.utc() - age:%H:%M:%S}"
 
     def gone(self) -> InstrumentError:
-        """That nobody answers any more, and what was known then: told later, it is as true."""
+        """That nobody answers any more, and what was known then: reported later, it is as true."""
         read = ", ".join(self._words.values())
         known = f"last read (UTC): {read}" if read else "no current was read through it"
         what = f"the connection to the guardian is gone; {known}."

@@ -20,7 +20,7 @@ class Latch:
         self.most_A = level if self.most_A is None else min(level, self.most_A)
 
     def lift(self) -> None:
-        """Zero was read back, and a session that was told has given a new order."""
+        """Zero was read back, and a session that knows has given a new order."""
         self.most_A = None
 
     def take(self, current_A: float) -> None:

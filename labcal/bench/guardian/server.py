@@ -38,7 +38,7 @@ KINDS: dict[str, tuple[type, ...]] = {"current_A": (float, int), "on": (bool,), 
 
 @dataclass
 class Caller:
-    """Whoever is connected. `heard_s`: when anything last came from it (monotonic clock). `uid`: whose, where told."""
+    """Whoever is connected. `heard_s`: when anything last came from it (monotonic clock). `uid`: whose, where known."""
 
     socket: socket.socket
     who: str = "a caller"

@@ -37,7 +37,7 @@ class Standbys:
         self._say(self._guardian.handover().line())
 
     def dismiss(self) -> None:
-        """They are not needed any more; one that cannot be told, as it stands still, is ended."""
+        """They are not needed any more; one that does not hear, as it stands still, is ended."""
         self._dismissed.set()
         with self._hand:
             for process in self._say(DONE):
@@ -73,7 +73,7 @@ class Standbys:
 
 
 def _heard(process: subprocess.Popen[bytes], line: bytes) -> bool:
-    """Whether it was told; one that has ended needs no telling."""
+    """Whether it heard; one that has ended need not."""
     assert process.stdin is not None
     try:
         os.write(process.stdin.fileno(), line)

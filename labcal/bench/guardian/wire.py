@@ -97,7 +97,7 @@ def _sweep(folder: Path) -> None:
 def unlisten(listener: socket.socket, card: Card) -> None:
     """Close the socket and take its name away."""
     with suppress(OSError):
-        listener.shutdown(socket.SHUT_RDWR)  # whoever waits in accept() is told
+        listener.shutdown(socket.SHUT_RDWR)  # whoever waits in accept() hears it
     listener.close()
     if isinstance(card["address"], str):
         with suppress(OSError):

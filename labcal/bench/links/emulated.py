@@ -29,7 +29,7 @@ class Foresees(Emulator, Protocol):
     """An emulator that knows when its next bytes are on the line."""
 
     def due_s(self) -> float:
-        """That time; inf where none are on their way, one in the past where that cannot be told."""
+        """That time; inf where none are on their way, one in the past where that is not known."""
         ...
 
 

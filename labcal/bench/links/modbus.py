@@ -203,6 +203,6 @@ def modbus_link(line: Link, clock: Clock) -> ModbusLink:
     """The Modbus master on an open line: RTU frames, but for modbus-tcp://; `timeout_ms` in its URL, 600 if not."""
     scheme, _, options = split(line.url)
     timeout_s = int(options.get("timeout_ms", "600")) / 1000
-    if scheme == "modbus-tcp":  # its replies are numbered: a late one is told from the next
+    if scheme == "modbus-tcp":  # its replies are numbered: a late one is distinguished from the next
         return ModbusLink(line, clock, framer="socket", timeout_s=timeout_s, quiet_s=NUMBERED_QUIET_S)
     return ModbusLink(line, clock, timeout_s=timeout_s)

@@ -150,7 +150,7 @@ def holder(url: str) -> dict[str, Any] | None:
 
 
 def holding(url: str) -> int | None:
-    """The process that holds this port, by the kernel's own word; None where nobody does, or that is not told."""
+    """The process that holds this port, by the kernel's own word; None where nobody does, or that is not known."""
     pids = (locker(path) for path in _lock_files(port_of(url)))
     return next((pid for pid in pids if pid is not None), None)
 

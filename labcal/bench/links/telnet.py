@@ -23,7 +23,7 @@ class Carrier(Protocol):
         ...
 
     def there(self) -> bool:
-        """Whether it is, as far as can be told."""
+        """Whether it is, as far as is known."""
         ...
 
     def close(self) -> None:

@@ -150,8 +150,8 @@ class WiredLink:
     def look(self) -> None:
         """Take in what has arrived, or the first of it where that is much: the next look takes the next.
 
-        A line that is lost is told to whoever uses it next, not to who waits now. One call that fails while the port is
-        there is none: the next look tells.
+        A line that is lost is reported to whoever uses it next, not to who waits now. One call that fails while the
+        port is there is none: the next look shows it.
         """
         with self._looking:
             if self._port is None:
@@ -233,7 +233,7 @@ class SerialPort:
 
 @contextmanager
 def _as_os_error() -> Iterator[None]:
-    """What a terminal cannot do is told as an error that is no OSError."""
+    """What a terminal cannot do is raised as an error that is no OSError."""
     try:
         yield
     except OSError:

@@ -53,7 +53,7 @@ def parse(data: bytes, arrived_s: float) -> WantedField | EndOfSource | None:
 
 
 def answer(number: int, latency_s: float, b_nT: Array) -> bytes:
-    """What the source is told when its field stands: how long that took, and what the currents read back make."""
+    """What the source gets when its field stands: how long that took, and what the currents read back make."""
     return NAME + b"set,%d,%.4f,%.1f,%.1f,%.1f\n" % (number, latency_s, *b_nT.tolist())
 
 

@@ -12,7 +12,7 @@ from labcal.bench.streams.samples import Samples, correlated_u, samples
 from labcal.record.stream import Block, Stream
 
 Array = NDArray[np.float64]
-PACED = 10_000  # samples, at least, that the sampling rate is told from
+PACED = 10_000  # samples, at least, that the sampling rate is worked out from
 
 
 class Running:
@@ -50,7 +50,7 @@ class Running:
 
     @property
     def period_s(self) -> float:
-        """The time between two samples, from the first of them. Raises InstrumentError where none can be told."""
+        """The time between two samples, from the first of them. Raises InstrumentError where none can be determined."""
         return samples([_block(one) for one in self._paced], self.stream).period_s
 
     def trend(self) -> tuple[Array, Array]:

@@ -40,11 +40,11 @@ class Samples:
 
     @property
     def period_s(self) -> float:
-        """The time between two samples, as `labcal.record.period_s`. Raises InstrumentError where none can be told."""
+        """The time between two samples, as `labcal.record.period_s`. Raises InstrumentError where there is none."""
         period = period_s(self.t_s)
         if np.isnan(period):
             raise InstrumentError(
-                f"{self.stream}: {len(self)} samples came, all at one moment: how often it samples cannot be told.",
+                f"{self.stream}: {len(self)} samples came, all at one moment: its sampling rate is unknown.",
                 fault="silent",
                 remedy="Look at its power and its cable, or record for longer.",
             )

@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
 NOTICED_S, SILENCES, PAUSES = 2.0, 5.0, 2.0
 LATE_S = 0.2  # later than its rate says, on its line and in this computer
-LOOK_S = 1.0  # as the coils: what is heard so often is never told as old
+LOOK_S = 1.0  # as the coils: what is heard so often is never shown as old
 UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
 SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
 
@@ -29,8 +29,8 @@ class StreamWatch:
     more than that or the longest of them.
 
     A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
-    While something else that was told keeps the stream from sending, it is none; it counts from the end of that. While
-    a person is asked, `waited_for` of `see`, nothing is raised, and patience begins anew with the answer.
+    While something else that was reported keeps the stream from sending, it is none; it counts from the end of that.
+    While a person is asked, `waited_for` of `see`, nothing is raised, and patience begins anew with the answer.
     """
 
     def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float, period_s: float | None = None) -> None:
@@ -142,7 +142,7 @@ class StreamWatch:
 
 
 class Look:
-    """Asks what is not heard otherwise, and what is `gone`, whether it answers; what has gone, or is back, is told.
+    """Asks what is not heard otherwise, and what is `gone`, whether it answers; what has gone, or is back, is reported.
 
     `ask` raises InstrumentError where it does not answer.
     """
@@ -211,7 +211,7 @@ class TemperatureLimit:
                 raise InstrumentError(
                     f"{name}: no temperature for {now_s - last_s:.0f} s, and it has a limit.",
                     fault="silent",
-                    remedy=f"See why {name} is not told.",
+                    remedy=f"See why {name} is not reported.",
                 )
 
     def _judge(self, source: str, name: str, values: Array) -> None:

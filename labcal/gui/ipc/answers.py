@@ -17,7 +17,7 @@ from labcal.gui.ipc.bench_facts import Instrument as Instrument
 from labcal.gui.ipc.bench_facts import Reference as Reference
 from labcal.gui.ipc.bench_facts import Triple as Triple
 from labcal.gui.ipc.wire import Fault
-from labcal.model.calibration import EffectRecord
+from labcal.model.records import EffectRecord
 from labcal.record.run import Dut
 from labcal.record.stream import Measurement
 from labcal.uncertainty.conformity import Changes, Judged
@@ -115,7 +115,7 @@ class Ended:
 
 @dataclass(frozen=True, slots=True)
 class Procedure:
-    """What there is to run, and what it may be told."""
+    """What there is to run, and its parameters."""
 
     name: str
     title: str

@@ -1,4 +1,4 @@
-"""What a run has told its window so far, for the next one: all but the samples whole, of those a thinned part."""
+"""What a run has sent to its window so far, for the next one: all but the samples whole, of those a thinned part."""
 
 from __future__ import annotations
 

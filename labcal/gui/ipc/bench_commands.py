@@ -209,7 +209,7 @@ def rehearse(channel: Channel, asked: Rehearse) -> tuple[str, ...]:
 
 
 def procedures(channel: Channel, asked: ListProcedures) -> Procedures:
-    """What there is to run, with what each may be told; of one that does not load its name and the fault."""
+    """What there is to run, with the parameters of each; of one that does not load its name and the fault."""
     from labcal.runner import catalogue
 
     found, broken = catalogue()

@@ -22,7 +22,7 @@ def edit(channel: Channel, asked: EditBench) -> BenchText:
 
 
 def find(channel: Channel, asked: FindOnLines) -> tuple[str, ...]:
-    """Ask who answers; nothing is set. What was found so far is told meanwhile."""
+    """Ask who answers; nothing is set. What was found so far is sent meanwhile."""
     from labcal import session
 
     said: list[str] = []

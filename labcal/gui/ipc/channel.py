@@ -72,7 +72,7 @@ class Channel:
         self._door: Door | None = None
         self._past: PastMessages | None = None
         self._state: LabState | None = None  # of the lab, as the run that goes on read it last
-        self._comes: Caller | None = None  # let in, and not told yet how far the run is
+        self._comes: Caller | None = None  # let in, and not informed yet how far the run is
         self._working_on, self._other_numbers = 0, dict[int, int]()  # requests of a window before as of this
 
     def requests(self) -> Iterator[Request]:

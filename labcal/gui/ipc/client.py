@@ -128,7 +128,7 @@ class Client(QObject):
         return self._worker_before or (self._process.processId() if self._process is not None else 0)
 
     def kill(self) -> None:
-        """End the process at once; whoever waits is told."""
+        """End the process at once; whoever waits gets a failure."""
         self._kill(self.tr("The work was ended by this window."))
 
     def _kill(self, why: str) -> None:

@@ -23,7 +23,7 @@ from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 from labcal.gui.widgets.work_bar import WorkBar
-from labcal.model.calibration import EffectRecord, Rival
+from labcal.model.records import EffectRecord, Rival
 
 WORDS = {
     "clean": ("✓ CLEAN", "good"),

@@ -725,7 +725,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>taking the coils to zero: ordered, and no read-back told yet …</source>
+        <source>taking the coils to zero: ordered, not read back yet …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -725,7 +725,7 @@
         <translation>Spulen zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
     </message>
     <message>
-        <source>taking the coils to zero: ordered, and no read-back told yet …</source>
+        <source>taking the coils to zero: ordered, not read back yet …</source>
         <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
     </message>
     <message>

@@ -725,7 +725,7 @@
         <translation>bobines relues sous leur zéro {0}, pas depuis</translation>
     </message>
     <message>
-        <source>taking the coils to zero: ordered, and no read-back told yet …</source>
+        <source>taking the coils to zero: ordered, not read back yet …</source>
         <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
     </message>
     <message>

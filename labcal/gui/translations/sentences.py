@@ -26,7 +26,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "coils on: {0}, read back {1}"),
     QT_TRANSLATE_NOOP("Data", "coils on: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils last read back below their zero {0}, not since"),
-    QT_TRANSLATE_NOOP("Data", "taking the coils to zero: ordered, and no read-back told yet …"),
+    QT_TRANSLATE_NOOP("Data", "taking the coils to zero: ordered, not read back yet …"),
     QT_TRANSLATE_NOOP("Data", "zero is to be ordered: no guardian has answered yet …"),
     QT_TRANSLATE_NOOP("Data", "no reference was asked"),
     QT_TRANSLATE_NOOP("Data", "no ambient field was measured since the mounting"),

@@ -81,7 +81,7 @@ class AppState(QObject):
         self.wanted: Wanted | None = None
         self._said_of_dut = ""  # what the line below said last about the serial at the top
         self._asked_off = False  # of this bench, and no answer has come
-        self.known: state.LabState | None = None  # the lab as a worker told it last, by the computer's monotonic clock
+        self.known: state.LabState | None = None  # the lab as a worker sent it last, by the computer's monotonic clock
         self._known_s = 0.0  # and when it did
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero

@@ -16,7 +16,7 @@ Triple = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class LabState:
-    """One instant of the lab; None is "not known", and is shown as such. `now` is made from the state that was told."""
+    """One instant of the lab; None is "not known", and is shown as such. `now` is made from the state received."""
 
     dut_serial: str = ""
     dut_objection: str = ""  # why it is no serial

@@ -1,4 +1,4 @@
-"""What may be said of the lab now: from the one state that a worker told, with its age, and nothing else."""
+"""What may be said of the lab now: from the one state that a worker sent, with its age, and nothing else."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ TEXTS = (
 
 @dataclass(frozen=True, slots=True)
 class LabNow:
-    """Parts of the state that was told, at one moment; `…_old_s`: whole seconds since that was read, None where fresh.
+    """Parts of the state received, at one moment; `…_old_s`: whole seconds since that was read, None where fresh.
 
     Currents [A] and fields [nT] that are not known are None.
     """

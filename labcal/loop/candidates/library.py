@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.data.linear_problem import LinearProblem
-from labcal.model.calibration import Owner
 from labcal.model.effects import Family, Term, families
+from labcal.model.records import Owner
 
 Array = NDArray[np.float64]
 Cause = tuple[str, tuple[str, ...]]  # an effect's id and its channels: what a result names

@@ -22,7 +22,7 @@ from labcal.loop.data.credible import credible, follows_reference, min_new_share
 from labcal.loop.data.outliers import hampel_outliers
 from labcal.model import AffineMap
 from labcal.model.effects import Scene, Term
-from labcal.model.effects.protocol import Rig
+from labcal.model.effects.scene import Rig
 from labcal.model.gaps import bridged
 from labcal.record import Run
 from labcal.record.observation import stands_turned

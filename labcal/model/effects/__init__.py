@@ -6,8 +6,9 @@ parameters are left open and `columns` gives d e / d parameter. A `Shape` is a p
 its `Kind` how it is searched. A `Family` is all that is known about one effect id.
 """
 
-from labcal.model.effects.protocol import Confounded, Family, Fitted, Scene, Term
+from labcal.model.effects.protocol import Confounded, Family, Fitted
 from labcal.model.effects.registry import families, family, find, load, load_shipped, of_temperature
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import (
     ANGLE,
     DELAY,
@@ -22,6 +23,7 @@ from labcal.model.effects.shape import (
     Kind,
     Shape,
 )
+from labcal.model.effects.term import Term
 
 __all__ = [
     "ANGLE",

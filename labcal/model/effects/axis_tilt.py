@@ -14,10 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.geometry import rotate, skew
-from labcal.model.effects.protocol import Array, Confounded, Family, Rig, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import mountings
+from labcal.model.effects.scene import Rig, Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
-from labcal.record.run import Vector
+from labcal.record.vector import Vector
 
 DEG = np.pi / 180
 WAVES = {"cos": np.cos, "sin": np.sin}

@@ -12,13 +12,11 @@ import re
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from labcal.model.effects.protocol import Scene
+from labcal.model.effects.scene import Scene
 
 Array = NDArray[np.float64]
 

@@ -13,9 +13,10 @@ import numpy as np
 
 from labcal.model.effects import memory
 from labcal.model.effects.c_form import CForm, Input, given, identifier, reads
-from labcal.model.effects.protocol import Array, Scene, Term
 from labcal.model.effects.regressors import delayed, low_passed
+from labcal.model.effects.scene import Array, Scene
 from labcal.model.effects.shape import DELAY
+from labcal.model.effects.term import Term
 
 STEP_S = 1e-6  # over which the slope of a channel is taken
 Drive = Callable[[Scene], Array]

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Sequence
 
 from labcal.model.effects.c_form import CForm, Input, given, reads
 from labcal.model.effects.inputs import CHANNEL, FIELD, RATE, UNITS, WINDOW_S, value
-from labcal.model.effects.protocol import Term
 from labcal.model.effects.regressors import AXES
+from labcal.model.effects.term import Term
 from labcal.model.smooth import ROUNDING, Basis, Domain, Table
 
 FLOAT_ROUNDING = 1e-5  # of a hull's size, for a field in floats

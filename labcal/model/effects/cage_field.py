@@ -10,8 +10,10 @@ import numpy as np
 from labcal.errors import InputError
 from labcal.model.effects import iron
 from labcal.model.effects.iron import Names
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import AXES, STEP, mountings, of_the_rig, some_moment
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 from labcal.record.run import Channel
 

@@ -9,8 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.model.effects.c_form import CForm
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import AXES, BODY, driving, driving_in_c
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 MIXED = tuple((i, i, j) for i in range(3) for j in range(3) if j != i)

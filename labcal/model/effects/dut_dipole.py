@@ -10,9 +10,11 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects.field_gradient import MOMENT_OR_GRADIENT, SYMMETRIC, traceless
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import AXES
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import GIVEN, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
 MU0_OVER_4PI_nT = 100.0  # nT m³ / (A m²)

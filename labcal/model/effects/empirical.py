@@ -11,7 +11,9 @@ from labcal.errors import InputError
 from labcal.model.effects.c_form import CForm
 from labcal.model.effects.c_smooth import smooth_in_c
 from labcal.model.effects.inputs import RATE, WINDOW_S, value
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 SCALE_nT = 1e4  # of the field in the projection, so that its coefficients are of one size

@@ -19,9 +19,11 @@ import numpy as np
 
 from labcal.model.effects.axis_tilt import TILT_OR_GRADIENT
 from labcal.model.effects.coil_pairs import zonal
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import AXES, coils, per_axis
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import ANGLE, LEVEL, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
 MOMENT_OR_GRADIENT = Confounded("the device's moment at a near reference", "a gradient", "repeat in two coil fields")

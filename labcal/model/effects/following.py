@@ -9,9 +9,10 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects import memory
-from labcal.model.effects.protocol import Array, Kernel, Scene, Term
 from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
+from labcal.model.effects.scene import Array, Scene
 from labcal.model.effects.shape import DELAY, TIME_CONSTANT, Shape
+from labcal.model.effects.term import Kernel, Term
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import STEP, per_axis, some_moment
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 STEP_OR_WARMTH = Confounded(

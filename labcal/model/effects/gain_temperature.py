@@ -10,8 +10,10 @@ from labcal.model.effects.c_form import CForm
 from labcal.model.effects.c_responses import Driven, filtered
 from labcal.model.effects.following import BEHIND
 from labcal.model.effects.offset_temperature import RISES
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import AXES, low_passed, middle, moving, per_axis
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 TAU_S = (10.0, 30.0, 100.0, 300.0)

@@ -10,8 +10,10 @@ from typing import TypeVar
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.model.effects.protocol import Array, Family, Kernel, Scene, Term
+from labcal.model.effects.protocol import Array, Family
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import Kind, Shape
+from labcal.model.effects.term import Kernel, Term
 from labcal.plugin_loading import blamed
 from labcal.record import Run
 

@@ -24,10 +24,12 @@ from labcal.model.effects.c_form import CForm, real
 from labcal.model.effects.memory import nowhere
 from labcal.model.effects.nonlinearity import SATURATION, SATURATION_nT, bend
 from labcal.model.effects.past import ANYWHERE, Past
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.recursion import affine_recursion, clipped_recursion
 from labcal.model.effects.regressors import BODY, driving, driving_in_c, on_each_axis, per_axis, powered, stretches
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import ANGLE, GIVEN, THRESHOLD, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.model.effects.protocol import Array, Scene
 from labcal.model.effects.regressors import AXES, slopes, stretches
+from labcal.model.effects.scene import Array, Scene
 from labcal.model.smooth import Domain
 
 CHANNEL = "channel:"

@@ -12,8 +12,8 @@ from itertools import product
 import numpy as np
 
 from labcal.geometry import rotation
-from labcal.model.effects.protocol import Array, Rig
 from labcal.model.effects.regressors import AXES
+from labcal.model.effects.scene import Array, Rig
 
 Names = tuple[tuple[str, str], ...]
 TABLE = ("u", "v", "w")  # axes that turn with the table, w along the platform's

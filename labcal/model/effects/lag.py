@@ -9,9 +9,11 @@ import numpy as np
 from labcal.model.effects.axis_tilt import LAG_OR_TILT
 from labcal.model.effects.c_form import CForm
 from labcal.model.effects.displaced import displaced
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import shifted
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import GIVEN, SECANT, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 OVER = Shape("secant_s", 0.05, "s", kind=SECANT)

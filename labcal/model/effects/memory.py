@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.effects.shape import DELAY, SECANT, TIME_CONSTANT
-
-if TYPE_CHECKING:
-    from labcal.model.effects.protocol import Term
+from labcal.model.effects.term import Term
 
 LEAD = 1 / 8  # of a thermometer's time constant: the window either way that its slope is taken over
 

@@ -9,9 +9,11 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.model.effects.c_form import CForm
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import BODY, FIELD_IN_C, driving, driving_in_c, per_axis, powered
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import THRESHOLD, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 TERMS = (("c3",), ("c2",), ("c2", "c3"), ("c3", "c5"), ("c2", "c3", "c4", "c5"), ("o2",), ("o2", "c3"), ("k1",))

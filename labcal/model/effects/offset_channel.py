@@ -5,8 +5,10 @@ from __future__ import annotations
 from labcal.model.effects.c_form import CForm
 from labcal.model.effects.c_responses import responses_in_c
 from labcal.model.effects.following import LATE, delayed_terms, instantaneous, responses, time_constants
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import moving
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 QUANTITIES = ("voltage", "power", "rate", "pressure", "humidity", "count", "other")

@@ -20,8 +20,10 @@ from labcal.model.effects.following import (
     responses,
     time_constants,
 )
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import moving
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 TAU_S = (1.0, 3.0, 10.0, 30.0)

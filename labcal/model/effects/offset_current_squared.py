@@ -8,8 +8,10 @@ from labcal.model.effects.c_form import CForm
 from labcal.model.effects.c_responses import Driven, filtered
 from labcal.model.effects.following import BEHIND
 from labcal.model.effects.offset_current import LOCKED
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 TAU_S = (10.0, 30.0, 100.0)  # of what the load heats

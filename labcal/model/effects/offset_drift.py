@@ -7,9 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects.offset_temperature import RISES
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import AXES, on_each_axis
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import GIVEN, TIME_CONSTANT, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 DEGREES = (1, 2, 3, 5)  # the last follows a slow wave once through the run

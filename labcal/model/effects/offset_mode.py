@@ -6,8 +6,10 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.model.effects.c_form import CForm, mode_enumerator
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import per_axis
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 ROWS = 10  # a mode with fewer rows is not a candidate

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import STEP, on_each_axis, per_axis, some_moment
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run
 
 

@@ -24,10 +24,12 @@ from labcal.model.effects.following import (
     time_constants,
 )
 from labcal.model.effects.past import ANYWHERE, Past
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.recursion import clipped_recursion
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import THRESHOLD, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run
 from labcal.record.run import Channel
 

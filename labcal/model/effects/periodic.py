@@ -6,9 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import AXES, on_each_axis
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import FREQUENCY, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers, period_s
 
 LINE = Shape("f_Hz", 0.0, "Hz", kind=FREQUENCY)

@@ -1,4 +1,4 @@
-"""What an effect is made of: the scene it acts in, its form, its family.
+"""All that is known about an effect: its `Family`, and a form of it with its parameters fitted.
 
 All that fit, loop, `apply`, reports and window have to know of an effect stands in its `Family`; nothing outside
 `labcal.model.effects` knows an effect by its id, or a parameter by its name.
@@ -7,93 +7,21 @@ All that fit, loop, `apply`, reports and window have to know of an effect stands
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.errors import InputError
-from labcal.model.calibration import EffectRecord, Owner
 from labcal.model.effects import memory
 from labcal.model.effects.c_form import CForm
-from labcal.model.effects.past import Past
-from labcal.model.effects.shape import FoundBy, Kind, Shape
-from labcal.model.smooth import Basis
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.shape import FoundBy, Shape
+from labcal.model.effects.term import Kernel, Term
+from labcal.model.records import EffectRecord, Owner
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Rig:
-    """What only a run with a vector reference knows (n rows): needed by effects of the rig, absent in `apply`."""
-
-    prediction_nT: Array  # (n, 3) p, the reference carried into B
-    reference_nT: Array  # (n, 3) the reference in C
-    to_body: Array  # (n, 3, 3) p = to_body @ reference; NaN where the reference is given in B
-    axis_body: Array  # (n, 3) NaN where there is no platform axis
-    axis_cage: Array  # (n, 3)
-    angle_rad: Array  # (n,) platform angle, unwrapped within a segment; NaN where there is none
-    mounting: NDArray[np.intp]  # (n,) rows of one mounting share an unknown phase and tilt
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Scene:
-    """All that an effect may look at, row by row (n rows, in time order)."""
-
-    t_s: Array  # (n,) the run's clock
-    segment: NDArray[np.intp]  # (n,) a change is a boundary for delays, derivatives and hysteresis
-    field_nT: Array  # (n, 3) a = K m − k, in B
-    channels: Mapping[str, Array] = field(default_factory=dict)  # each (n,), in its unit
-    mode: NDArray[np.str_] | None = None  # (n,)
-    axes: Array = field(default_factory=lambda: np.eye(3))  # (3, 3) K per nominal unit: column i moves with reading i
-    rig: Rig | None = None
-    denoised_field_nT: Array | None = None  # (n, 3) a at the estimated true reading, where a fit knows it
-    past: Past | None = None  # where the rows are a piece of a recording (`Family.in_pieces`)
-
-    def __len__(self) -> int:
-        return len(self.t_s)
-
-    @property
-    def along_axes_nT(self) -> Array:
-        """The driving field along the sensor's own axes (n, 3) [nT], so that field = axes @ along_axes."""
-        return self.on_axes(self.driving_field_nT)
-
-    @property
-    def driving_field_nT(self) -> Array:
-        """The field (n, 3) [nT] that drives an effect: without the readings' noise as far as a fit knows it.
-
-        A curve that nearly undoes the map would take that noise off itself, and so would a gain that hardly changes.
-        """
-        return self.field_nT if self.denoised_field_nT is None else self.denoised_field_nT
-
-    def on_axes(self, field_nT: Array) -> Array:
-        """A field (n, 3) along the sensor's own axes."""
-        return np.asarray(np.linalg.solve(self.axes, field_nT.T).T)
-
-    def moved(self, by_nT: Array | float) -> Scene:
-        """The same in a field that is `by_nT` (n, 3) or (3,) larger."""
-        denoised = None if self.denoised_field_nT is None else self.denoised_field_nT + by_nT
-        return replace(self, field_nT=self.field_nT + by_nT, denoised_field_nT=denoised)
-
-    def select(self, rows: NDArray[Any]) -> Scene:
-        """The same scene with only these rows (mask or numbers, in time order)."""
-        rig = self.rig and Rig(*(getattr(self.rig, name)[rows] for name in Rig.__slots__))
-        return replace(
-            self,
-            t_s=self.t_s[rows],
-            segment=self.segment[rows],
-            field_nT=self.field_nT[rows],
-            channels={name: values[rows] for name, values in self.channels.items()},
-            mode=None if self.mode is None else self.mode[rows],
-            rig=rig,
-            denoised_field_nT=None if self.denoised_field_nT is None else self.denoised_field_nT[rows],
-        )
-
-
-Kernel = Callable[["Term", Scene], Array]
-SMALLEST = 1e-6  # values of secants that count as zero
 DrawnAgainst = Literal["time", "angle", "field"]
 Action = Literal[
     "load",  # a load is switched, or the power mode
@@ -103,78 +31,6 @@ Action = Literal[
     "turn reference",  # by 180°
     "move reference",  # to twice its distance
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class Term:
-    """One form that an effect can take: `kernel` is all its physics, the linear parameters are left open.
-
-    `kernel(form, scene)` gives the derivative of e by each linear parameter, (n, 3, p) [nT of B per unit].
-    """
-
-    kernel: Kernel
-    parameters: tuple[tuple[str, str], ...]  # name and unit of each linear parameter, in the order of the columns
-    channels: tuple[str, ...] = ()
-    reference_value: Mapping[str, float] = field(default_factory=dict)  # where each channel counts as zero
-    shape: tuple[Shape, ...] = ()
-    inputs: tuple[str, ...] = ()  # of a smooth function (`effects.inputs`)
-    basis: Basis | None = None  # of the same
-
-    def columns(self, scene: Scene) -> Array:
-        """The derivative of e by each linear parameter (n, 3, p)."""
-        return self.kernel(self, scene)
-
-    def at(self, name: str) -> float:
-        """The value of a shape parameter. Raises InputError where the form lacks it."""
-        for shape in self.shape:
-            if shape.name == name:
-                return shape.value
-        raise InputError(f"the effect lacks its parameter {name}")
-
-    def of(self, kind: Kind) -> Shape | None:
-        """Its first shape parameter of this kind; None where it has none."""
-        return next((shape for shape in self.shape if shape.kind is kind), None)
-
-    def found_by(self, search: FoundBy) -> Shape | None:
-        """Its first shape parameter that this search finds; None where it has none."""
-        return next((shape for shape in self.shape if shape.kind.found_by == search), None)
-
-    def with_values(self, **values: float) -> Term:
-        """The same form at other shape parameters."""
-        return replace(self, shape=tuple(replace(s, value=values.get(s.name, s.value)) for s in self.shape))
-
-    def with_shape(self, at: Shape) -> Term:
-        """The same form with the shape parameter of this name as it is here."""
-        return replace(self, shape=tuple(at if s.name == at.name else s for s in self.shape))
-
-    def own_secants(self) -> list[Shape]:
-        """The intervals that secants are taken over: each is the value of the linear parameter in its place."""
-        return [shape for shape in self.shape if shape.kind.found_by == "own secant"]
-
-    def over_own_secants(self, values: Array) -> Term:
-        """The same form with its secants taken over these values of its linear parameters; over none that vanish."""
-        secants = self.own_secants()
-        if not any(abs(value) > SMALLEST for value in values[: len(secants)]):
-            return self
-        return self.with_values(**{s.name: float(v) for s, v in zip(secants, values, strict=False)})
-
-    def stepped(self) -> Term:
-        """The same form as it is after its moment: the step came before the run began."""
-        moment = self.found_by("changepoints")
-        return replace(self, shape=tuple(replace(s, value=-np.inf) if s is moment else s for s in self.shape))
-
-    def drive(self, scene: Scene) -> Array:
-        """Its first channel, counted from the reference value (n,)."""
-        name = self.channels[0]
-        return np.asarray(scene.channels[name] - self.reference_value[name])
-
-    def ends_of_drive(self, scene: Scene) -> tuple[float, float] | None:
-        """Between which values the drive has been seen; None where nothing says so."""
-        ends = None if scene.past is None else scene.past.ends.get(name := self.channels[0])
-        if ends is None:
-            return None
-        low, high = (end - self.reference_value[name] for end in ends)
-        return low, high
 
 
 def no_form(term: Term) -> bool:
@@ -209,7 +65,7 @@ class Family:
     shapes: tuple[Shape, ...] = ()  # the parameters that do not enter linearly; values and grids are the candidates'
 
     # What the decision has to know
-    of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
+    of_field: bool = False  # grows with the field itself: a gain that the run does not determine looks alike
     follows_reference: bool = False  # a sensor's, driven by the reference where that is a vector, as all of the rig's
     from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
     repeats: bool = False  # may act more than once, each time at another moment or frequency

@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects.offset_drift import FROM
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.regressors import AXES
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
 DEGREES = (1, 2, 5)

@@ -7,9 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects.following import BEHIND
-from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import low_passed, middle, per_axis, room_temperatures
+from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import LEVEL, Shape
+from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 from labcal.record.run import Channel
 

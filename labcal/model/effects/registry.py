@@ -10,10 +10,11 @@ import numpy as np
 
 from labcal import plugin_loading
 from labcal.errors import InputError
-from labcal.model.calibration import EffectRecord
 from labcal.model.effects.guard import guarded
 from labcal.model.effects.inputs import CHANNEL
-from labcal.model.effects.protocol import Family, Fitted, Scene
+from labcal.model.effects.protocol import Family, Fitted
+from labcal.model.effects.scene import Scene
+from labcal.model.records import EffectRecord
 from labcal.model.smooth import Domain
 
 TRIED = 8  # rows that a shipped effect is tried on

@@ -11,12 +11,14 @@ from numpy.typing import NDArray
 
 from labcal.model.effects.memory import LEAD
 from labcal.model.effects.past import Past
-from labcal.model.effects.protocol import Array, Scene, Term
 from labcal.model.effects.recursion import affine_recursion
+from labcal.model.effects.scene import Array, Scene
 from labcal.model.effects.shape import MOMENT, Shape
+from labcal.model.effects.term import Term
 from labcal.model.gaps import is_known_enough
 from labcal.record import Run, offers
-from labcal.record.run import Channel, Vector
+from labcal.record.run import Channel
+from labcal.record.vector import Vector
 
 WEATHER = ("temperature", "pressure", "humidity")
 AXES = ("x", "y", "z")

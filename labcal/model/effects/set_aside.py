@@ -7,8 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.calibration import EffectRecord, Parameter
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Family
+from labcal.model.effects.scene import Scene
+from labcal.model.effects.term import Term
+from labcal.model.records import EffectRecord, Parameter
 from labcal.record import Run
 
 

@@ -1,4 +1,4 @@
-"""An emulator goes on whatever it is told, and its driver can be greeted afterwards."""
+"""An emulator goes on whatever it is sent, and its driver can identify it afterwards."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can be wrong with a sensor, a rig or the data: switched on by name in the twin's own table, told to nobody.
+"""What can be wrong with a sensor, a rig or the data: switched on by name in the twin's own table, known to nobody.
 
 Each effect is a factory: it takes a random generator and its own keyword parameters and gives a function of the
 `Moment`s. Written for themselves, in the lab's physics, not after the model that will have to find them.

@@ -1,4 +1,4 @@
-"""Effects of the data and of the geometry: readings that are not the field's, clocks and axes that are not as told."""
+"""Effects of the data and of the geometry: readings that are not the field's, clocks and axes other than stated."""
 
 from __future__ import annotations
 
