@@ -289,6 +289,18 @@ def test_what_declared_errors_left_of_it_is_in_the_parameters_and_counts_once() 
     assert apply(left, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
 
 
+def test_what_the_reference_scatters_is_in_no_reading() -> None:
+    """A reference of 40 nT an axis beside residuals of noise alone, and of 60 nT."""
+    own_nT = NOISE_NT * np.sqrt(np.trace(K @ K.T))
+    after = {"noise_nT": NOISE_NT, "noise_beside_readings_nT": 40.0 * np.sqrt(3)}
+    of_noise, more = (
+        calibration(metrics={"before": {}, "after": {**after, "holdout_rms_nT": float(np.hypot(rms, 40.0 * np.sqrt(3)))}})
+        for rms in (own_nT, 60.0)
+    )
+    assert apply(of_noise, readings()).u_nT[0] == pytest.approx(own_nT / np.sqrt(3))
+    assert apply(more, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
+
+
 def test_a_row_without_a_reading_stays_empty() -> None:
     measured = readings().reading.copy()
     measured[9, 1] = np.nan
