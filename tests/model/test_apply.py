@@ -294,7 +294,9 @@ def test_what_the_reference_scatters_is_in_no_reading() -> None:
     own_nT = NOISE_NT * np.sqrt(np.trace(K @ K.T))
     after = {"noise_nT": NOISE_NT, "noise_beside_readings_nT": 40.0 * np.sqrt(3)}
     of_noise, more = (
-        calibration(metrics={"before": {}, "after": {**after, "holdout_rms_nT": float(np.hypot(rms, 40.0 * np.sqrt(3)))}})
+        calibration(
+            metrics={"before": {}, "after": {**after, "holdout_rms_nT": float(np.hypot(rms, 40.0 * np.sqrt(3)))}}
+        )
         for rms in (own_nT, 60.0)
     )
     assert apply(of_noise, readings()).u_nT[0] == pytest.approx(own_nT / np.sqrt(3))

@@ -12,9 +12,12 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.whitening import WhitenedNull
+from labcal.model.effects import Term
 
 Array = NDArray[np.float64]
 SECANT_ROUNDS = 6
+TURNS = 3  # of line searches in every parameter, where there are several
+FURTHER = 4.0  # times as far as all together went
 BRACKETINGS = 18  # of one line search, at most
 ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several parameters are searched in turn, and in the end
 
@@ -33,8 +36,13 @@ def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candid
     if has_own_secant(candidate):
         return _on_own_secant(pool, candidate, accepted)
     searched = [shape.name for shape in candidate.term.shape if shape.grid]
-    for name in searched if len(searched) > 1 else ():
-        candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
+    for _ in range(TURNS if len(searched) > 1 else 0):
+        last = candidate
+        for name in searched:
+            candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
+        candidate = _further(pool, last, candidate, _fixed_noise_gain(pool, candidate, accepted))
+        if candidate is last:
+            break
     null_model = pool.null_model(accepted)
     for name in searched:
         candidate = _line_search(pool, candidate, name, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
@@ -66,18 +74,50 @@ def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[
 def _line_search(
     pool: CandidateSet, candidate: Candidate, name: str, gain: Callable[[Array], float], within: float
 ) -> Candidate:
+    shape = next(s for s in candidate.term.shape if s.name == name)
+
+    def there(value: float) -> Term:
+        return candidate.term.with_values(**{name: value})
+
+    return _best_along(pool, candidate, there, shape.bracket(pool.problem.scene.t_s), gain, within)
+
+
+def _further(pool: CandidateSet, last: Candidate, candidate: Candidate, gain: Callable[[Array], float]) -> Candidate:
+    """The best on the line from `last` on, in all parameters at once: they may depend on each other (Powell 1964)."""
+    went = {s.name: (b.value, s.value - b.value) for b, s in zip(last.term.shape, candidate.term.shape, strict=True)}
+    if candidate is last:
+        return candidate
+
+    def there(part: float) -> Term:
+        return candidate.term.with_values(**{name: start + part * step for name, (start, step) in went.items()})
+
+    t_s, most = pool.problem.scene.t_s, FURTHER
+    for shape in candidate.term.shape:
+        start, step = went[shape.name]
+        if step:
+            low, high = shape.bracket(t_s)
+            most = min(most, ((high if step > 0 else low) - start) / step)
+    return _best_along(pool, candidate, there, (1.0, most), gain, ROUGHLY) if most > 1.0 else candidate
+
+
+def _best_along(
+    pool: CandidateSet,
+    candidate: Candidate,
+    there: Callable[[float], Term],
+    bounds: tuple[float, float],
+    gain: Callable[[Array], float],
+    within: float,
+) -> Candidate:
     from scipy.optimize import minimize_scalar
 
-    shape = next(s for s in candidate.term.shape if s.name == name)
-    low, high = shape.bracket(pool.problem.scene.t_s)
+    def cost(term: Term) -> float:
+        return -gain(cosine_transform(pool.problem.columns(term)[pool.transformed_rows]))
 
-    def cost(value: float) -> float:
-        columns = pool.problem.columns(candidate.term.with_values(**{name: value}))[pool.transformed_rows]
-        return -gain(cosine_transform(columns))
-
+    low, high = bounds
     found = minimize_scalar(
-        cost, bounds=(low, high), method="bounded", options={"maxiter": BRACKETINGS, "xatol": within * (high - low)}
+        lambda value: cost(there(value)),
+        bounds=bounds,
+        method="bounded",
+        options={"maxiter": BRACKETINGS, "xatol": within * (high - low)},
     )
-    if found.fun < cost(shape.value):
-        return replace(candidate, term=candidate.term.with_values(**{name: float(found.x)}))
-    return candidate
+    return replace(candidate, term=there(float(found.x))) if found.fun < cost(candidate.term) else candidate

@@ -62,7 +62,9 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
             return _of_the_base_alone(base_set, pool, selection, level)
         pool.tell(pool, accepted, "what does as well")
         every = (equivalent_models(pool, blocks, accepted, one) for one in accepted)
-        equivalents = tuple(tuple(e for e in some if e.scored.candidate.cause not in selection.barred) for some in every)
+        equivalents = tuple(
+            tuple(e for e in some if e.scored.candidate.cause not in selection.barred) for some in every
+        )
         judged = _of_this_choice(pool, blocks, accepted, cv_error, level, selection.barred)
         reportable = n_reportable(pool, judged, level, accepted, equivalents)
         if reportable == len(accepted):
