@@ -33,7 +33,8 @@ KINDS = {
         "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION",
-        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG", "candidates.refine:BRACKETINGS TURNS FURTHER",
+        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
+        "candidates.refine:BRACKETINGS TURNS FURTHER", "selection.final_fit:MAX_SEARCHES",
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.gaps:TWO_SAMPLES", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
@@ -61,10 +62,10 @@ KINDS = {
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:APART WILD", "data.base_model:ITERATIONS",
         "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
-        "selection.crossval:NEVER", "selection.final_fit:MAX_SEARCHES", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
+        "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
     ),
     "constant of mathematics": (
-        "data.resolution:ROUNDING", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
+        "data.resolution:ROUNDING", "selection.moment:UNIFORM", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
         "findings.residual_tests:SPIRAL",
         "findings.own_colour:KURTOSIS VARIANCE_OF_SKEWNESS VARIANCE_OF_KURTOSIS",
     ),

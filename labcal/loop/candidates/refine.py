@@ -15,6 +15,7 @@ from labcal.loop.noise.whitening import WhitenedNull
 from labcal.model.effects import Term
 
 Array = NDArray[np.float64]
+Bracket = tuple[float, float]
 SECANT_ROUNDS = 6
 TURNS = 3  # of line searches in every parameter, where there are several
 FURTHER = 4.0  # times as far as all together went
@@ -36,17 +37,24 @@ def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candid
     if has_own_secant(candidate):
         return _on_own_secant(pool, candidate, accepted)
     searched = [shape.name for shape in candidate.term.shape if shape.grid]
+    around = _brackets(pool, candidate)
     for _ in range(TURNS if len(searched) > 1 else 0):
-        last = candidate
+        last, gain = candidate, _fixed_noise_gain(pool, candidate, accepted)
         for name in searched:
-            candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
-        candidate = _further(pool, last, candidate, _fixed_noise_gain(pool, candidate, accepted))
+            candidate = _line_search(pool, candidate, name, around[name], gain, ROUGHLY)
         if candidate is last:
             break
+        candidate = _further(pool, last, candidate, around, gain)
     null_model = pool.null_model(accepted)
     for name in searched:
-        candidate = _line_search(pool, candidate, name, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
+        bracket = _brackets(pool, candidate)[name]
+        candidate = _line_search(pool, candidate, name, bracket, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
     return candidate
+
+
+def _brackets(pool: CandidateSet, candidate: Candidate) -> dict[str, Bracket]:
+    """Between which values each parameter of a candidate is searched."""
+    return {s.name: s.bracket(pool.problem.scene.t_s) for s in candidate.term.shape if s.grid}
 
 
 def _fixed_noise_gain(
@@ -72,31 +80,34 @@ def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[
 
 
 def _line_search(
-    pool: CandidateSet, candidate: Candidate, name: str, gain: Callable[[Array], float], within: float
+    pool: CandidateSet,
+    candidate: Candidate,
+    name: str,
+    bracket: Bracket,
+    gain: Callable[[Array], float],
+    within: float,
 ) -> Candidate:
-    shape = next(s for s in candidate.term.shape if s.name == name)
-
     def there(value: float) -> Term:
         return candidate.term.with_values(**{name: value})
 
-    return _best_along(pool, candidate, there, shape.bracket(pool.problem.scene.t_s), gain, within)
+    return _best_along(pool, candidate, there, bracket, gain, within)
 
 
-def _further(pool: CandidateSet, last: Candidate, candidate: Candidate, gain: Callable[[Array], float]) -> Candidate:
+def _further(
+    pool: CandidateSet,
+    last: Candidate,
+    candidate: Candidate,
+    around: dict[str, Bracket],
+    gain: Callable[[Array], float],
+) -> Candidate:
     """The best on the line from `last` on, in all parameters at once: they may depend on each other (Powell 1964)."""
-    went = {s.name: (b.value, s.value - b.value) for b, s in zip(last.term.shape, candidate.term.shape, strict=True)}
-    if candidate is last:
-        return candidate
+    went = {name: (last.term.at(name), candidate.term.at(name) - last.term.at(name)) for name in around}
 
     def there(part: float) -> Term:
         return candidate.term.with_values(**{name: start + part * step for name, (start, step) in went.items()})
 
-    t_s, most = pool.problem.scene.t_s, FURTHER
-    for shape in candidate.term.shape:
-        start, step = went[shape.name]
-        if step:
-            low, high = shape.bracket(t_s)
-            most = min(most, ((high if step > 0 else low) - start) / step)
+    ends = ((around[name][step > 0] - start) / step for name, (start, step) in went.items() if step)
+    most = min([FURTHER, *ends])
     return _best_along(pool, candidate, there, (1.0, most), gain, ROUGHLY) if most > 1.0 else candidate
 
 
@@ -104,7 +115,7 @@ def _best_along(
     pool: CandidateSet,
     candidate: Candidate,
     there: Callable[[float], Term],
-    bounds: tuple[float, float],
+    bounds: Bracket,
     gain: Callable[[Array], float],
     within: float,
 ) -> Candidate:

@@ -136,8 +136,8 @@ def _without_turns() -> Array:
     each = [[(0, i)] for i in range(n)] + [[(1 + i, j), (1 + j, i)] for i in range(n) for j in range(i, n)]
     found = np.zeros((1 + n, n, len(each)))
     for place, both in enumerate(each):
-        for of_base, axis in both:
-            found[of_base, axis, place] = 1.0
+        for what, axis in both:
+            found[what, axis, place] = 1.0
     return found.reshape(-1, len(each))
 
 
