@@ -12,6 +12,7 @@ from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.data.noise_floor import noise_beside_readings
 from labcal.loop.design.proposal import next_experiment
 from labcal.loop.findings import working_range
 from labcal.loop.findings.confounded import confounded
@@ -91,6 +92,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         sources=of_file.sources,
         frame_known=not bool((problem.observations.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
+        noise_beside_readings_nT=noise_beside_readings(problem),
         findings=noticed,
         tests=tests,
         shape=left,

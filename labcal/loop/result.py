@@ -126,6 +126,7 @@ class ClosedLoop:
     frame_known: bool
     noise_nT: float  # standard deviation of one axis of one reading
     pictures: Pictures
+    noise_beside_readings_nT: float = 0.0  # of reference, angle and time in what the rms is over
     findings: tuple[Finding, ...] = ()
     tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
     shape: ResidualShape | None = None  # of what is left, where structure is left
@@ -161,9 +162,11 @@ class ClosedLoop:
     def metrics(self) -> Mapping[str, Mapping[str, float]]:
         """Before and after, for the calibration file: after with what it ships, and of how many components it is.
 
-        Beside it what of the held-out residual no error can have left that the run declares of reference and mounting.
+        Beside it what of the held-out residual no error can have left that the run declares of reference and mounting,
+        and what of its noise is theirs.
         """
         after = {**asdict(self.shipped or self.after), "noise_nT": self.noise_nT}
+        after["noise_beside_readings_nT"] = self.noise_beside_readings_nT
         after["holdout_components"] = 3.0 if self.residual_kind == "vector" else 1.0
         if self.sources is not None:
             after["holdout_beside_declared_nT"] = after["holdout_rms_nT"] * self.sources.beside_declared**0.5

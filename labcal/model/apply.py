@@ -199,14 +199,13 @@ def misfit_variance(calibration: Calibration, noise: float) -> float:
     """What the run's held-out residuals keep beyond the noise, as a variance of one component [nT²].
 
     `noise` is that of the field's three components together (rms). Residuals within 1.15 of it count as noise alone.
-    What errors left that the run declares is in the parameters' covariance already.
+    What errors left that the run declares is in the parameters' covariance already, and what reference, angle and time
+    scatter is in no reading of the device.
     """
     after, seen = calibration.metrics.get("after", {}), held_out_components(calibration)
     held_out = after.get("holdout_beside_declared_nT", after.get("holdout_rms_nT", 0.0))
-    expected = noise * np.sqrt(seen / 3)
-    if held_out <= MATERIAL * expected:
-        return 0.0
-    return float((held_out**2 - expected**2) / seen)
+    own, expected = held_out**2 - after.get("noise_beside_readings_nT", 0.0) ** 2, noise**2 * seen / 3
+    return (own - expected) / seen if own > MATERIAL**2 * expected else 0.0
 
 
 def held_out_components(calibration: Calibration) -> int:

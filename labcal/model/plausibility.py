@@ -15,6 +15,8 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 PLATEAU = 3  # rows in a row at one extreme value, while the other axes move
 MOVES = 1e-3  # of the largest reading: what counts as moving
+NORMAL, SECOND = 1.4826, 6.0  # standard deviation over median absolute deviation; variance of a second difference
+TURNS_WITHIN = 10.0  # steps of a reading
 OUT_OF_LINE = 10.0  # standard deviations from the line through the neighbours
 
 
@@ -46,18 +48,40 @@ def saturated(calibration: Calibration, reading: Array) -> Mask:
 
 
 def _plateau(reading: Array, axis: int) -> Mask:
-    """Runs of at least PLATEAU rows at the column's largest or smallest value while another axis moves."""
+    """Runs of at least PLATEAU rows at the column's largest or smallest value while another axis moves.
+
+    Not by its noise; nor where the column turns there within one step of its own: rounded, it stands for a while.
+    """
     column, out = reading[:, axis], np.zeros(len(reading), dtype=bool)
     if not np.isfinite(column).any():
         return out
-    moves = MOVES * max(np.nanmax(reading), -np.nanmin(reading))
+    step = float(np.diff(np.unique(column[np.isfinite(column)])).min(initial=np.inf))
+    others = np.delete(reading, axis, axis=1)
+    moves = np.maximum(MOVES * max(np.nanmax(reading), -np.nanmin(reading)), OUT_OF_LINE * _scatter(others))
     for extreme in (np.nanmax(column), np.nanmin(column)):
         at = np.r_[False, column == extreme, False]
         for start, stop in zip(np.flatnonzero(~at[:-1] & at[1:]), np.flatnonzero(at[:-1] & ~at[1:]), strict=True):
-            others = np.delete(reading[start:stop], axis, axis=1)
-            if stop - start >= PLATEAU and np.nanmax(np.ptp(others, axis=0)) > moves:
+            moved = bool((np.ptp(others[start:stop], axis=0) > moves).any())
+            if stop - start >= PLATEAU and moved and not _is_rounded(column, int(start), int(stop), step):
                 out[start:stop] = True
     return out
+
+
+def _scatter(columns: Array) -> Array:
+    """Standard deviation (k,) of columns (n, k) from row to row, by the median of their second differences."""
+    second = np.abs(np.diff(columns, 2, axis=0))
+    known = [one[np.isfinite(one)] for one in second.T]
+    return np.array([NORMAL * float(np.median(one)) / np.sqrt(SECOND) if len(one) else 0.0 for one in known])
+
+
+def _is_rounded(column: Array, start: int, stop: int, step: float) -> bool:
+    """Whether rows from `start` to `stop` stand at an extreme as a smooth course does that turns within one step.
+
+    A parabola that stays within a step over so many rows is nine steps lower as many rows farther on; one more is
+    the rounding there. What runs into the end of a range comes from farther.
+    """
+    beside = [row for row in (2 * start - stop, 2 * stop - start - 1) if 0 <= row < len(column)]
+    return bool(beside) and bool((np.abs(column[beside] - column[start]) <= TURNS_WITHIN * step).all())
 
 
 def bends(field_nT: Array) -> Array:

@@ -209,7 +209,7 @@ def test_a_function_without_a_name_gives_in_c_what_apply_gives(
 def test_the_check_fails_where_a_number_differs(run: Run, tmp_path: Path) -> None:
     folder = exported(calibration(*FORMS["behind"]), run, tmp_path)
     text = (folder / "labcal_calibration.c").read_text()
-    for good, bad in (("R(50.0)", "R(50.1)"), ("{3.0}", "{3.01}"), ("#define LAG_S 0.0", "#define LAG_S 0.1")):
+    for good, bad in (("R(50.0)", "R(50.1)"), ("{3.0}", "{3.05}"), ("#define LAG_S 0.0", "#define LAG_S 0.1")):
         assert good in text
         (folder / "labcal_calibration.c").write_text(text.replace(good, bad))
         assert checked(folder).returncode == 1, bad

@@ -6,11 +6,13 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from runpy import run_path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
+from labcal import session
 from labcal.certificate import calibration_bytes, parse_calibration
 from labcal.errors import InputError
 from labcal.fit import draft_calibration
@@ -61,6 +63,18 @@ def shipped(run: Run) -> ClosedLoop:
 @pytest.fixture(scope="module")
 def calibration(run: Run, shipped: ClosedLoop) -> Calibration:
     return draft_calibration(run, shipped.fit(), "0" * 64, metrics=shipped.metrics())
+
+
+def test_of_magnitudes_the_last_fit_carries_the_term(making: ModuleType, tmp_path: Path) -> None:
+    """Magnitudes show no turn of the map: what noise takes for one has to stay out of the term's columns."""
+    rows, segments = making.recorded()
+    tuned = 1 / (1 + ((rows["temp"][:, None] - 21.0) / 0.7) ** 2)
+    rows["dut"] = rows["dut"] + tuned * 2 * ALONG
+    free = [{"id": segment["id"], "kind": "free"} for segment in segments]
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, free))), empirical=True)
+    assert closed.residual_kind == "scalar"
+    assert [effect.effect for effect in closed.accepted] == ["empirical"]
+    assert closed.after.train_rms_nT < 1.1 * closed.noise_floor_nT < 0.5 * closed.before.train_rms_nT
 
 
 def test_without_the_flag_the_verdict_stays_and_the_term_is_proposed(run: Run, shipped: ClosedLoop) -> None:

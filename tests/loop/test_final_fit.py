@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -19,7 +19,8 @@ from labcal.loop.data.credible import credible, min_new_share, without_wild_rows
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.policy import POLICY
 from labcal.loop.selection import final_fit as final
-from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.model.effects import Term
 
 Started = Callable[..., LinearProblem]
 
@@ -105,6 +106,46 @@ def test_an_effect_that_the_last_fit_does_not_arrive_with_is_given_up(
     assert closed.verdict == "unexplained"
     said = next(e.why for e in closed.rejected if e.effect == "offset-current")
     assert "fitted in full, map and effects together leave" in said
+
+
+def test_what_the_last_fit_gives_up_leaves_its_place_to_another_cause(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same load on a second meter, less sure: it is looked at again once no fit arrives with the first."""
+    rows, segments = making.recorded()
+    rows["other"] = rows["i_load"] + np.random.default_rng(4).normal(0, 0.05, len(rows["t_s"]))
+    rows["dut"] = rows["dut"] + 300.0 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
+    channels = making.CHANNELS | {"other": making.CHANNELS["i_load"]}
+    run = session.load_run(str(making.written(tmp_path, rows, segments, channels)))
+    assert [effect.channels for effect in close_loop(run).accepted] == [("i_load",)]
+
+    def arriving(problem: LinearProblem, terms: Sequence[Term], used: np.ndarray) -> JointFit:
+        return joint_fit(problem, [] if any("i_load" in term.channels for term in terms) else terms, used)
+
+    monkeypatch.setattr(final, "joint_fit", arriving)
+    closed = close_loop(run)
+    assert [(effect.effect, effect.channels) for effect in closed.accepted] == [("offset-current", ("other",))]
+    said = next(e.why for e in closed.rejected if (e.effect, e.channels) == ("offset-current", ("i_load",)))
+    assert "fitted in full, map and effects together leave" in said
+
+
+def test_of_two_effects_the_one_is_given_up_that_no_fit_arrives_with(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The stronger and first one, not whichever came last."""
+    rows, segments = making.recorded()
+    rows["dut"] = rows["dut"] + 600.0 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
+    rows["dut"] = rows["dut"] + 60.0 * (rows["temp"][:, None] - 20.0) * np.array([0.4, 1.0, -0.6])
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    assert [effect.channels for effect in close_loop(run).accepted] == [("i_load",), ("temp",)]
+
+    def arriving(problem: LinearProblem, terms: Sequence[Term], used: np.ndarray) -> JointFit:
+        return joint_fit(problem, [] if any("i_load" in term.channels for term in terms) else terms, used)
+
+    monkeypatch.setattr(final, "joint_fit", arriving)
+    said = {e.channels: e.why for e in close_loop(run).rejected if "fitted in full" in e.why}
+    assert ("i_load",) in said
+    assert ("temp",) not in said
 
 
 def test_with_nothing_accepted_the_map_is_that_of_the_fit(making: ModuleType, tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.loop import close_loop
 from labcal.loop.close import prepare
 
 STEP_deg = 0.7
@@ -74,3 +75,19 @@ def test_a_load_that_is_switched_at_rest_is_no_noise(making: ModuleType, tmp_pat
     _, found, _ = prepare(run)
     assert found.source == "static"
     assert found.nT == pytest.approx(np.sqrt(3) * 20.0, rel=0.06)
+
+
+@pytest.mark.parametrize("stated", [True, False], ids=["stated", "not stated"])
+def test_what_the_reference_scatters_is_not_the_devices_noise(making: ModuleType, tmp_path: Path, stated: bool) -> None:
+    """A reference of 30 nT an axis, which it states, beside a device of 20 nT whose noise is stated or not.
+
+    A level from the differences of 540 rows is known to 2.5 %, so what is left of it for the device to 9 %.
+    """
+    rows, segments = making.recorded()
+    rows["ref"] = rows["ref"] + np.random.default_rng(2).normal(0, 30.0, rows["ref"].shape)
+    run = session.load_run(str(making.written(tmp_path, rows, segments, noise_nT=making.NOISE_nT if stated else None)))
+    closed = close_loop(replace(run, reference=replace(run.reference, noise_nT=30.0)))
+    whole_nT = np.sqrt(3) * np.hypot(30.0, making.NOISE_nT / 1.05)
+    assert closed.noise_floor_nT == pytest.approx(whole_nT, rel=0.02 if stated else 0.075)
+    assert closed.noise_nT == pytest.approx(making.NOISE_nT, rel=1e-9 if stated else 0.25)
+    assert closed.metrics()["after"]["noise_beside_readings_nT"] == pytest.approx(np.sqrt(3) * 30.0, rel=1e-6)

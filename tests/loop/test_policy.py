@@ -32,7 +32,8 @@ KINDS = {
         "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION",
-        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG", "candidates.refine:BRACKETINGS",
+        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
+        "candidates.refine:BRACKETINGS TURNS FURTHER", "selection.final_fit:MAX_SEARCHES",
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.gaps:SHORTEST", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
@@ -63,7 +64,7 @@ KINDS = {
         "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
     ),
     "constant of mathematics": (
-        "data.resolution:ROUNDING", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
+        "data.resolution:ROUNDING", "selection.moment:UNIFORM", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",
         "findings.residual_tests:SPIRAL",
         "findings.own_colour:KURTOSIS VARIANCE_OF_SKEWNESS VARIANCE_OF_KURTOSIS",
     ),
@@ -76,7 +77,8 @@ KINDS = {
         "empirical.description:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
-        "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS EDGE LOW_BAND QUARTERS_deg LEAST_EXCESS",
+        "SURROGATES ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS EDGE LOW_BAND QUARTERS_deg "
+        "LEAST_EXCESS",
     ),
 }  # fmt: skip
 

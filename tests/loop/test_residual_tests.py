@@ -127,6 +127,23 @@ def test_two_levels_are_told_from_a_random_walk(with_offset: Prepared, t: np.nda
     assert sum(walk.kind == "telegraph" for _, walk in said) == 0
 
 
+@pytest.mark.parametrize("memory", [0.0, 0.7])
+def test_noise_is_no_two_levels(making: ModuleType, tmp_path: Path, memory: float) -> None:
+    """Gaussian, a little less than is stated: two signs of a magnitude take as much off as is above that."""
+    rows, segments = making.recorded()
+    draw, clean, said = np.random.default_rng(7), (rows["dut"] - 800) / 1.05, []
+    for run in range(3):
+        noise = draw.normal(0, making.NOISE_nT, clean.shape)
+        for i in range(1, len(clean)):
+            noise[i] = memory * noise[i - 1] + np.sqrt(1 - memory**2) * noise[i]
+        rows["dut"] = clean + noise
+        free = [{"id": segment["id"], "kind": "free"} for segment in segments]
+        bundle = making.written(tmp_path / str(run), rows, free, noise_nT=1.5 * making.NOISE_nT)
+        problem = prepare(session.load_run(str(bundle)))[0]
+        said.append(describe(problem, _all(problem)).kind)
+    assert "telegraph" not in said
+
+
 def test_structure_in_the_large_field_alone_is_placed_there(with_offset: Prepared, t: np.ndarray) -> None:
     offset = np.zeros((len(t), 3))
     large = t >= 3 * 85

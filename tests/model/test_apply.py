@@ -247,6 +247,27 @@ def test_a_plateau_at_the_end_of_the_range_is_saturated() -> None:
     assert [i for i, flag in enumerate(found.flags) if "saturated" in flag] == expected.tolist()
 
 
+def test_a_rounded_reading_that_turns_at_its_largest_value_is_not_saturated() -> None:
+    """Steps of 50 nT: a slow turn stands on the last of them for ten rows, and one that is cut off for more."""
+    t = np.linspace(0, 6, 600)
+    turning = np.column_stack([40e3 * np.sin(t), 20e3 * np.cos(t), 15e3 * np.cos(2 * t)])
+    rounded = 50 * np.round(turning / 50)
+    assert ((rounded == rounded.max(axis=0)).sum(axis=0) >= 3).any()
+    assert not any("saturated" in flag for flag in apply(calibration(), Readings(rounded)).flags)
+    rounded[:, 0] = np.minimum(rounded[:, 0], 38e3)
+    flags = apply(calibration(), Readings(rounded)).flags
+    assert [i for i, flag in enumerate(flags) if "saturated" in flag] == np.flatnonzero(rounded[:, 0] == 38e3).tolist()
+
+
+def test_a_device_at_rest_whose_rounded_reading_stands_still_is_not_saturated() -> None:
+    """Five attitudes; along x the noise is below the step, along y and z it moves by 1e-3 of the field."""
+    rng = np.random.default_rng(4)
+    at_rest = np.repeat(30e3 * np.vstack([np.eye(3), -np.eye(3)]), 40, axis=0)
+    at_rest[:, 1:] += rng.normal(0, 30.0, (len(at_rest), 2))
+    flags = apply(calibration(), Readings(50 * np.round(at_rest / 50))).flags
+    assert not any("saturated" in flag for flag in flags)
+
+
 def test_the_runs_own_saturation_limit_is_used() -> None:
     limit = EffectRecord("saturation", (), {}, "data", (Parameter("upper_y", 20e3, 0.0, "nT"),))
     measured = readings()
@@ -287,6 +308,20 @@ def test_what_declared_errors_left_of_it_is_in_the_parameters_and_counts_once() 
     after = {"noise_nT": NOISE_NT, "holdout_rms_nT": 260.0, "holdout_beside_declared_nT": 60.0}
     left = calibration(metrics={"before": {}, "after": after})
     assert apply(left, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
+
+
+def test_what_the_reference_scatters_is_in_no_reading() -> None:
+    """A reference of 40 nT an axis beside residuals of noise alone, and of 60 nT."""
+    own_nT = NOISE_NT * np.sqrt(np.trace(K @ K.T))
+    after = {"noise_nT": NOISE_NT, "noise_beside_readings_nT": 40.0 * np.sqrt(3)}
+    of_noise, more = (
+        calibration(
+            metrics={"before": {}, "after": {**after, "holdout_rms_nT": float(np.hypot(rms, 40.0 * np.sqrt(3)))}}
+        )
+        for rms in (own_nT, 60.0)
+    )
+    assert apply(of_noise, readings()).u_nT[0] == pytest.approx(own_nT / np.sqrt(3))
+    assert apply(more, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
 
 
 def test_a_row_without_a_reading_stays_empty() -> None:

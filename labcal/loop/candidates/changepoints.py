@@ -53,12 +53,17 @@ def explained_by_step(pool: CandidateSet, accepted: Sequence[Candidate], term: T
     problem, rows = pool.problem, pool.rows
     E = problem.columns(term.stepped())[rows]  # (n, q, 3)
     A = np.concatenate([problem.T, *(pool.columns(c) for c in accepted)], axis=2)[rows]
-    right = np.concatenate([E, A, pool.residual(accepted)[rows][:, :, None]], axis=2)
-    sums = _sum_from_row(np.einsum("nqa,nqp->nap", E, right))
-    drop = explained_by_each(sums[:, :, :3], sums[:, :, 3:-1], sums[:, :, -1], gram_pinv(A.reshape(-1, A.shape[2])))
+    drop = explained_from_each_row(E, A, pool.residual(accepted)[rows])
     edge = max(int(EDGE * len(drop)), 2)
     drop[:edge] = drop[-edge:] = 0.0
     return drop
+
+
+def explained_from_each_row(E: Array, A: Array, left: Array) -> Array:
+    """What columns E (n, q, 3), zero before a row, take off the squares of `left` (n, q) beside A (n, q, p): (n,)."""
+    right = np.concatenate([E, A, left[:, :, None]], axis=2)
+    sums = _sum_from_row(np.einsum("nqa,nqp->nap", E, right))
+    return explained_by_each(sums[:, :, :3], sums[:, :, 3:-1], sums[:, :, -1], gram_pinv(A.reshape(-1, A.shape[2])))
 
 
 def _sum_from_row(values: Array) -> Array:

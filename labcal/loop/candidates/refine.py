@@ -12,9 +12,13 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.whitening import WhitenedNull
+from labcal.model.effects import Term
 
 Array = NDArray[np.float64]
+Bracket = tuple[float, float]
 SECANT_ROUNDS = 6
+TURNS = 3  # of line searches in every parameter, where there are several
+FURTHER = 4.0  # times as far as all together went
 BRACKETINGS = 18  # of one line search, at most
 ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several parameters are searched in turn, and in the end
 
@@ -33,12 +37,24 @@ def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candid
     if has_own_secant(candidate):
         return _on_own_secant(pool, candidate, accepted)
     searched = [shape.name for shape in candidate.term.shape if shape.grid]
-    for name in searched if len(searched) > 1 else ():
-        candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
+    around = _brackets(pool, candidate)
+    for _ in range(TURNS if len(searched) > 1 else 0):
+        last, gain = candidate, _fixed_noise_gain(pool, candidate, accepted)
+        for name in searched:
+            candidate = _line_search(pool, candidate, name, around[name], gain, ROUGHLY)
+        if candidate is last:
+            break
+        candidate = _further(pool, last, candidate, around, gain)
     null_model = pool.null_model(accepted)
     for name in searched:
-        candidate = _line_search(pool, candidate, name, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
+        bracket = _brackets(pool, candidate)[name]
+        candidate = _line_search(pool, candidate, name, bracket, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
     return candidate
+
+
+def _brackets(pool: CandidateSet, candidate: Candidate) -> dict[str, Bracket]:
+    """Between which values each parameter of a candidate is searched."""
+    return {s.name: s.bracket(pool.problem.scene.t_s) for s in candidate.term.shape if s.grid}
 
 
 def _fixed_noise_gain(
@@ -64,20 +80,55 @@ def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[
 
 
 def _line_search(
-    pool: CandidateSet, candidate: Candidate, name: str, gain: Callable[[Array], float], within: float
+    pool: CandidateSet,
+    candidate: Candidate,
+    name: str,
+    bracket: Bracket,
+    gain: Callable[[Array], float],
+    within: float,
+) -> Candidate:
+    def there(value: float) -> Term:
+        return candidate.term.with_values(**{name: value})
+
+    return _best_along(pool, candidate, there, bracket, gain, within)
+
+
+def _further(
+    pool: CandidateSet,
+    last: Candidate,
+    candidate: Candidate,
+    around: dict[str, Bracket],
+    gain: Callable[[Array], float],
+) -> Candidate:
+    """The best on the line from `last` on, in all parameters at once: they may depend on each other (Powell 1964)."""
+    went = {name: (last.term.at(name), candidate.term.at(name) - last.term.at(name)) for name in around}
+
+    def there(part: float) -> Term:
+        return candidate.term.with_values(**{name: start + part * step for name, (start, step) in went.items()})
+
+    ends = ((around[name][step > 0] - start) / step for name, (start, step) in went.items() if step)
+    most = min([FURTHER, *ends])
+    return _best_along(pool, candidate, there, (1.0, most), gain, ROUGHLY) if most > 1.0 else candidate
+
+
+def _best_along(
+    pool: CandidateSet,
+    candidate: Candidate,
+    there: Callable[[float], Term],
+    bounds: Bracket,
+    gain: Callable[[Array], float],
+    within: float,
 ) -> Candidate:
     from scipy.optimize import minimize_scalar
 
-    shape = next(s for s in candidate.term.shape if s.name == name)
-    low, high = shape.bracket(pool.problem.scene.t_s)
+    def cost(term: Term) -> float:
+        return -gain(cosine_transform(pool.problem.columns(term)[pool.transformed_rows]))
 
-    def cost(value: float) -> float:
-        columns = pool.problem.columns(candidate.term.with_values(**{name: value}))[pool.transformed_rows]
-        return -gain(cosine_transform(columns))
-
+    low, high = bounds
     found = minimize_scalar(
-        cost, bounds=(low, high), method="bounded", options={"maxiter": BRACKETINGS, "xatol": within * (high - low)}
+        lambda value: cost(there(value)),
+        bounds=bounds,
+        method="bounded",
+        options={"maxiter": BRACKETINGS, "xatol": within * (high - low)},
     )
-    if found.fun < cost(shape.value):
-        return replace(candidate, term=candidate.term.with_values(**{name: float(found.x)}))
-    return candidate
+    return replace(candidate, term=there(float(found.x))) if found.fun < cost(candidate.term) else candidate

@@ -46,25 +46,44 @@ def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
     if problem.run.dut.noise_nT:
         ratio = level if source == "static" else None
         return problem, NoiseFloor(_expected_rms(problem), "declared", ratio)
-    noise = scaled(problem.noise, max(level, 1e-6))
-    p = problem
+    noise, p = _reading_noise_of(problem, max(level, 1e-6)), problem
     problem = linearise(p.run, p.observations, noise, p.base, p.parameterisation, p.theta, p.phase)
     return problem, NoiseFloor(_expected_rms(problem), "static" if source == "static" else "differences", None)
 
 
-def scaled(noise: Noise, factor: float) -> Noise:
-    """All of the noise times a factor."""
-    return replace(noise, reading=noise.reading * factor)
+def _reading_noise_of(problem: LinearProblem, level: float) -> Noise:
+    """The noise whose whitened residual has level one where that of the problem's has `level`.
+
+    What the run declares of reference, angle and time stays as it is: the rest of what is seen is the reading's. It is
+    taken to be a material part at least, for none of them is declared more closely.
+    """
+    whole, own = _variances(problem)
+    seen = level**2 * whole
+    of_readings = max(seen - (whole - own), policy.POLICY.material_share * seen)
+    return replace(problem.noise, reading=problem.noise.reading * float(np.sqrt(of_readings / own)))
+
+
+def noise_beside_readings(problem: LinearProblem) -> float:
+    """What reference, angle and time add to the noise of what the reported rms is over [nT]: no noise of the device."""
+    whole, own = _variances(problem)
+    return float(np.sqrt(max(whole - own, 0.0)))
 
 
 def _expected_rms(problem: LinearProblem) -> float:
     """Contract: sqrt(tr C + quantisation), its projection for magnitudes, times sqrt(1 + p / n)."""
-    W = problem.whiten
+    return float(np.sqrt(_variances(problem)[0] * (1 + problem.T.shape[2] / problem.y.size)))
+
+
+def _variances(problem: LinearProblem) -> tuple[float, float]:
+    """Of what the reported rms is over [nT²]: the noise of a row, and the part of it that is the readings' own."""
+    W, K = problem.whiten, problem.affine.K
+    of_readings = K @ problem.noise.covariance(1.0) @ K.T
     if problem.kind == "vector":
-        variance = float(np.mean(np.sum(np.linalg.inv(W) ** 2, axis=(1, 2)))) + _angle_step(problem)
-    else:
-        variance = float(np.mean(1 / np.sum(W[:, 0] ** 2, axis=1)))
-    return float(np.sqrt(variance * (1 + problem.T.shape[2] / problem.y.size)))
+        whole = float(np.mean(np.sum(np.linalg.inv(W) ** 2, axis=(1, 2)))) + _angle_step(problem)
+        return whole, float(np.trace(of_readings))
+    size = np.linalg.norm(W[:, 0], axis=1)
+    along = W[:, 0] / size[:, None]
+    return float(np.mean(size**-2)), float(np.mean(np.sum(along @ of_readings * along, axis=1)))
 
 
 def _angle_step(problem: LinearProblem) -> float:

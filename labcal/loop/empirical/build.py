@@ -21,7 +21,7 @@ from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.empirical import FAMILY, of_base
 from labcal.model.effects.inputs import channels_of, values
-from labcal.model.effects.regressors import per_axis
+from labcal.model.effects.regressors import AXES, per_axis
 
 Array = NDArray[np.float64]
 SHORTLIST = 3  # sets of inputs that are scored under every noise
@@ -119,11 +119,26 @@ def _term(pool: CandidateSet, chosen: _Ranked) -> Term:
 
 
 def _projection(pool: CandidateSet, term: Term) -> Array:
-    """What each column shares with the base (12, p), by least squares in the noise's metric."""
+    """What each column shares with the base (12, p), by least squares in the noise's metric.
+
+    A magnitude shows no turn of the whole map: of that none is taken off, however large noise would have it.
+    """
     onto = replace(term, kernel=_of_base)
     base, own = (pool.problem.columns(t)[pool.rows] for t in (onto, term))
-    flat = base.reshape(-1, base.shape[2])
-    return np.asarray(np.linalg.lstsq(flat, own.reshape(len(flat), -1), rcond=1e-9)[0])
+    of_map = _without_turns() if pool.problem.parameterisation.name == "symmetric" else np.eye(len(MAP_PARAMETERS))
+    flat = base.reshape(-1, base.shape[2]) @ of_map
+    return np.asarray(of_map @ np.linalg.lstsq(flat, own.reshape(len(flat), -1), rcond=1e-9)[0])
+
+
+def _without_turns() -> Array:
+    """What a constant and a symmetric matrix do (12, 9), in the order of `of_base`: 1, a_x, a_y, a_z on each axis."""
+    n = len(AXES)
+    each = [[(0, i)] for i in range(n)] + [[(1 + i, j), (1 + j, i)] for i in range(n) for j in range(i, n)]
+    found = np.zeros((1 + n, n, len(each)))
+    for place, both in enumerate(each):
+        for what, axis in both:
+            found[what, axis, place] = 1.0
+    return found.reshape(-1, len(each))
 
 
 def _of_base(term: Term, scene: Scene) -> Array:

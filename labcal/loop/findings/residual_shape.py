@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.autocorrelation import correlation_time_s
+from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import gram_pinv
 from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.loop.result import ResidualShape
@@ -34,6 +35,7 @@ SMOOTH = 5  # rows of a running median
 SWITCHES = 3  # between two levels before they are called telegraph-like,
 TWO_LEVELS = 0.88  # and the part of what is above the noise that they have to take off
 ALTERNATIONS = 6
+SURROGATES = 19  # of noise, none of which may look as much like two levels: one in twenty by chance
 MOST_STEPS = 20  # moments that are listed
 
 
@@ -55,6 +57,8 @@ def describe(problem: LinearProblem, good: Mask) -> ResidualShape:
     T = problem.T[good]
     ways = [_line(t, y, T), _step(t, y, T), _telegraph(t, y, T, segment)]
     best = max(ways, key=lambda way: way.share)
+    if best.kind == "telegraph" and _is_chance(best.share, t, y, T, segment):
+        best = max(ways[:-1], key=lambda way: way.share)
     if best.share * float(np.mean(y**2)) < MIN_EXPLAINED * excess:
         best = _broadband(t, _principal(y), segment)
     axis = _axis(y) if problem.kind == "vector" else "the magnitude"
@@ -139,6 +143,16 @@ def _telegraph(t: Array, y: Array, T: Array, segment: NDArray[np.intp]) -> _Desc
     stays = float(np.median(np.diff(t[switched])))
     says = f"two levels with {len(switched)} changes between them, each kept for about {stays:.3g} s (telegraph-like)"
     return _Description("telegraph", share, says, steps_s=tuple(float(s) for s in t[switched][:MOST_STEPS]))
+
+
+def _is_chance(share: float, t: Array, y: Array, T: Array, segment: NDArray[np.intp]) -> bool:
+    """Whether two levels take as much off noise of the same spectrum: of its cosine coefficients with random signs."""
+    from scipy.fft import idct
+
+    spectrum, draw = cosine_transform(y), np.random.default_rng(0)
+    signs = draw.choice([-1.0, 1.0], size=(SURROGATES, len(y), 1))
+    surrogates = (np.asarray(idct(spectrum * each, axis=0, norm="ortho")) for each in signs)
+    return any(_telegraph(t, one, T, segment).share >= share for one in surrogates)
 
 
 def _running_median(x: Array) -> Array:

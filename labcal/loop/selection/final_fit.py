@@ -1,6 +1,7 @@
 """The fit that goes into the file: map, phases and effects together, no worse than the steps that chose the effects.
 
-An effect that is no more than its uncertainty there, declared errors included, is none: it is given up as well.
+An effect that is no more than its uncertainty there, declared errors included, is none: it is given up as well. What
+it seemed to be may be another's: all is selected again without it.
 """
 
 from __future__ import annotations
@@ -16,36 +17,44 @@ from labcal.loop import policy
 from labcal.loop.candidates.library import Cause
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
-from labcal.loop.selection.proof import Evidence, prove
+from labcal.loop.selection.proof import Evidence, prove, relinearised
 from labcal.loop.selection.second_order import in_full
-from labcal.loop.selection.select import Selection, contribution
+from labcal.loop.selection.select import Selection, contribution, select
 
+MAX_SEARCHES = 3  # again, each without what the fit before gave up
 Chances = Callable[[JointFit], Sequence[float]]
 
 
 def final_fit(
     problem: LinearProblem, found: Evidence, selection: Selection, p_values: Chances
 ) -> tuple[Evidence, JointFit]:
-    """The fit with the accepted effects; those that it cannot carry are given up, and the rest proven anew.
+    """The fit with the accepted effects; those that it cannot carry are given up, and all is selected anew without.
 
-    So are those that may be zero: `p_values` says how often each term would seem as large (Wald).
+    So are those that may be zero: `p_values` says how often each term would seem as large (Wald). After MAX_SEARCHES
+    the others alone are proven anew.
     """
     not_carried, insignificant = dict[Cause, float](), dict[Cause, float]()
     while found.accepted:
         found, fitted = in_full(problem, found, nearest_fit(problem, found))
         left = in_sample_rms(fitted)
         if not carries_them(left, found):
-            place = len(found.accepted) - 1
+            place = _least_missed(problem, found)
             not_carried[found.accepted[place].cause] = left
         else:
             place, chance = _least_certain(found, p_values(fitted))
             if chance <= policy.POLICY.significance:
                 return _no_better_than_fitted(found, left), fitted
             insignificant[found.accepted[place].cause] = chance
-        found = replace(
-            _proven_again(found, selection, place), not_carried=dict(not_carried), insignificant=dict(insignificant)
-        )
+        found, selection = _without(found, selection, place)
+        found = replace(found, not_carried=dict(not_carried), insignificant=dict(insignificant))
     return found, base_fit(problem, found)
+
+
+def _least_missed(problem: LinearProblem, found: Evidence) -> int:
+    """The place of the accepted effect without which a fit of the others leaves least."""
+    each = range(len(found.accepted))
+    others = [replace(found, accepted=tuple(c for i, c in enumerate(found.accepted) if i != place)) for place in each]
+    return min(each, key=lambda place: in_sample_rms(nearest_fit(problem, others[place])))
 
 
 def _least_certain(found: Evidence, chances: Sequence[float]) -> tuple[int, float]:
@@ -83,14 +92,20 @@ def nearest_fit(problem: LinearProblem, found: Evidence) -> JointFit:
     return min(fitted, joint_fit(found.pool.whole, terms, found.pool.valid), key=in_sample_rms)
 
 
-def _proven_again(found: Evidence, selection: Selection, place: int) -> Evidence:
-    """The evidence for the other effects than the one at `place`."""
-    pool, kept = found.pool, [c for i, c in enumerate(found.accepted) if i != place]
-    steps = [contribution(pool, found.blocks, kept, i) for i in range(len(kept))]
-    fewer = replace(selection, accepted=tuple(kept), contributions=tuple(steps))
-    again = prove(found.base_set, pool, fewer, found.level)
-    given_up = {found.accepted[place].cause: found.contributions[place]}
-    return replace(again, refused={**found.refused, **again.refused, **given_up})
+def _without(found: Evidence, selection: Selection, place: int) -> tuple[Evidence, Selection]:
+    """What is selected and proven without the effect at `place`; after MAX_SEARCHES the others alone."""
+    given_up = found.accepted[place].cause
+    if len(selection.barred) < MAX_SEARCHES:
+        barred = selection.barred | {given_up}
+        pool = relinearised(found.base_set, barred)
+        selection = select(pool, found.level, barred=barred)
+    else:
+        pool, kept = found.pool, [c for i, c in enumerate(found.accepted) if i != place]
+        steps = [contribution(pool, found.blocks, kept, i) for i in range(len(kept))]
+        selection = replace(selection, accepted=tuple(kept), contributions=tuple(steps))
+    again = prove(found.base_set, pool, selection, found.level)
+    refused = {**found.refused, **again.refused, given_up: found.contributions[place]}
+    return replace(again, refused=refused), selection
 
 
 def base_fit(problem: LinearProblem, found: Evidence) -> JointFit:

@@ -14,6 +14,7 @@ from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
 from labcal.loop.noise.nuisance import inverse_gram, ols_with_nuisance
+from labcal.loop.selection.moment import u_of_moment
 from labcal.model import Parameter
 from labcal.model.effects import Scene, Term
 
@@ -66,15 +67,17 @@ class JointFit:
         linear = sum(len(b) for b in self.beta)
         by_slope, t_s = iter(u[linear:].tolist()), self.problem.scene.t_s
         out, at = [], 0
-        for term, beta in zip(self.terms, self.beta, strict=True):
+        for place, (term, beta) in enumerate(zip(self.terms, self.beta, strict=True)):
             found = [
                 Parameter(name, float(value), float(spread), unit)
                 for (name, unit), value, spread in zip(term.parameters, beta, u[at : at + len(beta)], strict=True)
             ]
             at += len(beta)
-            found += [
-                Parameter(s.name, s.value, s.u(t_s, next(by_slope)) if s.grid else 0.0, s.unit) for s in term.shape
-            ]
+            for s in term.shape:
+                spread = s.u(t_s, next(by_slope)) if s.grid else 0.0
+                if s.kind.found_by == "changepoints":
+                    spread = u_of_moment(self.problem, self.terms, self.beta, place, self.used)
+                found.append(Parameter(s.name, s.value, spread, s.unit))
             out.append(tuple(found))
         return tuple(out)
 

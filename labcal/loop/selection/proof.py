@@ -56,13 +56,16 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
     accepted, blocks = selection.accepted, selection.blocks
     while True:
         pool.tell(pool, accepted, "the selection on each part of the blocks")
-        cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted)))
+        cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted), selection.barred))
         own = against_own_base(base_set, pool, blocks, cv_error)
         if accepted and own.after > policy.POLICY.equivalent_rms * own.before:
             return _of_the_base_alone(base_set, pool, selection, level)
         pool.tell(pool, accepted, "what does as well")
-        equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
-        judged = _of_this_choice(pool, blocks, accepted, cv_error, level)
+        every = (equivalent_models(pool, blocks, accepted, one) for one in accepted)
+        equivalents = tuple(
+            tuple(e for e in some if e.scored.candidate.cause not in selection.barred) for some in every
+        )
+        judged = _of_this_choice(pool, blocks, accepted, cv_error, level, selection.barred)
         reportable = n_reportable(pool, judged, level, accepted, equivalents)
         if reportable == len(accepted):
             break
@@ -109,13 +112,18 @@ def against_own_base(
 
 
 def _of_this_choice(
-    pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], nested: HeldOutErrors, level: NoiseFloor
+    pool: CandidateSet,
+    blocks: BlockFolds,
+    accepted: Sequence[Candidate],
+    nested: HeldOutErrors,
+    level: NoiseFloor,
+    barred: frozenset[Cause],
 ) -> HeldOutErrors:
     """The held-out error by which names are judged: of this very choice, where most folds choose the same causes.
 
     A fold that finds less in its rows makes the error of the procedure larger, and says nothing of these names.
     """
-    choose, causes = nested_selection(level, blocks, len(accepted)), {c.cause for c in accepted}
+    choose, causes = nested_selection(level, blocks, len(accepted), barred), {c.cause for c in accepted}
     numbers = np.unique(blocks.fold[blocks.fold != NEVER]).tolist()
     parts = [pool.on(blocks.training(pool.problem.scene.t_s, fold) & pool.rows) for fold in numbers]
     same = sum({c.cause for c in choose(part)} == causes for part in parts)
@@ -123,7 +131,7 @@ def _of_this_choice(
 
 
 def nested_selection(
-    level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS
+    level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS, barred: frozenset[Cause] = frozenset()
 ) -> Callable[[CandidateSet], Sequence[Candidate]]:
     """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation)."""
 
@@ -131,36 +139,40 @@ def nested_selection(
         inner = blocks.restricted_to(part.rows)
 
         def made() -> Sequence[Candidate]:
-            accepted = select(part, level, inner, most).accepted
+            accepted = select(part, level, inner, most, barred).accepted
             part.forget_columns()
             return accepted
 
-        return part.cached(("nested", most, inner.guard_s, inner.fold.tobytes()), (), made)
+        return part.cached(("nested", most, barred, inner.guard_s, inner.fold.tobytes()), (), made)
 
     return choose
 
 
-def relinearised(pool: CandidateSet) -> CandidateSet:
+def relinearised(pool: CandidateSet, barred: frozenset[Cause] = frozenset()) -> CandidateSet:
     """The candidates about the map that goes with the effects they show, where the problem is not linear in the map.
+
+    None of those effects is `barred`.
 
     A magnitude is not: fitted without a strong effect, K and k are so far off that what is left of them looks like an
     effect of the field. Vectors are, but for the phases and the field that an effect follows.
     """
-    accepted, rankings = stepwise(pool)
+    accepted, rankings = stepwise(pool, refused=barred)
     if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
         return pool
-    tried = [accepted, *_smaller(pool, rankings[0], accepted)]
+    tried = [accepted, *_smaller(pool, rankings[0], accepted, barred)]
     around = min((joint_fit(pool.whole, [c.term for c in some], pool.valid) for some in tried), key=information)
     pool.forget_columns()
     again = CandidateSet.of(around.uncorrected(), pool.min_noise_level, pool.tell)
     return without_outliers(again, None if pool.valid.all() else ~pool.valid)
 
 
-def _smaller(pool: CandidateSet, ranking: Sequence[Scored], accepted: Sequence[Candidate]) -> list[list[Candidate]]:
+def _smaller(
+    pool: CandidateSet, ranking: Sequence[Scored], accepted: Sequence[Candidate], barred: frozenset[Cause]
+) -> list[list[Candidate]]:
     """The smallest form of each cause that has the evidence of a name: far from its own map it may fit worse."""
     size = sum(c.size for c in accepted)
     causes = [one.candidate.cause for one in ranking if one.evidence >= policy.POLICY.min_evidence]
-    forms = ([c for c in pool.candidates if c.cause == cause] for cause in causes)
+    forms = ([c for c in pool.candidates if c.cause == cause] for cause in causes if cause not in barred)
     smallest = (min(some, key=lambda c: c.size) for some in forms if some)
     return [[one] for one in smallest if one.size < size]
 

@@ -41,6 +41,7 @@ class Selection:
     blocks: BlockFolds
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
     ending: SelectionEnding
+    barred: frozenset[Cause] = frozenset()  # causes that were not offered
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,16 +61,20 @@ class _Round:
 
 
 def select(
-    pool: CandidateSet, level: NoiseFloor, blocks: BlockFolds | None = None, most: int = MAX_EFFECTS
+    pool: CandidateSet,
+    level: NoiseFloor,
+    blocks: BlockFolds | None = None,
+    most: int = MAX_EFFECTS,
+    barred: frozenset[Cause] = frozenset(),
 ) -> Selection:
-    """Select effects on the rows of `pool`, and refuse those that blocks held out of them do not support.
+    """Select effects on the rows of `pool`, none of those `barred`, and refuse what blocks held out do not support.
 
     Each round has an outcome: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
     the next round; of a cause that is there already `one too many` is cut off; a set that came first and is `broken` by
     held-out blocks may come again, but beside another cause. When the rounds are exhausted, what the last one left
     stands.
     """
-    refused, unsupported, later = set[Cause](), dict[Cause, HeldOutErrors](), set[Cause]()
+    refused, unsupported, later = set(barred), dict[Cause, HeldOutErrors](), set[Cause]()
     ending: SelectionEnding = "rounds exhausted"
     for _ in range(MAX_ROUNDS):
         last = _select_once(pool, blocks, most, refused, later)
@@ -89,7 +94,7 @@ def select(
             unsupported[last.accepted[place].cause] = last.contributions[place]
         last = last.first(place)
     effects, rankings, contributions = tuple(last.accepted), tuple(last.rankings), tuple(last.contributions)
-    return Selection(effects, rankings, contributions, last.blocks, unsupported, ending)
+    return Selection(effects, rankings, contributions, last.blocks, unsupported, ending, barred)
 
 
 def _select_once(

@@ -11,7 +11,7 @@ import numpy as np
 from labcal.model.effects import memory
 from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
 from labcal.model.effects.scene import Array, Scene
-from labcal.model.effects.shape import DELAY, TIME_CONSTANT, Shape
+from labcal.model.effects.shape import DELAY, LEVEL, TIME_CONSTANT, Shape
 from labcal.model.effects.term import Kernel, Term
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
@@ -21,6 +21,8 @@ ROWS = 4  # the same where rows are far apart
 POINTS = 20  # of the grid on either side
 BEHIND = Shape("tau_s", 100.0, "s", kind=TIME_CONSTANT)
 LATE = Shape("delay_s", 0.0, "s", kind=DELAY)
+OFF = Shape("begins_off", 0.0, "1", kind=LEVEL)  # in units of the drive
+OF_THE_RANGE = (-0.5, -0.25, 0.0, 0.25, 0.5)  # of what the channel was seen to do: how far off a response may begin
 
 
 def instantaneous(channel: Channel, kernel: Kernel) -> Term:
@@ -32,6 +34,23 @@ def first_order(channel: Channel, kernel: Kernel, tau: Shape) -> Term:
     """The same through a first-order response of time constant `tau`."""
     term = instantaneous(channel, kernel)
     return Term(kernel, term.parameters, term.channels, term.reference_value, (tau,))
+
+
+def begun_elsewhere(response: Term, channel: Channel) -> Term:
+    """The same response, begun anywhere: what the channel did before the run nobody recorded.
+
+    So far off the channel's first value, in its units, in the run of the fit; how another recording begins it does not
+    say.
+    """
+    known = channel.values[np.isfinite(channel.values)]
+    grid = tuple(part * float(np.ptp(known)) for part in OF_THE_RANGE)
+    return replace(response, shape=(*response.shape, replace(OFF, unit=channel.unit, grid=grid)))
+
+
+def begins_off(term: Term, scene: Scene) -> float | None:
+    """How far off the channel the response begins: in the rows of the fit as that found it, in others nobody knows."""
+    known = scene.past is None and any(shape.name == OFF.name for shape in term.shape)
+    return term.at(OFF.name) if known else None
 
 
 def delayed_terms(channel: Channel, kernel: Kernel, run: Run) -> list[Term]:
@@ -66,8 +85,8 @@ def responses(term: Term, scene: Scene) -> Array:
     drive = term.drive(scene)
     if (late := term.of(DELAY)) is not None:
         return on_each_axis(delayed(scene.t_s, scene.segment, drive, late.value))
-    ends = term.ends_of_drive(scene)
-    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends) for tau in time_constants(term)]
+    ends, off = term.ends_of_drive(scene), begins_off(term, scene)
+    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends, off) for tau in time_constants(term)]
     return np.concatenate([on_each_axis(one) for one in behind], axis=2)
 
 

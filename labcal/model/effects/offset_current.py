@@ -12,6 +12,8 @@ from labcal.model.effects.c_responses import responses_in_c
 from labcal.model.effects.following import (
     BEHIND,
     LATE,
+    OFF,
+    begun_elsewhere,
     delayed_terms,
     first_order,
     instantaneous,
@@ -55,6 +57,7 @@ def candidates(run: Run) -> list[Term]:
         for term in (
             instantaneous(c, kernel),
             first_order(c, kernel, tau),
+            begun_elsewhere(first_order(c, kernel, tau), c),
             multi_tau(c, kernel, SEVERAL_S),
             *delayed_terms(c, kernel, run),
         )
@@ -66,7 +69,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BEHIND, LATE),
+    shapes=(BEHIND, LATE, OFF),
     adds_up=True,
     related=("offset-current-squared",),
     time_constants=time_constants,

@@ -15,6 +15,8 @@ from labcal.model.effects.c_responses import Driven, at_once, filtered, response
 from labcal.model.effects.following import (
     BEHIND,
     LATE,
+    OFF,
+    begun_elsewhere,
     delayed_terms,
     first_order,
     instantaneous,
@@ -110,7 +112,7 @@ def candidates(run: Run) -> list[Term]:
     for c in moving(run, ("temperature",)):
         straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
         found += [straight[0], first_order(c, kernel, either), multi_tau(c, kernel, SEVERAL_S), *map(_curved, straight)]
-        found += [*_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
+        found += [begun_elsewhere(straight[1], c), *_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
     return found
 
 
@@ -140,7 +142,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BEHIND, LATE, TURNS),
+    shapes=(BEHIND, LATE, TURNS, OFF),
     adds_up=True,
     time_constants=time_constants,
     experiment="hold the attitude and warm the sensor, then let it cool",

@@ -130,6 +130,7 @@ def low_passed(
     tau_s: float,
     past: Past | None = None,
     ends: Ends | None = None,
+    off: float | None = None,
 ) -> Array:
     """First-order response (n,) to `drive` with time constant `tau_s`, exact for a drive that is linear between rows.
 
@@ -137,9 +138,10 @@ def low_passed(
 
     What follows slowly does not start anew where a segment does: over a gap of up to CARRIED time constants the state
     is carried, the drive bridged linearly. After a longer one, and before the first row, the drive is taken to have
-    moved as it does over the next tau_s where that is a line, and to have stood where it is not. With `past` the first
-    row may go on from one before; where none went before, the state begins astray by so many standard deviations as
-    the past says, `ends` being those between which the drive was seen.
+    moved as it does over the next tau_s where that is a line, as far as it does so elsewhere, and to have stood where
+    it is not; or the first row begins `off` from its drive. With `past` the first row may go on from one before; where
+    none went before, the state begins astray by so many standard deviations as the past says, `ends` being those
+    between which the drive was seen.
     """
     if tau_s == 0 or len(t_s) == 0:
         return drive
@@ -155,20 +157,51 @@ def low_passed(
     ramp = np.where(steps > 0, (1 - keep) / np.where(steps > 0, steps, 1.0), 1.0)
     add = (ramp - keep) * np.concatenate([[driven], drive[:-1]]) + (1 - ramp) * drive
     for start, stop in pairwise([*np.flatnonzero(anew).tolist(), len(t_s)]):
-        add[start] = _begun(t_s[start:stop], drive[start:stop], tau_s)
+        rows = slice(start, start + int(np.sum(t_s[start:stop] <= t_s[start] + LEARNED * tau_s)))
+        add[start] = _begun(t_s[rows], drive[rows], tau_s)
         if start < past.own:
-            past.until_s = max(past.until_s, t_s[start] + tau_s * (LEARNED if past.astray else 1.0))
-        if start < past.own and past.astray:
-            rows = slice(start, start + int(np.sum(t_s[start:stop] <= t_s[start] + LEARNED * tau_s)))
+            past.until_s = max(past.until_s, t_s[start] + tau_s * LEARNED)
+        like_a_line = 1.0
+        if add[start] != drive[start]:
             followed = affine_recursion(np.r_[0.0, keep[rows][1:]], add[rows], 0.0)
-            add[start] += past.astray * _unknown_beginning(t_s[rows], drive[rows], followed, tau_s, ends)
+            like_a_line = _share_of_a_line(t_s[rows], drive[rows], followed, tau_s)
+            add[start] = drive[start] + like_a_line * (add[start] - drive[start])
+        if start == 0 and off is not None:
+            add[start] = drive[start] + off
+        if start < past.own and past.astray:
+            followed = affine_recursion(np.r_[0.0, keep[rows][1:]], add[rows], 0.0)
+            add[start] += past.astray * _unknown_beginning(t_s[rows], drive[rows], followed, tau_s, ends, like_a_line)
     keep[anew] = 0.0
     followed, last = affine_recursion(keep, add, state), past.own - 1
     past.after[name] = t_s[last], segment[last], drive[last], followed[last]
     return followed
 
 
-def _unknown_beginning(t_s: Array, drive: Array, followed: Array, tau_s: float, ends: Ends | None) -> float:
+def _share_of_a_line(t_s: Array, drive: Array, followed: Array, tau_s: float) -> float:
+    """How far behind the drive the state is where it begins, over how far it would be had the drive come as a line.
+
+    By least squares over other rows (n,) at which it is begun anew, in which this one's own error has faded by so much;
+    that the drive came as it goes on counts as one observation, of one time constant.
+    """
+    tried, anew, each = _begun_anew(t_s, drive, tau_s)
+    own, along = followed[0] - drive[0], anew - drive[tried]
+    weight = each * (1 - np.exp(-(t_s[tried] - t_s[0]) / tau_s))
+    seen = (followed[tried] - drive[tried]) * along
+    share = (own**2 + float(np.sum(weight * seen))) / (own**2 + float(np.sum(weight * along**2)))
+    return float(np.clip(share, 0.0, 1.0))
+
+
+def _begun_anew(t_s: Array, drive: Array, tau_s: float) -> tuple[NDArray[np.intp], Array, float]:
+    """Some later rows, the state as begun anew in each, and the time constants between them."""
+    later = np.flatnonzero(t_s > t_s[0])
+    later = later[t_s[later] <= t_s[0] + (LEARNED - 1) * tau_s][:: max(len(later) // TRIED, 1)]
+    anew = np.array([_begun(t_s[row:], drive[row:], tau_s) for row in later])
+    return later, anew, float(t_s[later[-1]] - t_s[0]) / tau_s / len(later) if len(later) else 0.0
+
+
+def _unknown_beginning(
+    t_s: Array, drive: Array, followed: Array, tau_s: float, ends: Ends | None, like_a_line: float
+) -> float:
     """How far from its beginning a state may be that follows the drive, as a standard deviation.
 
     Begun anew in other rows (n,) it is as far off as here, but for what is left there of this beginning's own error:
@@ -177,14 +210,11 @@ def _unknown_beginning(t_s: Array, drive: Array, followed: Array, tau_s: float, 
     """
     low, high = ends or (float(drive.min()), float(drive.max()))
     square, known = (high - low) ** 2 / 12 + ((low + high) / 2 - followed[0]) ** 2, 1.0
-    later = np.flatnonzero(t_s > t_s[0])
-    later = later[t_s[later] <= t_s[0] + (LEARNED - 1) * tau_s][:: max(len(later) // TRIED, 1)]
-    if len(later):
-        anew = np.array([_begun(t_s[row:], drive[row:], tau_s) for row in later])
-        times = (t_s[later] - t_s[0]) / tau_s
-        each = times[-1] / len(later)
-        square += each * float(np.sum((anew - followed[later]) ** 2))
-        known += each * float(np.sum(1 - np.exp(-2 * times)))
+    tried, anew, each = _begun_anew(t_s, drive, tau_s)
+    if len(tried):
+        begun = drive[tried] + like_a_line * (anew - drive[tried])
+        square += each * float(np.sum((begun - followed[tried]) ** 2))
+        known += each * float(np.sum(1 - np.exp(-2 * (t_s[tried] - t_s[0]) / tau_s)))
     return float(np.sqrt(square / known))
 
 
