@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from labcal.store import RunSummary
 
+MOST_SHOWN = 500  # lines of one table: a recording may have 45 000 segments, which no person reads
 HEADS = ("run", "started", "status", "DUT", "procedure", "operator")
 RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
 
@@ -90,9 +91,13 @@ def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
     if json is not None:
         return write_json(described, json, "show", inputs=session.paths(run), force=force)
     screen = _console()
-    for table in (_head(described), _segments(described), _channels(described), _measurements(described)):
-        if table.row_count:
-            screen.print(table)
+    screen.print(_head(described))
+    for name, table_of in (("segments", _segments), ("channels", _channels), ("measurements", _measurements)):
+        rows = described.get(name, ())
+        if rows:
+            screen.print(table_of(rows[:MOST_SHOWN]))
+        if len(rows) > MOST_SHOWN:
+            say(f"… and {len(rows) - MOST_SHOWN} more {name}: --json has all {len(rows)}")
     return None
 
 
@@ -240,9 +245,9 @@ def _origin(chain: Mapping[str, Any] | None) -> str:
     return f"chain of {chain['rows']} rows, head {chain['head']}" if chain else "not shown: there is no hash chain"
 
 
-def _segments(described: Mapping[str, Any]) -> Table:
+def _segments(rows: Sequence[Mapping[str, Any]]) -> Table:
     table = _table("segment", "kind", "offers", "modes", "samples", "missing", "s", "Hz", "|reference| nT", "note")
-    for one in described["segments"]:
+    for one in rows:
         rate = "" if one["rate_Hz"] is None else f"{one['rate_Hz']:.3g}"
         counts = (str(one["n_samples"]), str(one["missing"] or ""), f"{one['duration_s']:.1f}", rate)
         names = (one["id"], one["kind"], one["offers"], " ".join(one["modes"]))
@@ -250,16 +255,16 @@ def _segments(described: Mapping[str, Any]) -> Table:
     return table
 
 
-def _channels(described: Mapping[str, Any]) -> Table:
+def _channels(rows: Sequence[Mapping[str, Any]]) -> Table:
     table = _table("channel", "unit", "quantity", "role", "range")
-    for one in described["channels"]:
+    for one in rows:
         table.add_row(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g"))
     return table
 
 
-def _measurements(described: Mapping[str, Any]) -> Table:
+def _measurements(rows: Sequence[Mapping[str, Any]]) -> Table:
     table = _table("measurement", "value", "U (k = 2)", "unit", "limit", "verdict")
-    for one in described.get("measurements", ()):
+    for one in rows:
         numbers = ("" if x is None else f"{x:.4g}" for x in (one["value"], one["u"] and 2 * one["u"]))
         limit = "" if one["limit"] is None else f"{one['limit']:g}"
         table.add_row(one["name"], *numbers, one["unit"], limit, one["verdict"])

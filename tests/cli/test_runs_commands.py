@@ -47,6 +47,26 @@ def test_the_list_of_runs_loads_no_numbers_no_tables_and_no_window() -> None:
     assert not heavy & {*said.splitlines()[-1].split()}
 
 
+def test_of_many_segments_the_first_are_shown_and_json_has_all(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    head = json.loads((GOLDEN / "run.json").read_text(encoding="utf-8"))
+    first, second = ({"id": f"{letter}{n}", "kind": "free"} for letter, n in (("a", 0), ("b", 0)))
+    head |= {"segments": [first, second, *({"id": f"s{n}", "kind": "free"} for n in range(1_998))], "channels": {}}
+    (tmp_path / "run.json").write_text(json.dumps(head))
+    rows = "0,b0,1,2,3,0,3,4\n1,a0,1,2,3,0,6,8\n2,b0,1,2,,0,5,12\n"
+    (tmp_path / "samples.csv").write_text(f"t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z\n{rows}")
+    assert labcal(["show", str(tmp_path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) < 600
+    assert "… and 1500 more segments: --json has all 2000" in lines
+    assert labcal(["show", str(tmp_path), "--json", "-"]) == 0
+    said = json.loads(capsys.readouterr().out)["segments"]
+    counts = [(one["id"], one["n_samples"], one["duration_s"], one["missing"], one["magnitude_nT"]) for one in said[:3]]
+    assert counts == [("a0", 1, 0.0, 0, [10.0, 10.0]), ("b0", 2, 2.0, 1, [5.0, 13.0]), ("s0", 0, 0.0, 0, None)]
+    assert len(said) == 2_000
+
+
 def test_json_is_alone_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
     labcal(["import", str(GOLDEN)])
     capsys.readouterr()
