@@ -16,7 +16,7 @@ from labcal.record import Channel, Dut, Reference, Run
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.store.limits import listed, shortened
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
-from labcal.store.table import ColumnTable, read_table, require_increasing
+from labcal.store.table import ColumnTable, read_table
 
 Array = NDArray[np.float64]
 
@@ -71,14 +71,13 @@ def _table(data: bytes, header: RunJson, file: str) -> ColumnTable:
     known = {*FIXED_COLUMNS, *header.channels}
     texts = {"segment", "mode"}
     required = ("t_s", "segment", *DUT, *REFERENCE[header.reference.kind])
-    table = read_table(data, file=file, numbers=known - texts, texts=texts, required=required)
+    table = read_table(data, file=file, numbers=known - texts, texts=texts, required=required, growing="t_s")
     for name in table.header:
         if name not in known:
             what = f"run.json declares no channel of this name; it has {listed(header.channels) or 'none'}"
             raise InputError(what, file=file, line=1, column=shortened(name))
     if not len(table):
         raise InputError("expected rows of samples after the header, found none", file=file, line=2)
-    require_increasing(table)
     for name in (name for name in FIELDS if name in table.numbers):
         _refuse_beyond(table, name, LARGEST_FIELD_nT)
     return table

@@ -137,15 +137,22 @@ def read_table(
     numbers: Collection[str],
     texts: Collection[str] = (),
     required: Collection[str] = (),
+    growing: str | None = None,
 ) -> ColumnTable:
-    """The whole of a table that is in memory, as `TableReader`. Raises InputError at the first fault."""
+    """The whole of a table that is in memory, as `TableReader`. Raises InputError at the first fault.
+
+    `growing`: the column whose values must grow from row to row; the first row where they do not ends the reading.
+    """
     reader = TableReader(io.BytesIO(data), file=file, numbers=numbers, texts=texts, required=required)
     rows, columns = data.count(b"\n"), len(reader.header)
     if rows * columns > MOST_CELLS:
         what = f"{rows} rows of {columns} columns are more than {MOST_CELLS // 1_000_000} million cells: split the run"
         raise InputError(what, file=file)
     words: dict[str, dict[str, str]] = {}
-    pieces = [_with_few_words(piece, words) for piece in reader.pieces()]
+    pieces, last = list[Piece](), -np.inf
+    for piece in reader.pieces():
+        last = last if growing is None else require_increasing(piece, growing, last)
+        pieces.append(_with_few_words(piece, words))
     names = [name for name in reader.header if name in {*numbers, *texts}]
     return ColumnTable(
         reader.file,

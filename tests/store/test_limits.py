@@ -147,3 +147,11 @@ def test_a_store_with_an_odd_run_id_still_lists_and_reads_it(tmp_path: Path) -> 
         older.commit()
         assert [run.run_id for run in store.runs()] == ["old run \u00fc"]
         assert len(store.run("old run \u00fc")) == 2
+
+
+def test_a_time_that_does_not_grow_ends_the_reading_where_it_stands(tmp_path: Path) -> None:
+    """Three million rows of nothing were all read, in 8 s, before the first was refused."""
+    (tmp_path / "run.json").write_text(header())
+    (tmp_path / "samples.csv").write_bytes(f"{ROWS}1,a,1,2,3\n".encode() + b"2,a,1,2,3\n" * 600_000 + b"\xff\n")
+    with pytest.raises(InputError, match=r"line 4, column t_s: found the same time as the row before"):
+        read_bundle(tmp_path)
