@@ -29,6 +29,7 @@ ALLOWED = {
     "labcal/model/plausibility.py": "finds saturated rows, so it states and reads that finding",
     "labcal/loop/close.py": "finds the rows to set aside, so it counts them by their ids",
     "labcal/certificate/flight/foreign.py": "states that nobody asked for that term (contract: made_by)",
+    "labcal/certificate/dcc/basis.py": "writes down how that term's functions are made, in the units of its file",
     "labcal/loop/empirical/build.py": "builds that effect, which no search finds",
     "labcal/session/working_out.py": "keeps whether a person asked for that term (contract: made_by)",
     "labcal/loop/assemble.py": "the verdict weighs the rows that are set aside",
