@@ -241,7 +241,7 @@ def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_
     calibrated = fit.affine.apply(unseen.reading) - late
 
     def errors(run: Run) -> Array:
-        return (calibrated - reference_field_nT(run)).ravel()
+        return np.asarray((calibrated - reference_field_nT(run)).ravel())
 
     positions = as_positions(bench, unseen.field_nT)
     u = u_of_size(positions, errors, of_length, unseen.u_nT)

@@ -31,4 +31,4 @@ def rms_error(bench: Bench, name: str, seen_nT: Array, wanted_nT: Array, limit_n
 
 def of_length(errors_nT: Array) -> Array:
     """Root mean square (…) of the length of vectors, all components (…, 3 n) in one row."""
-    return np.sqrt(3) * rms(errors_nT)
+    return np.asarray(np.sqrt(3) * rms(errors_nT))
