@@ -235,13 +235,13 @@ def _data(fit: SphereFit, found: Sequence[Shell]) -> dict[str, object]:
 def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_nT: float) -> Work[None]:
     """Errors at fields that no fit has seen, as uncertain as the reference that tells them.
 
-    The largest is stated in units of its U by noise alone (k = 2): fit and test have the reference in common.
+    The largest is told in units of its U by noise alone (k = 2): fit and test have the reference in common.
     """
     late = fit.drift_nT_per_s * (unseen.t_s - seen.t_s.mean())[:, None]
     calibrated = fit.affine.apply(unseen.reading) - late
 
     def errors(run: Run) -> Array:
-        return np.asarray(calibrated - reference_field_nT(run)).ravel()
+        return np.asarray((calibrated - reference_field_nT(run)).ravel())
 
     positions = as_positions(bench, unseen.field_nT)
     u = u_of_size(positions, errors, of_length, unseen.u_nT)

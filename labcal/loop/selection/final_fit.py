@@ -98,7 +98,8 @@ def _without(found: Evidence, selection: Selection, place: int) -> tuple[Evidenc
     if len(selection.barred) < MAX_SEARCHES:
         barred = selection.barred | {given_up}
         pool = relinearised(found.base_set, barred)
-        selection = select(pool, found.level, barred=barred)
+        same_rows = len(pool.problem) == len(found.pool.problem)
+        selection = select(pool, found.level, found.blocks if same_rows else None, barred=barred)
     else:
         pool, kept = found.pool, [c for i, c in enumerate(found.accepted) if i != place]
         steps = [contribution(pool, found.blocks, kept, i) for i in range(len(kept))]
