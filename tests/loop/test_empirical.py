@@ -17,13 +17,17 @@ from labcal.certificate import calibration_bytes, parse_calibration
 from labcal.errors import InputError
 from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop, empirical_term
+from labcal.loop.candidates.scorer import Scored
 from labcal.loop.close import prepare
+from labcal.loop.empirical import proof
+from labcal.loop.empirical.build import Shortlist
 from labcal.loop.empirical.description import POINTS, of_one
 from labcal.loop.empirical.inputs import sets_of_inputs
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.noise.marginal import RATIOS, NullEliminated
 from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.proof import Evidence
 from labcal.model import Calibration
 from labcal.model.effects import load_shipped
 from labcal.record import Channel, Run
@@ -206,6 +210,22 @@ def test_the_proposal_says_what_it_looks_like_and_what_to_measure(run: Run, ship
     assert proposed is not None
     assert "wavy" in shipped.accepted[0].why
     assert "v_bus up and down" in proposed.do
+
+
+def test_where_held_out_blocks_refuse_inputs_the_next_are_tried(
+    run: Run, shipped: ClosedLoop, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tried, proven = list[tuple[str, ...]](), proof._proven
+
+    def noted(found: Evidence, scored: Scored, inputs: Shortlist) -> Evidence | None:
+        tried.append(scored.candidate.term.inputs)
+        return proven(found, scored, inputs)
+
+    monkeypatch.setattr(proof, "improves", lambda own: False)
+    monkeypatch.setattr(proof, "_proven", noted)
+    assert close_loop(run, empirical=True).accepted == ()
+    assert tried[0] == shipped.accepted[0].inputs
+    assert len(set(tried)) == len(tried) > 1
 
 
 def test_a_term_that_its_joint_fit_does_not_carry_is_neither_shipped_nor_proposed(

@@ -9,7 +9,7 @@ import numpy as np
 
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.empirical.build import Shortlist, best_smooth, shortlist
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate
 from labcal.loop.selection.equivalents import Equivalent
@@ -20,14 +20,28 @@ from labcal.loop.selection.proof import Evidence, nested_selection
 def with_smooth(found: Evidence) -> Evidence | None:
     """The evidence with a smooth function beside what is accepted; None where none has enough, or held-out data refuse.
 
-    Nothing that is accepted changes: a known effect is never displaced.
+    Of the inputs on the shortlist it is those with the most evidence that held-out data support. Nothing that is
+    accepted changes: a known effect is never displaced.
     """
-    pool, accepted = found.pool, found.accepted
-    listed = shortlist(pool, accepted)
-    scored = best_smooth(pool, accepted, listed)
-    if scored is None or scored.drop < policy.POLICY.material_share:
+    listed = shortlist(found.pool, found.accepted)
+    while (scored := best_smooth(found.pool, found.accepted, listed)) is not None:
+        tried = scored.candidate.term.inputs
+        if (proven := _proven(found, scored, replace(listed, sets=(tried,)))) is not None:
+            return proven
+        listed = replace(listed, sets=tuple(inputs for inputs in listed.sets if inputs != tried))
+    return None
+
+
+def _proven(found: Evidence, scored: Scored, inputs: Shortlist) -> Evidence | None:
+    """The evidence with a function of these inputs, built again without each fold; None where held-out blocks refuse it.
+
+    A function that only steps between segments has evidence for the jumps there, and predicts no segment that it has
+    not seen: then the next inputs are tried.
+    """
+    if scored.drop < policy.POLICY.material_share:
         return None
-    own = cross_validate(pool, found.blocks, lambda part: [*accepted, *_built(part, accepted, listed)], accepted)
+    pool, accepted = found.pool, found.accepted
+    own = cross_validate(pool, found.blocks, lambda part: [*accepted, *_built(part, accepted, inputs)], accepted)
     if not improves(own) or not _is_worth_it(own, found):
         return None
     return replace(
@@ -35,7 +49,7 @@ def with_smooth(found: Evidence) -> Evidence | None:
         accepted=(*accepted, scored.candidate),
         contributions=(*found.contributions, own),
         equivalents=(*found.equivalents, (Equivalent(scored, own.after),)),
-        cv_error=_held_out(found, own, listed),
+        cv_error=_held_out(found, own, inputs),
     )
 
 
@@ -50,15 +64,15 @@ def _is_worth_it(own: HeldOutErrors, found: Evidence) -> bool:
     return own.before**2 - own.after**2 > policy.POLICY.min_share_of_excess * excess
 
 
-def _held_out(found: Evidence, own: HeldOutErrors, listed: Shortlist) -> HeldOutErrors:
-    """The error of all that was chosen, chosen again without each fold; before it, the base's own."""
+def _held_out(found: Evidence, own: HeldOutErrors, inputs: Shortlist) -> HeldOutErrors:
+    """The error of all that was chosen, chosen again without each fold but for its inputs; before it, the base's."""
     after, known = own, found.accepted
     if known:
         nested = nested_selection(found.level, found.blocks, len(known))
 
         def again(part: CandidateSet) -> list[Candidate]:
             chosen = nested(part)
-            return [*chosen, *_built(part, chosen, listed)]
+            return [*chosen, *_built(part, chosen, inputs)]
 
         after = cross_validate(found.pool, found.blocks, again)
     before = np.full(len(after.rows), np.nan)
