@@ -80,9 +80,8 @@ class VelmexStage:
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
-        steps, motor = self._steps(angle_deg), self.settings.motor
-        self._target_deg, self._homing = angle_deg, False
-        self._run(f"S{motor}M{self._speed(rate_deg_per_s)},IA{motor}M{steps}")
+        motor, self._target_deg, self._homing = self.settings.motor, angle_deg, False
+        self._run(f"S{motor}M{self._speed(rate_deg_per_s)},IA{motor}M{self._steps(angle_deg)}")
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
@@ -117,10 +116,9 @@ class VelmexStage:
         self._link.close()
 
     def _moves(self) -> bool:
-        reply = self._ask("V", end=1)
-        if reply in JOGS:
-            message = f"{self.name}: it is turned from its own panel."
-            raise InstrumentError(message, fault="touched", remedy="Let go of it, home it and begin this step again.")
+        if (reply := self._ask("V", end=1)) in JOGS:
+            remedy = "Let go of it, home it and begin this step again."
+            raise InstrumentError(f"{self.name}: it is turned from its own panel.", fault="touched", remedy=remedy)
         if reply not in (READY, BUSY):
             raise self._wrong("its state", reply)
         return reply == BUSY or self._clock.now() < self._begun_s + START_S
@@ -132,12 +130,10 @@ class VelmexStage:
 
     def _ask(self, words: str, *, end: bytes | int) -> bytes:
         self._link.flush()
-        request, reply = f"{words}\r".encode(), b""
+        reply = self._link.ask(f"{words}\r".encode(), end=end, timeout_s=self.settings.timeout_s)
         for _ in range(MOST_PASSED_OVER):
-            reply = self._link.ask(request, end=end, timeout_s=self.settings.timeout_s)
-            if reply.strip(PASSED_OVER):
-                break
-            request = b""  # it has just come to rest
+            if not reply.strip(PASSED_OVER):  # it has just come to rest
+                reply = self._link.ask(b"", end=end, timeout_s=self.settings.timeout_s)
         return reply
 
     def _speed(self, rate_deg_per_s: float) -> int:
