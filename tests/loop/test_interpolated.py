@@ -45,7 +45,7 @@ def test_directions_that_are_not_credible_are_left_out_of_the_combinations(
 ) -> None:
     problem = started()
     grid = grid_of(problem, "field-gradient", 9)
-    monkeypatch.setattr(credible, "APART", 1e5)  # so much has to be new that some directions are not
+    monkeypatch.setattr(credible, "APART", 1e6)  # so much has to be new that some directions are not
     found = interpolated(problem, grid)
     assert found is not None
     less = 0

@@ -25,7 +25,7 @@ def test_what_is_better_than_the_base_about_another_map_alone_is_not_named(
     held = cross_validate(about, nothing.blocks, fixed_choice([useless]))
     seeming = replace(held, before_nT=1000 * held.before_nT, after_nT=10 * held.after_nT)
     known = proof.cross_validate
-    monkeypatch.setattr(proof, "nested_selection", lambda _, __, most: fixed_choice([useless] if most else []))
+    monkeypatch.setattr(proof, "nested_selection", lambda _, __, most, *barred: fixed_choice([useless] if most else []))
     monkeypatch.setattr(proof, "cross_validate", lambda *of: seeming if of[2](of[0]) == [useless] else known(*of))
     found = proof.prove(base, about, replace(nothing, accepted=(useless,), contributions=(seeming,)), level)
     assert found.accepted == ()

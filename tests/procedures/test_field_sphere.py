@@ -29,7 +29,9 @@ def test_the_map_is_the_twins_within_what_is_stated(ran: Run, dut_response: np.n
     error, u = errors(found, dut_response)
     assert np.abs(error / u).max() < 4
     assert u[:9].max() < 4e-4  # 0.02 degrees
-    assert found.measured["verify: rms error"].verdict == "PASS"
+    unseen = found.measured["verify: rms error"]
+    assert unseen.limit is not None
+    assert unseen.value + 2 * unseen.u < unseen.limit  # the reference's declared errors are in the map as well
     assert found.value("verify: largest error in units of U by noise") < 2.5
 
 
