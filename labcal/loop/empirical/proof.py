@@ -33,7 +33,7 @@ def with_smooth(found: Evidence) -> Evidence | None:
 
 
 def _proven(found: Evidence, scored: Scored, inputs: Shortlist) -> Evidence | None:
-    """The evidence with a function of these inputs, built again without each fold; None where held-out blocks refuse it.
+    """The evidence with a function of these inputs, built again without each fold; None where held-out blocks refuse.
 
     A function that only steps between segments has evidence for the jumps there, and predicts no segment that it has
     not seen: then the next inputs are tried.
