@@ -12,11 +12,14 @@ from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import candidates_of, prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.policy import POLICY
 from labcal.loop.selection.admission import evidence_of_its_own
 from labcal.loop.selection.select import likelier_forms
 from labcal.loop.selection.sets import together
+from labcal.record import Channel
+from labcal.testing.made_up_runs import made_up_run
 
 Rows = dict[str, np.ndarray]
 DIRECTIONS = np.array([1.0, -0.7, 0.5])
@@ -84,3 +87,18 @@ def test_a_member_of_a_set_that_acts_by_its_square_leaves_it(searching: Callable
     members = [next(c for c in pool.candidates if c.cause == ("offset-current", (name,))) for name in "ij"]
     found = likelier_forms(pool, [together(pool, members, 2)], ())
     assert [c.cause for c in found] == [("offset-current", ("i",)), ("offset-current-squared", ("j",))]
+
+
+def test_an_offset_beside_a_gain_in_one_temperature_is_found_in_a_field_of_one_size() -> None:
+    """The gain bent by the field's square is that offset: it may be missed, and is no reason to miss the offset."""
+    made = made_up_run(rows=100, fields_nT=[(30e3, 20e3, 25e3)])
+    t_s = made.run.t_s
+    warm = Channel("t_board", "degC", "temperature", 24 + 3 * np.sin(t_s / 17.3))
+    made = made_up_run(rows=100, fields_nT=[(30e3, 20e3, 25e3)], channels=[warm])
+    rise = (warm.values - 24)[:, None]
+    run = made.with_effect(rise * (made.field_nT * 2e-3 + np.array([14.0, -21.0, 28.0])))
+    problem, _, _ = prepare(run)
+    pool = candidates_of(run, problem)
+    gain = pool.rank([c for c in pool.candidates if c.family.id == "gain-temperature"])[0].candidate
+    offset = pool.rank([c for c in pool.candidates if c.family.id == "offset-temperature"], [gain])[0].candidate
+    assert evidence_of_its_own(pool, [gain], offset) >= POLICY.min_evidence

@@ -28,7 +28,7 @@ KINDS = {
         "selection.crossval:FOLDS BLOCKS CORRELATION_TIMES BLOCK_ROWS DRAWS TWO_BLOCKS INTERVAL_95",
         "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
-        "selection.discrepancy:MOST_DIRECTIONS NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
+        "selection.misfit:MOST_DIRECTIONS", "selection.discrepancy:NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
         "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION",

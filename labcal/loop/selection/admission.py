@@ -8,7 +8,7 @@ from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.noise.coloured import NullModel
-from labcal.loop.selection.misfit import misfits
+from labcal.loop.selection.misfit import evidence_over_misfit, misfits
 from labcal.loop.selection.related import related_columns, span_of_related
 
 
@@ -45,7 +45,7 @@ def _beside_each(pool: CandidateSet, accepted: Sequence[Candidate], candidate: C
     """The evidence beside all accepted ones, then beside what each may miss, which takes far longer [nats]."""
     yield plain_evidence(pool, accepted, candidate)
     spans = (span for one in accepted for span in misfits(pool, [one]))
-    yield from (pool.score(candidate, pool.null_model(accepted, [span])).evidence for span in spans)
+    yield from (evidence_over_misfit(pool, accepted, candidate, [span]) for span in spans)
 
 
 def earns_its_extension(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> bool:

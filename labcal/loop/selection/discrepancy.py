@@ -20,14 +20,13 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
-from labcal.loop.selection.misfit import evidence_beside_misfit, misfits, scaled, whitened
+from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, scaled, whitened
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
 Array = NDArray[np.float64]
 DEGREES = (2, 3)  # of what is not straight
 HARMONICS = (1, 2, 3)  # of the platform's angle
-MOST_DIRECTIONS = 300  # of a misfit that are integrated over: the work grows as their cube
 NEAREST = 3  # rivals that are scored beside what both may miss
 
 

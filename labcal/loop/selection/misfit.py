@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.coloured import NullModel
 from labcal.loop.noise.marginal import NullEliminated
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
 from labcal.model.effects import Scene
@@ -30,6 +31,7 @@ RESPONSES: tuple[tuple[Callable[[Array, NDArray[np.intp], Array, float], Array],
     *((delayed, k) for k in (-LATE_ROWS, LATE_ROWS)),
     *((low_passed, k) for k in SMEARED_ROWS),
 )
+MOST_DIRECTIONS = 300  # of a misfit that are integrated over: the work grows as their cube
 KEPT = 1e-6  # of the squares of the largest direction: smaller ones are no part of a misfit
 
 
@@ -51,11 +53,30 @@ def evidence_beside_misfit(
 
     The prior of that function is as wide as makes the data likeliest: where the form is whole, it costs nothing.
     """
-    null, model = pool.null_model(others), pool.null_model([*others, chosen])
+    null = pool.null_model(others)
+    found = _likeliest(pool.null_model([*others, chosen]), missed)
+    return found - null.null.log - pool.penalty(chosen, pool.score(chosen, null).rank)
+
+
+def evidence_over_misfit(
+    pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, missed: Sequence[Span]
+) -> float:
+    """The evidence for a cause [nats] where the null may miss such a function as well, each at its likeliest prior.
+
+    Of very many directions, which are nearly all that a record can hold, only what is across them counts.
+    """
+    null = pool.null_model(others)
+    if sum(span.columns.shape[2] for span in missed) > MOST_DIRECTIONS:
+        return pool.score(chosen, pool.null_model(others, missed)).evidence
+    gain = _likeliest(pool.null_model([*others, chosen]), missed) - _likeliest(null, missed)
+    return gain - pool.penalty(chosen, pool.score(chosen, null).rank)
+
+
+def _likeliest(model: NullModel, missed: Sequence[Span]) -> float:
+    """The log-likelihood [nats] of a model that misses a function of `missed`, or nothing, whichever is likelier."""
     columns = np.concatenate([span.columns for span in missed], axis=2)
     found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
-    rank = pool.score(chosen, null).rank
-    return max(found.log, model.null.log) - null.null.log - pool.penalty(chosen, rank)
+    return max(found.log, model.null.log)
 
 
 def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
