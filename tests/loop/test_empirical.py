@@ -215,14 +215,14 @@ def test_the_proposal_says_what_it_looks_like_and_what_to_measure(run: Run, ship
 def test_where_held_out_blocks_refuse_inputs_the_next_are_tried(
     run: Run, shipped: ClosedLoop, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    tried, proven = list[tuple[str, ...]](), proof._proven
+    tried, proven = list[tuple[str, ...]](), proof.proven_with
 
     def noted(found: Evidence, scored: Scored, inputs: Shortlist) -> Evidence | None:
         tried.append(scored.candidate.term.inputs)
         return proven(found, scored, inputs)
 
     monkeypatch.setattr(proof, "improves", lambda own: False)
-    monkeypatch.setattr(proof, "_proven", noted)
+    monkeypatch.setattr(proof, "proven_with", noted)
     assert close_loop(run, empirical=True).accepted == ()
     assert tried[0] == shipped.accepted[0].inputs
     assert len(set(tried)) == len(tried) > 1

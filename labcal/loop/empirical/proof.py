@@ -26,13 +26,13 @@ def with_smooth(found: Evidence) -> Evidence | None:
     listed = shortlist(found.pool, found.accepted)
     while (scored := best_smooth(found.pool, found.accepted, listed)) is not None:
         tried = scored.candidate.term.inputs
-        if (proven := _proven(found, scored, replace(listed, sets=(tried,)))) is not None:
+        if (proven := proven_with(found, scored, replace(listed, sets=(tried,)))) is not None:
             return proven
         listed = replace(listed, sets=tuple(inputs for inputs in listed.sets if inputs != tried))
     return None
 
 
-def _proven(found: Evidence, scored: Scored, inputs: Shortlist) -> Evidence | None:
+def proven_with(found: Evidence, scored: Scored, inputs: Shortlist) -> Evidence | None:
     """The evidence with a function of these inputs, built again without each fold; None where held-out blocks refuse.
 
     A function that only steps between segments has evidence for the jumps there, and predicts no segment that it has
