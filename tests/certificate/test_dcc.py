@@ -16,10 +16,8 @@ from cryptography.hazmat.primitives.asymmetric import ec, rsa
 from cryptography.hazmat.primitives.serialization import BestAvailableEncryption, Encoding, NoEncryption, PrivateFormat
 
 from labcal.certificate.calibration_file import calibration_bytes
-from labcal.certificate.dcc import DCC, SI, dcc_xml, objections, read_xml_key, si_unit, signed_xml
+from labcal.certificate.dcc import DCC, SI, dcc_xml, objections, read_xml_key, signed_xml
 from labcal.certificate.dcc.rules import RULES
-from labcal.certificate.dcc.units import product
-from labcal.certificate.laboratory import read_laboratory
 from labcal.certificate.report import Circumstances
 from labcal.certificate.signing import sign_simulated
 from labcal.cli import execute
@@ -34,7 +32,6 @@ from labcal.uncertainty.conformity import Changes, changes
 from labcal.uncertainty.working_points import working_points
 
 etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
-LABORATORY = Administrative(Laboratory("A lab & co", "Bern", "CH"), Address("X", "Y", "DE"))
 SAID = Circumstances(
     Administrative(
         Laboratory("A lab & co", "Bern", "CH", street="Gasse 4", postcode="3011", email="a@b.example", phone="1",
@@ -290,57 +287,10 @@ def test_a_map_without_effects_or_specification_lacks_nothing_of_them(whole: Cal
     assert objections(etree.fromstring(xml_of(bare, run))) == ()
 
 
-@pytest.mark.parametrize(
-    ("unit", "name"),
-    [
-        ("nT", r"\nano\tesla"),
-        ("nT/degC", r"\nano\tesla\per\degreecelsius"),
-        ("1/nT", r"\per\nano\tesla"),
-        ("1", r"\one"),
-        ("count", "|count"),
-        ("nT/A^2", r"\nano\tesla\per\ampere\tothe{2}"),
-        ("nT/mA", "|nT/mA"),
-        ("nT/", r"\nano\tesla"),
-    ],
-)
-def test_units_have_their_si_names(unit: str, name: str):
-    assert si_unit(unit) == name
-
-
-@pytest.mark.parametrize(
-    ("one", "other", "name"),
-    [
-        ("nT/A", "nT/A", r"\nano\tesla\tothe{2}\per\ampere\tothe{2}"),
-        ("nT/A", "nT", r"\nano\tesla\tothe{2}\per\ampere"),
-        ("nT", "1/nT", r"\one"),
-        ("1/nT", "1/degC", r"\per\nano\tesla\degreecelsius"),
-        ("1", "1", r"\one"),
-        ("nT/count", "nT/A", "|nT^2/(count·A)"),
-        ("nT/count", "nT", "|nT^2/count"),
-    ],
-)
-def test_the_unit_of_a_covariance_is_one_fraction(one: str, other: str, name: str):
-    """What stands behind D-SI's per is below the line: nT/A times nT is no nT/(A nT)."""
-    assert product(one, other) == name
-
-
 def test_a_reference_value_has_the_unit_of_its_channel(whole: Calibration, run: Run):
     root = etree.fromstring(xml_of(whole, run))
     [current] = root.iterfind(".//dcc:quantity[@refType='labcal_channelReference']", NAMES)
     assert current.findtext(".//si:unit", namespaces=NAMES) == r"\ampere"
-
-
-def test_a_laboratory_is_read_or_refused(tmp_path: Path):
-    path = tmp_path / "laboratory.toml"
-    with pytest.raises(InputError, match="names its laboratory"):
-        read_laboratory(path)
-    whole = 'name = "A lab & co"\ncity = "Bern"\ncountry = "CH"\n[customer]\nname = "X"\ncity = "Y"\ncountry = "DE"\n'
-    path.write_text(whole)
-    assert read_laboratory(path) == LABORATORY
-    for broken in (whole.replace("CH", "Swiss"), whole.replace("city", "town"), "name = "):
-        path.write_text(broken)
-        with pytest.raises(InputError, match="expected"):
-            read_laboratory(path)
 
 
 def test_the_command_needs_run_laboratory_and_signature(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -81,10 +82,10 @@ def test_a_head_of_another_station_or_other_elements_is_refused(said: dict[str, 
     assert caught.value.fault == "another instrument"
 
 
-@pytest.mark.parametrize("said", [{"elements": "XYZ"}, {"elements": "XYZF", "reads": "HDZ"}, {"elements": "XXZF"}])
-def test_elements_that_cannot_be_are_refused(said: dict[str, str]) -> None:
+@pytest.mark.parametrize(("elements", "reads"), [("XYZ", "XYZ"), ("XYZF", "HDZ"), ("XXZF", "XYZ")])
+def test_elements_that_cannot_be_are_refused(elements: str, reads: Literal["XYZ", "HDZ"]) -> None:
     with pytest.raises(ValueError, match="elements must be four letters"):
-        Settings(**said)  # type: ignore[arg-type]
+        Settings(elements, reads)
 
 
 def test_minutes_are_waited_for_three_of_them() -> None:

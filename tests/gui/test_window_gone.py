@@ -3,7 +3,8 @@
 import io
 import os
 import time
-from contextlib import nullcontext, suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext, suppress
 from pathlib import Path
 
 import pytest
@@ -36,6 +37,22 @@ class Line(io.StringIO):
             self._dead = True
             self._dies()
         return len(text)
+
+
+@contextmanager
+def heard_by(said: bytes) -> Iterator[tuple[Channel, int]]:
+    """A channel that got this and a first request, and where more can be said to it; hung up in the end."""
+    hears, says = os.pipe()
+    with os.fdopen(hears) as heard:
+        channel = Channel(heard, io.StringIO())
+        requests = channel.requests()
+        os.write(says, said + ASK)
+        assert next(requests) == ASKED
+        try:
+            yield channel, says
+        finally:
+            os.close(says)
+        assert list(requests) == []
 
 
 def broken():
@@ -75,30 +92,18 @@ def test_a_run_whose_window_has_died_is_interrupted_with_the_coils_at_zero(tmp_p
 
 @pytest.mark.parametrize(("simulated", "beats", "left"), [(False, 1, True), (False, 0, False), (True, 1, False)])
 def test_a_window_that_stands_still_while_real_coils_are_driven_has_gone(simulated, beats, left):
-    hears, says = os.pipe()
-    with os.fdopen(hears) as heard:
-        channel = Channel(heard, io.StringIO())
-        requests = channel.requests()
-        os.write(says, BEAT * beats + ASK)
-        assert next(requests) == ASKED
+    with heard_by(BEAT * beats) as (channel, _):
         channel.run_begins(simulated)
         deadline = time.monotonic() + (30.0 if left else 3 * FROZEN_S)
         with pytest.raises(Stopped) if left else nullcontext():
             while time.monotonic() < deadline:
                 channel.control.check()
                 time.sleep(0.01)
-        os.close(says)
-        assert list(requests) == []
 
 
 @pytest.mark.parametrize("current_A", [0.0, 1.1])
 def test_a_window_that_stands_still_with_the_coils_at_zero_ends_no_run(current_A):
-    hears, says = os.pipe()
-    with os.fdopen(hears) as heard:
-        channel = Channel(heard, io.StringIO())
-        requests = channel.requests()
-        os.write(says, BEAT + ASK)
-        assert next(requests) == ASKED
+    with heard_by(BEAT) as (channel, _):
         channel.run_begins(simulated=False)
         still_s, deadline = time.monotonic(), time.monotonic() + (30.0 if current_A else 3 * FROZEN_S)
         with pytest.raises(Stopped, match="stood still") if current_A else nullcontext():
@@ -108,17 +113,10 @@ def test_a_window_that_stands_still_with_the_coils_at_zero_ends_no_run(current_A
                 channel.send_state(LabState((CoilReading("x", flows_A, flows_A, flows_A == 0.0, read_s=now),)))
                 channel.control.check()
                 time.sleep(0.01)
-        os.close(says)
-        assert list(requests) == []
 
 
 def test_a_window_that_moves_is_there():
-    hears, says = os.pipe()
-    with os.fdopen(hears) as heard:
-        channel = Channel(heard, io.StringIO())
-        requests = channel.requests()
-        os.write(says, BEAT + ASK)
-        assert next(requests) == ASKED
+    with heard_by(BEAT) as (channel, says):
         channel.run_begins(simulated=False)
         deadline, slowest, before = time.monotonic() + 3 * FROZEN_S, 0.0, time.monotonic()
         while time.monotonic() < deadline:
@@ -128,5 +126,3 @@ def test_a_window_that_moves_is_there():
             if slowest > FROZEN_S / 2:
                 pytest.skip("this computer is too busy: the test itself stood still")
             channel.control.check()
-        os.close(says)
-        assert list(requests) == []

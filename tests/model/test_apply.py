@@ -11,7 +11,7 @@ from labcal.fit import draft_calibration
 from labcal.fit.result import Fit
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.apply import apply, needed_columns
-from labcal.model.plausibility import bends, saturation_limits, second_difference_outliers
+from labcal.model.plausibility import bends, second_difference_outliers
 from labcal.model.readings import Applied, Readings
 from labcal.model.smooth import Domain
 from labcal.record import Dut
@@ -237,53 +237,6 @@ def test_corners_of_a_ramped_field_are_no_outliers_and_a_spike_on_a_ramp_is_one(
     field = np.column_stack([course, 0.4 * course, np.full(200, 18e3)]) + rng.normal(0, 5.0, (200, 3))
     field[75, 1] += 400.0
     assert np.flatnonzero(second_difference_outliers(np.r_[0.0, bends(field), 0.0], None, 5.0)).tolist() == [75]
-
-
-def test_a_plateau_at_the_end_of_the_range_is_saturated() -> None:
-    clipped = readings().reading.copy()
-    clipped[:, 0] = np.minimum(clipped[:, 0], 24e3)
-    found = apply(calibration(), Readings(clipped))
-    expected = np.flatnonzero(clipped[:, 0] == 24e3)
-    assert [i for i, flag in enumerate(found.flags) if "saturated" in flag] == expected.tolist()
-
-
-def test_a_rounded_reading_that_turns_at_its_largest_value_is_not_saturated() -> None:
-    """Steps of 50 nT: a slow turn stands on the last of them for ten rows, and one that is cut off for more."""
-    t = np.linspace(0, 6, 600)
-    turning = np.column_stack([40e3 * np.sin(t), 20e3 * np.cos(t), 15e3 * np.cos(2 * t)])
-    rounded = 50 * np.round(turning / 50)
-    assert ((rounded == rounded.max(axis=0)).sum(axis=0) >= 3).any()
-    assert not any("saturated" in flag for flag in apply(calibration(), Readings(rounded)).flags)
-    rounded[:, 0] = np.minimum(rounded[:, 0], 38e3)
-    flags = apply(calibration(), Readings(rounded)).flags
-    assert [i for i, flag in enumerate(flags) if "saturated" in flag] == np.flatnonzero(rounded[:, 0] == 38e3).tolist()
-
-
-def test_a_device_at_rest_whose_rounded_reading_stands_still_is_not_saturated() -> None:
-    """Five attitudes; along x the noise is below the step, along y and z it moves by 1e-3 of the field."""
-    rng = np.random.default_rng(4)
-    at_rest = np.repeat(30e3 * np.vstack([np.eye(3), -np.eye(3)]), 40, axis=0)
-    at_rest[:, 1:] += rng.normal(0, 30.0, (len(at_rest), 2))
-    flags = apply(calibration(), Readings(50 * np.round(at_rest / 50))).flags
-    assert not any("saturated" in flag for flag in flags)
-
-
-def test_the_runs_own_saturation_limit_is_used() -> None:
-    limit = EffectRecord("saturation", (), {}, "data", (Parameter("upper_y", 20e3, 0.0, "nT"),))
-    measured = readings()
-    found = apply(calibration(findings=(limit,)), measured)
-    expected = np.flatnonzero(measured.reading[:, 1] >= 20e3)
-    assert [i for i, flag in enumerate(found.flags) if "saturated" in flag] == expected.tolist()
-
-
-def test_rails_of_a_run_become_limits_that_flag_single_readings() -> None:
-    clipped = readings().reading.copy()
-    clipped[:, 0] = np.minimum(clipped[:, 0], 24e3)
-    finding = saturation_limits(clipped, "nT")
-    assert [(p.name, p.value) for p in finding.parameters] == [("upper_x", 24e3)]
-    assert saturation_limits(readings().reading, "nT") is None
-    found = apply(calibration(findings=(finding,)), Readings(np.array([[24e3, 0.0, 0.0], [0.0, 0.0, 24e3]])))
-    assert ["saturated" in flag for flag in found.flags] == [True, False]
 
 
 def test_what_the_run_left_unexplained_is_part_of_the_uncertainty() -> None:

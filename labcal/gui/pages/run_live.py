@@ -257,9 +257,8 @@ class Live(QWidget):
         self.photo.setEnabled(run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
         if ended:
-            known = self._app_state.resumable  # empty until the procedures are listed
-            resumable = not known or run.order is None or run.order.procedure in known
-            self.verdict.show_verdict(run.order.dut if run.order else "", run_verdict(run, resumable=resumable))
+            verdict = run_verdict(run, self._app_state.resumable)
+            self.verdict.show_verdict(run.order.dut if run.order else "", verdict)
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
         self._show_fault(run.fault)

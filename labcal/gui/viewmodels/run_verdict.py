@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
@@ -53,10 +53,10 @@ class RunVerdict:
     next: str
 
 
-def run_verdict(run: RunViewModel, *, resumable: bool = True) -> RunVerdict:
+def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdict:
     """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish.
 
-    `resumable`: a run of this procedure may be gone on with; where not, that and why is said.
+    `resumable`: the procedures that may be gone on with, none before they are listed; of another, that and why is said.
     """
     status = run.status.partition(":")[0]
     wanted = run.fault is not None and run.fault.kind == "stopped"  # by Stop or COILS OFF: nothing failed
@@ -67,7 +67,7 @@ def run_verdict(run: RunViewModel, *, resumable: bool = True) -> RunVerdict:
         shape, state = ENDS.get(word, ENDS["failed"])
         what = "lost" if status == "interrupted" and run.fault is not None and not wanted else status
         rule = translated(str(TEXTS[4]))
-        if not resumable and run.order is not None:
+        if resumable and run.order is not None and run.order.procedure not in resumable:
             rule = f"{rule} {translated(str(TEXTS[6])).format(run.order.procedure)}"
         return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
