@@ -117,6 +117,8 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Calla
             (site / name).parent.mkdir(parents=True, exist_ok=True)
             (site / name).write_text(text, encoding="utf-8")
         monkeypatch.syspath_prepend(site)
+        for module in (package, f"{package}.effect"):
+            monkeypatch.delitem(sys.modules, module, raising=False)  # another test's file of this name
         families.cache_clear()
 
     yield install

@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import json
 import re
+import shutil
+import subprocess
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -30,12 +32,17 @@ Making = ModuleType
 Installed = Callable[[str, str, str], None]
 
 
+def _shown() -> str:
+    """The file that CONTRIBUTING.md shows."""
+    page = (Path(__file__).parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    (source,) = (code for code in re.findall("```python\n(.*?)```", page, re.DOTALL) if "FAMILY = " in code)
+    return source
+
+
 @pytest.fixture
 def iron_core(installed: Installed) -> None:
     """The package that CONTRIBUTING.md shows."""
-    page = (Path(__file__).parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    (source,) = (code for code in re.findall("```python\n(.*?)```", page, re.DOTALL) if "FAMILY = " in code)
-    installed("iron-core", "FAMILY", source)
+    installed("iron-core", "FAMILY", _shown())
 
 
 def _saturating(making: Making, seed: int = 5, part: float = 1.0) -> tuple[dict[str, np.ndarray], list[dict[str, Any]]]:
@@ -104,6 +111,37 @@ def test_an_experiment_tells_it_from_a_rival(
     (named,) = result["accepted"]
     assert {named["effect"], *(r["effect"] for r in named["rivals"])} >= {"iron-core", "offset-temperature"}
     assert "current-coupling" in {r["procedure"] for r in result["next_experiment"]["ranking"]}
+
+
+IN_C = """
+
+from dataclasses import replace
+
+from labcal.model.effects.c_form import CForm, Input, identifier
+
+
+def in_c(term):
+    (name,) = term.channels
+    bent = f"(labcal_real)tanh((now->input[0] - {term.reference_value[name]!r}) / shape[0])"
+    given = Input(identifier(name), "A", "the current", lambda scene: scene.channels[name], name)
+    return CForm("e = c tanh(i / knee)", "".join(f"e[{k}][{k}] = {bent};\\n" for k in range(3)), (given,))
+
+
+FAMILY = replace(FAMILY, in_c=in_c)
+"""
+CC = shutil.which("cc") or shutil.which("gcc")
+
+
+@pytest.mark.skipif(CC is None, reason="needs a C compiler")
+def test_it_flies(making: Making, tmp_path: Path, installed: Installed) -> None:
+    installed("iron-core", "FAMILY", _shown() + IN_C)
+    bundle, cal, out = making.written(tmp_path / "run", *_saturating(making)), tmp_path / "cal.json", tmp_path / "c"
+    assert execute(["close-loop", str(bundle), "--out", str(cal)]) == 0
+    assert execute(["export", str(cal), "--format", "c", "--out", str(out)]) == 0
+    strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-o", "flies")
+    subprocess.run([str(CC), *strict, "labcal_calibration.c", "main.c", "-lm"], cwd=out, check=True)
+    said = subprocess.run([out / "flies"], cwd=out, capture_output=True, text=True, check=False)
+    assert (said.returncode, said.stdout[:5]) == (0, "good:"), said
 
 
 SCANNED = """
