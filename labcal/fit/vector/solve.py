@@ -49,13 +49,13 @@ def parameterise(name: ParameterisationName, nominal: float) -> Parameterisation
 
 @dataclass(frozen=True, slots=True)
 class Loss:
-    """The loss of a row by its normalised length d: ½ d² up to the knee, then falling influence.
+    """The loss of a row by its normalised length d: ½ d² up to the threshold, then falling influence.
 
-    `reach` is where the influence ends, in knees (Hampel's two-part redescender); infinite is Huber's loss. With the
-    knee at 99.9 % and a reach of 4 the efficiency at the normal distribution is 0.997 (one number a row).
+    `reach` is where the influence ends, in thresholds (Hampel's two-part redescender); infinite is Huber's loss. With
+    the threshold at 99.9 % and a reach of 4 the efficiency at the normal distribution is 0.997 (one number a row).
     """
 
-    threshold: float = 1.0  # in units of KNEE
+    threshold: float = 1.0  # in units of HUBER_THRESHOLD
     reach: float = 4.0
 
     def weights_and_losses(self, cost: Array, kind: NDArray[np.int8]) -> tuple[Array, Array]:
