@@ -117,11 +117,12 @@ def _changed(found: JointFit, error: DeclaredError) -> Array:
 def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
     """A^+ S A^+ᵀ with each bounded spectrum S of the residual, and what priors leave open.
 
-    What declared errors D left in the residual is no noise.
+    What declared errors D left in the residual is no noise. Of A only what was fitted takes any: two columns may differ
+    by the residual itself, as one of the readings and one of the prediction do.
     """
-    transformed = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
+    transformed = cosine_transform(np.concatenate([A @ inverse, _shown(A, inverse, D)], axis=2))
     spectra = weighted_spectra(transformed, cosine_transform(found.problem.y[found.used]))
-    grams = inverse @ grams_of_bands(transformed[:, :, : len(inverse)], spectra.bands) @ inverse
+    grams = grams_of_bands(transformed[:, :, : len(inverse)], spectra.bands)
     before = inverse @ precision(found.terms, found.problem.T.shape[2], len(inverse)) @ inverse
     return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1) + before, spectra.dof)
 
