@@ -20,6 +20,7 @@ from labcal.model.plausibility import bends, saturated, second_difference_outlie
 from labcal.model.readings import Applied, Readings
 from labcal.model.records import EffectRecord
 from labcal.model.seen import Seen
+from labcal.model.switched import EitherLevel
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -47,8 +48,9 @@ def apply(calibration: Calibration, readings: Readings, *, begins_known: bool = 
     """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
 
     u_nT is the root mean square over the components of: covariance of K and k, noise of the reading through K, each
-    effect's parameters, what is left out, and what an effect with memory may have met before the first row, unless that
-    `begins_known`. A channel's gaps are bridged where they can be estimated. Raises InputError where a needed column is
+    effect's parameters, what is left out, what an effect with memory may have met before the first row, unless that
+    `begins_known`, and at which level a load was that was switched between two samples. A channel's gaps are bridged
+    where they can be estimated. Raises InputError where a needed column is
     missing, or an effect of the file is not whole.
     """
     return next(apply_in_pieces(calibration, readings, max(len(readings), 1), begins_known=begins_known))
@@ -114,8 +116,10 @@ def _pieces(walks: list[Walk], n: int, most: int) -> list[slice]:
 def _corrected(calibration: Calibration, recording: Recording, pieces: list[slice]) -> Iterator[_Corrected]:
     """Each piece with the effects taken off, which walk along the recording."""
     walks = _walks(calibration, recording)
+    either = [EitherLevel(calibration, record, recording) for record in calibration.effects]
     for rows in pieces:
-        found = tuple(walk.take(rows) for walk in walks)
+        taken = (walk.take(rows) for walk in walks)
+        found = tuple(levels.with_variance(rows, one) for levels, one in zip(either, taken, strict=True))
         field_nT = calibration.affine.apply(recording.readings.reading[rows])
         for one in found:
             field_nT -= one.value

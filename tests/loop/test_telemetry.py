@@ -10,9 +10,9 @@ import numpy as np
 from labcal import session
 from labcal.loop.close import prepare
 from labcal.loop.data.checks import check_data
-from labcal.loop.data.gaps import drawn_between_levels
+from labcal.model.switched import drawn_between_levels
 
-ONE = np.zeros(60, dtype=np.intp)
+ONE = np.array([0, 60])  # a segment
 
 
 def drawn(rows: int) -> np.ndarray:

@@ -17,10 +17,10 @@ from scipy.stats import hypergeom
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.data.gaps import drawn_between_levels
 from labcal.loop.selection.select import Selection
 from labcal.model.effects import DELAY, Term
 from labcal.model.effects.regressors import WEATHER, stretches
+from labcal.model.switched import drawn_between_levels
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -57,9 +57,10 @@ def _resting_on_channels(found: Selection) -> Iterator[tuple[Term, Sequence[Cand
 def ways_of(run: Run, term: Term) -> Mask:
     """Rows (n,) that rest on a way between two levels of one of its channels."""
     out, late = np.zeros(len(run), dtype=bool), term.of(DELAY)
+    edges = np.array([*(part.start for part in stretches(run.segment_index)), len(run)])
     for channel in run.channels:
         if channel.name in term.channels and channel.quantity not in WEATHER:
-            ways = drawn_between_levels(channel.values, run.segment_index)
+            ways = drawn_between_levels(channel.values, edges)
             out |= ways if late is None else _later(ways, run, late.value)
     return out
 
