@@ -102,7 +102,7 @@ def _select_once(
 ) -> _Round:
     accepted, rankings = stepwise(pool, most, refused, later)
     blocks = blocks or block_folds(pool.problem, correlation_time_s(pool.problem.scene.t_s, pool.residual(accepted)))
-    likelier = likelier_forms(pool, accepted, refused)
+    likelier = likelier_forms(pool, likeliest_own_forms(pool, accepted), refused)
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
     contributions = [contribution(pool, blocks, kept, i) for i in range(len(kept))]
@@ -161,6 +161,22 @@ def contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Cand
         if improves(beside):
             return beside
     return alone
+
+
+def likeliest_own_forms(pool: CandidateSet, accepted: list[Candidate]) -> list[Candidate]:
+    """Each effect by the form of the same cause that leads beside the others, which were not all there when it came."""
+    for place, chosen in enumerate(accepted):
+        others = [*accepted[:place], *accepted[place + 1 :]]
+        own = [c for c in pool.candidates if c.cause == chosen.cause] if others and not chosen.members else []
+        if not own:
+            continue
+        null_model = pool.null_model(others)
+        best = max(pool.score_each(own, null_model), key=lambda w: w.evidence).candidate
+        best = refined(pool, best, others)
+        one, two = (pool.score(c, null_model).evidence for c in (best, chosen))
+        if one > two + policy.POLICY.equivalent_nats:
+            accepted = [*accepted[:place], best, *accepted[place + 1 :]]
+    return accepted
 
 
 def likelier_forms(pool: CandidateSet, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:

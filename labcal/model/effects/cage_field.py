@@ -102,14 +102,8 @@ def _waves(most: int, before: str = "", unit: str = "nT", least: int = 1) -> Nam
 
 
 def _on_table(run: Run) -> list[Names]:
-    """Iron on the table, where mountings tell it from the device's own soft iron, the platform's zero being one.
-
-    Where each mounting may have a zero of its own the table's axes are others in each, and so is the tensor in them.
-    """
-    if len(mountings(run)) < 2:
-        return []
-    each = tuple((f"m{n}{name}", unit) for n in mountings(run) for name, unit in iron.ON_TABLE)
-    return [iron.ON_TABLE] if _one_zero(run) else [iron.ON_TABLE, each]
+    """Iron on the table, where mountings tell it from the device's own soft iron, the platform's zero being one."""
+    return [iron.ON_TABLE] if len(mountings(run)) > 1 else []
 
 
 def _one_zero(run: Run) -> bool:
