@@ -45,7 +45,7 @@ class EitherLevel:
         self._walks = [Walk(calibration, record, one) for one in _at_either_level(record, recording)]
 
     def with_variance(self, rows: slice, taken: Taken) -> Taken:
-        """What was taken in the rows, with what it may be beside: (e − e₀) (e₁ − e) of an effect e that lies between."""
+        """What was taken in the rows, with what it may be off: (e − e₀) (e₁ − e) of an effect e between the two."""
         if not self._walks:
             return taken
         before, after = (walk.take(rows).value for walk in self._walks)

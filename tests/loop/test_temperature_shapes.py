@@ -11,6 +11,9 @@ import pytest
 from labcal import session
 from labcal.fit import draft_calibration
 from labcal.loop import close_loop
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
+from labcal.loop.selection.select import likeliest_own_forms
 from labcal.model import apply as applying
 from labcal.model.readings import readings_of
 
@@ -23,6 +26,14 @@ def _warmed(rows: Rows) -> np.ndarray:
     T = 20 + 5 * np.sin(t / 46.0) + 2 * np.sin(t / 15.0)
     rows["temp"] = T + np.random.default_rng(9).normal(0, 0.03, len(t))
     return T - 20
+
+
+def _branch(warm: np.ndarray, turn: float) -> np.ndarray:
+    """1 where it has been heating by twice the turn, −1 where cooling."""
+    stop = np.zeros(len(warm))
+    for i in range(1, len(warm)):
+        stop[i] = np.clip(stop[i - 1] + warm[i] - warm[i - 1], -turn, turn)
+    return stop / turn
 
 
 def test_a_gain_that_bends_with_temperature(making: ModuleType, tmp_path: Path) -> None:
@@ -41,11 +52,8 @@ def test_an_offset_unlike_in_heating_and_cooling_has_two_branches(
     making: ModuleType, tmp_path: Path, slope: float
 ) -> None:
     rows, segments = making.recorded()
-    warm, clean = _warmed(rows), rows["dut"]
-    stop, turn = np.zeros(len(warm)), 1.3
-    for i in range(1, len(warm)):
-        stop[i] = np.clip(stop[i - 1] + warm[i] - warm[i - 1], -turn, turn)
-    branch = stop / turn
+    warm, clean, turn = _warmed(rows), rows["dut"], 1.3
+    branch = _branch(warm, turn)
     rows["dut"] = clean + (20 * warm + 65 * branch + slope * warm * branch)[:, None] * DIRECTIONS
     run = session.load_run(str(making.written(tmp_path, rows, segments)))
     closed = close_loop(run)
@@ -63,3 +71,25 @@ def test_an_offset_unlike_in_heating_and_cooling_has_two_branches(
     assert np.sqrt(np.mean((whole.field_nT - (clean - 800) / 1.05) ** 2)) < 10
     parts = list(applying.apply_in_pieces(calibration, readings, 37))
     assert np.allclose(np.concatenate([part.field_nT for part in parts]), whole.field_nT, atol=1e-6)
+
+
+def test_a_form_that_came_before_the_other_effects_is_chosen_again_beside_them(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    rows, segments = making.recorded()
+    warm, field = _warmed(rows), (rows["dut"] - 800) / 1.05
+    offset, gain = (
+        (20 * warm + 65 * _branch(warm, 1.3))[:, None] * DIRECTIONS,
+        1e-3 * warm[:, None] * field * DIRECTIONS,
+    )
+    rows["dut"] = rows["dut"] + offset + gain
+    pool = CandidateSet.of(prepare(session.load_run(str(making.written(tmp_path, rows, segments))))[0], 0.85)
+
+    behind, at_once = (
+        next(c for c in pool.candidates if c.family.id == effect and {s.name for s in c.term.shape} == shape)
+        for effect, shape in (("offset-temperature", {"tau_s"}), ("gain-temperature", set[str]()))
+    )
+    offset_found, gain_found = likeliest_own_forms(pool, [behind, at_once])
+    assert {s.name for s in offset_found.term.shape} == {"r_C"}
+    assert gain_found is at_once
+    assert likeliest_own_forms(pool, [behind]) == [behind]  # alone it was chosen among all
