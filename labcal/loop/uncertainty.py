@@ -119,11 +119,26 @@ def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
 
     What declared errors D left in the residual is no noise.
     """
-    transformed = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
-    spectra = weighted_spectra(transformed, cosine_transform(found.problem.y[found.used]))
-    grams = inverse @ grams_of_bands(transformed[:, :, : len(inverse)], spectra.bands) @ inverse
+    transformed, shown = cosine_transform(A), cosine_transform(_shown(A, inverse, D))
+    fitted = np.concatenate([transformed @ _directions(A, inverse), shown], axis=2)
+    spectra = weighted_spectra(fitted, cosine_transform(found.problem.y[found.used]))
+    grams = inverse @ grams_of_bands(transformed, spectra.bands) @ inverse
     before = inverse @ precision(found.terms, found.problem.T.shape[2], len(inverse)) @ inverse
     return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1) + before, spectra.dof)
+
+
+def _directions(A: Array, inverse: Array) -> Array:
+    """The directions (p, r) of the parameters along which the fit with this inverse moved: all that tell it from A.
+
+    A scale of the reference that an effect holds is left beside K as the scale times the residual itself: the fit does
+    not move along it, and as a column it would take up all of the noise.
+    """
+    length = np.maximum(np.sqrt(np.sum(A**2, axis=(0, 1))), 1e-300)
+    values, vectors = np.linalg.eigh(np.einsum("nqp,nqr->pr", A / length, A / length))
+    root = vectors * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
+    moved = inverse * np.outer(length, length) @ root
+    share, along = np.linalg.eigh(root @ moved)
+    return np.asarray((moved @ along[:, share > np.sqrt(RANK_TOLERANCE)]) / length[:, None])
 
 
 def _shown(A: Array, inverse: Array, D: Array) -> Array:

@@ -43,15 +43,15 @@ def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT / 1.05) ** 2 + rounding), rel=0.02)
 
 
-@pytest.mark.parametrize("unit", ["nT", "count"])
+@pytest.mark.parametrize(("unit", "counts"), [("nT", 1), ("count", 1), ("count", 8)])
 @pytest.mark.parametrize("step_nT", [0.0, 60.0])
 def test_the_readings_rounding_is_part_of_the_declared_noise(
-    making: ModuleType, tmp_path: Path, unit: Literal["nT", "count"], step_nT: float
+    making: ModuleType, tmp_path: Path, unit: Literal["nT", "count"], counts: int, step_nT: float
 ) -> None:
     run = session.load_run(str(making.written(tmp_path, *making.recorded())))
     step = step_nT or 1e-3
-    reading = np.round(run.reading / step) * (1.0 if unit == "count" else step)
-    dut = replace(run.dut, unit=unit, nominal_nT_per_unit=step if unit == "count" else 1.0)
+    reading = np.round(run.reading / step) * (counts if unit == "count" else step)
+    dut = replace(run.dut, unit=unit, nominal_nT_per_unit=step / counts if unit == "count" else 1.0)
     _, found, _ = prepare(replace(run, reading=reading, dut=dut))
     assert found.source == "declared"
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT**2 + step_nT**2 / 12)) / 1.05, rel=0.02)
