@@ -14,6 +14,7 @@ import pytest
 from labcal import session
 from labcal.loop import close_loop
 from labcal.loop.close import prepare
+from labcal.loop.noise.differences import white_level
 
 STEP_deg = 0.7
 
@@ -43,15 +44,15 @@ def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT / 1.05) ** 2 + rounding), rel=0.02)
 
 
-@pytest.mark.parametrize("unit", ["nT", "count"])
+@pytest.mark.parametrize(("unit", "counts"), [("nT", 1), ("count", 1), ("count", 8)])
 @pytest.mark.parametrize("step_nT", [0.0, 60.0])
 def test_the_readings_rounding_is_part_of_the_declared_noise(
-    making: ModuleType, tmp_path: Path, unit: Literal["nT", "count"], step_nT: float
+    making: ModuleType, tmp_path: Path, unit: Literal["nT", "count"], counts: int, step_nT: float
 ) -> None:
     run = session.load_run(str(making.written(tmp_path, *making.recorded())))
     step = step_nT or 1e-3
-    reading = np.round(run.reading / step) * (1.0 if unit == "count" else step)
-    dut = replace(run.dut, unit=unit, nominal_nT_per_unit=step if unit == "count" else 1.0)
+    reading = np.round(run.reading / step) * (counts if unit == "count" else step)
+    dut = replace(run.dut, unit=unit, nominal_nT_per_unit=step / counts if unit == "count" else 1.0)
     _, found, _ = prepare(replace(run, reading=reading, dut=dut))
     assert found.source == "declared"
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT**2 + step_nT**2 / 12)) / 1.05, rel=0.02)
@@ -91,3 +92,11 @@ def test_what_the_reference_scatters_is_not_the_devices_noise(making: ModuleType
     assert closed.noise_floor_nT == pytest.approx(whole_nT, rel=0.02 if stated else 0.075)
     assert closed.noise_nT == pytest.approx(making.NOISE_nT, rel=1e-9 if stated else 0.25)
     assert closed.metrics()["after"]["noise_beside_readings_nT"] == pytest.approx(np.sqrt(3) * 30.0, rel=1e-6)
+
+
+def test_noise_smaller_than_the_step_is_seen_where_a_field_that_is_held_falls_between_two_steps() -> None:
+    rng, held, step = np.random.default_rng(4), np.repeat(np.arange(400), 5), 1.0
+    said = np.round((rng.uniform(0, 50, 400)[held] + rng.normal(0, 0.25, 2000)) / step)[:, None]
+    within = np.sqrt(np.mean(said.reshape(400, 5).var(axis=1, ddof=1)))
+    assert white_level(said, held) == 0.0  # as the median is blind to it
+    assert white_level(said, held, step / np.sqrt(12)) == pytest.approx(within, rel=0.15)

@@ -12,7 +12,7 @@ from labcal.fit.vector.system import Noise
 from labcal.loop import policy
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.outliers import hampel_outliers
-from labcal.loop.data.resolution import ROUNDING
+from labcal.loop.data.resolution import ROUNDING, rounding_noise
 from labcal.loop.noise.differences import white_level
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
@@ -42,7 +42,8 @@ def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
     """The problem whitened by the actual noise, and its floor: declared, else static stretches, else differences."""
     level, source = _static_noise(problem), "static"
     if level is None:
-        level, source = white_level(problem.y, problem.scene.segment), "differences"
+        rounding = rounding_noise(problem.run) / problem.noise.reading
+        level, source = white_level(problem.y, problem.scene.segment, rounding), "differences"
     if problem.run.dut.noise_nT:
         ratio = level if source == "static" else None
         return problem, NoiseFloor(_expected_rms(problem), "declared", ratio)
@@ -55,12 +56,14 @@ def _reading_noise_of(problem: LinearProblem, level: float) -> Noise:
     """The noise whose whitened residual has level one where that of the problem's has `level`.
 
     What the run declares of reference, angle and time stays as it is: the rest of what is seen is the reading's. It is
-    taken to be a material part at least, for none of them is declared more closely.
+    taken to be a material part at least, for none of them is declared more closely, and no less than their rounding:
+    of readings in steps coarser than the noise most are like their neighbours.
     """
     whole, own = _variances(problem)
     seen = level**2 * whole
     of_readings = max(seen - (whole - own), policy.POLICY.material_share * seen)
-    return replace(problem.noise, reading=problem.noise.reading * float(np.sqrt(of_readings / own)))
+    found = problem.noise.reading * float(np.sqrt(of_readings / own))
+    return replace(problem.noise, reading=max(found, rounding_noise(problem.run)))
 
 
 def noise_beside_readings(problem: LinearProblem) -> float:

@@ -20,10 +20,13 @@ def rounding_noise(run: Run) -> float:
 
 
 def _step(column: Array, *, whole: bool) -> float:
-    """The step that all differences of the readings are multiples of; 0 where there is none."""
-    if whole and len(column) and bool((column == np.round(column)).all()):
-        return 1.0
+    """The step that all differences of the readings are multiples of; 0 where there is none.
+
+    Counts may go by several: one in two of any whole numbers is even, one in 2^20 lots of twenty is.
+    """
     apart = np.diff(np.unique(column))
+    if whole and len(column) and bool((column == np.round(column)).all()):
+        return float(np.gcd.reduce(apart.astype(np.int64))) if len(apart) >= NEAR else 1.0
     if not len(apart):
         return 0.0
     step = float(apart.min())
