@@ -98,5 +98,4 @@ def test_noise_smaller_than_the_step_is_seen_where_a_field_that_is_held_falls_be
     rng, held, step = np.random.default_rng(4), np.repeat(np.arange(400), 5), 1.0
     said = np.round((rng.uniform(0, 50, 400)[held] + rng.normal(0, 0.25, 2000)) / step)[:, None]
     within = np.sqrt(np.mean(said.reshape(400, 5).var(axis=1, ddof=1)))
-    assert white_level(said, held) == 0.0  # as the median is blind to it
     assert white_level(said, held, step / np.sqrt(12)) == pytest.approx(within, rel=0.15)
