@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR, observe
 from labcal.fit.vector.system import evaluate
+from labcal.loop.beside_the_map import beside_the_map
 from labcal.loop.candidates.prior import precision
 from labcal.loop.closures import after_effects
 from labcal.loop.noise.bands import cosine_transform
@@ -70,11 +71,18 @@ def of_the_file(found: JointFit, uncertain: Sources, of_the_sensor: Sequence[boo
 
 
 def uncertainty_of(found: JointFit) -> Sources:
-    """What makes a joint fit uncertain: coloured noise, and the shift of the same least squares by each declared error.
+    """What makes a joint fit uncertain: coloured noise, the shift of the same least squares by each declared error, and
+    what the map may hold of the rig's effects.
 
     Of its parameters in their order: base's coordinates, phases, betas, searched parameters.
     """
     A, inverse = derivatives(found)
+    of_the_fit = _of_the_fit(found, A, inverse)
+    return replace(of_the_fit, declared=(*of_the_fit.declared, *beside_the_map(found, A)))
+
+
+def _of_the_fit(found: JointFit, A: Array, inverse: Array) -> Sources:
+    """Of noise and declared errors alone."""
     errors = declared_errors(after_effects(found))
     D = np.stack([np.zeros_like(A[:, :, 0]), *(_changed(found, error) for error in errors)], axis=2)[:, :, 1:]
     shifts = -inverse @ np.einsum("nqp,nqd->pd", A, D)
@@ -91,7 +99,7 @@ def wald_p_values(found: JointFit) -> list[float]:
     """How often an effect that is not there would seem as large, of each term: all its parameters together (Wald)."""
     from scipy.special import chdtrc
 
-    C, start, out = uncertainty_of(found).covariance, found.problem.T.shape[2], list[float]()
+    C, start, out = _of_the_fit(found, *derivatives(found)).covariance, found.problem.T.shape[2], list[float]()
     for beta in found.beta:
         part = C[start : start + len(beta), start : start + len(beta)]
         u = np.sqrt(np.maximum(np.diag(part), 1e-300))
