@@ -1,13 +1,13 @@
 """What of an effect of the rig the map of the device takes as well: no run of this kind tells how the two share it.
 
 Iron beside the cage may answer the field alike in all directions, and so does a gain of the device. The fit gives all
-of that to the map, and nothing says that it should: an effect that was found along r directions is as large, for all
+of that to the map, and nothing says that it should: an effect that was found along some directions is as large, for all
 that is known, along those where it was not. The map carries that as its uncertainty, for it flies and the rig does not.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 def beside_the_map(found: JointFit, A: Array) -> list[Contribution]:
     """Of each direction of the rig's effects that the map takes, beside the derivatives A (n, q, p) of the fit.
 
-    u is the rms of the field along that direction [nT], with as many degrees of freedom as directions were found.
+    u is the rms of the field along it [nT], with as many degrees of freedom as there are directions that were found.
     """
     apart = found.problem.residual_nT + sum_of_effects(found.terms, found.beta, found.problem.scene)
     least = min_new_share(found.terms, apart[found.used], found.problem.scene.field_nT[found.used])
@@ -41,27 +41,44 @@ def _of_one(found: JointFit, A: Array, start: int, term: Term, beta: Array, leas
     base = found.problem.T.shape[2]
     own = slice(start, start + len(beta))
     T, X = A[:, :, :base].reshape(-1, base), A[:, :, own].reshape(-1, len(beta))
-    carried = np.linalg.lstsq(T, X, rcond=None)[0]
-    new, directions = _principal(X, X - T @ carried)
-    size = directions.T @ (X.T @ (X @ beta))
-    known, columns = new > least, term.columns(found.problem.scene)[found.used]
-    if not known.any():
-        return
-    as_large = float(np.sqrt(np.mean(size[known] ** 2)))
-    for direction in directions[:, ~known].T * as_large:
+    length = np.maximum(np.sqrt(np.sum(X**2, axis=0)), 1e-300)
+    carried = np.linalg.lstsq(T, X / length, rcond=None)[0]
+    taken = _taken_by_the_map(X / length, X / length - T @ carried, least)
+    likely, dof = _as_large_as_found(taken, beta * length, [unit for _, unit in term.parameters])
+    name = next(family.id for family in families() if family.kernel is term.kernel)
+    columns = term.columns(found.problem.scene)[found.used]
+    for direction in likely.T:
         shift = np.zeros(A.shape[2])
-        shift[:base], shift[own] = -carried @ direction, direction
-        u = float(np.sqrt(np.mean(np.sum((columns @ direction) ** 2, axis=1))))
+        shift[:base], shift[own] = -carried @ direction, direction / length
+        u = float(np.sqrt(np.mean(np.sum((columns @ shift[own]) ** 2, axis=1))))
         if u > 0:
-            name = next(family.id for family in families() if family.kernel is term.kernel)
-            yield Contribution(f"{name}: what K and k take as well", "B", "normal", u, "nT", float(known.sum()), shift)
+            yield Contribution(f"{name}: what K and k take as well", "B", "normal", u, "nT", dof, shift)
 
 
-def _principal(columns: Array, left: Array) -> tuple[Array, Array]:
-    """The share (r,) of its square that is `left` of each principal direction (p, r), which are of unit length."""
-    length = np.maximum(np.sqrt(np.sum(columns**2, axis=0)), 1e-300)
-    values, vectors = np.linalg.eigh((columns / length).T @ (columns / length))
+def _taken_by_the_map(columns: Array, left: Array, least: float) -> Array:
+    """Orthonormal directions (p, h) along which of the square of columns (m, p) no more than a part is `left`.
+
+    By principal angles, for the part is that of each direction's own square. What makes no field is no direction.
+    """
+    values, vectors = np.linalg.eigh(columns.T @ columns)
     there = values > RANK_TOLERANCE * values[-1]
-    unit = vectors[:, there] / np.sqrt(values[there]) / length[:, None]
+    unit = vectors[:, there] / np.sqrt(values[there])
     shares, turned = eigh(unit.T @ (left.T @ left) @ unit)
-    return np.asarray(shares), np.asarray(unit @ turned)
+    return np.asarray(np.linalg.qr(unit @ turned[:, shares <= least])[0])
+
+
+def _as_large_as_found(taken: Array, beta: Array, units: Sequence[str]) -> tuple[Array, float]:
+    """What the effect is along directions (p, h) as independent standard deviations (p, h), and their dof.
+
+    Parameters of one unit are alike before they are known, with the mean square that they have beside these directions.
+    """
+    beside = np.eye(len(beta)) - taken @ taken.T
+    kind = np.array([units.index(unit) for unit in units])
+    squares, free = (np.bincount(kind, of, len(units))[kind] for of in ((beside @ beta) ** 2, np.diag(beside)))
+    known = free > 0.5
+    if not taken.size or not (squares[known] > 0).any():
+        return np.zeros((len(beta), 0)), np.inf
+    precision = np.where(known, np.maximum(free, 0.5) / np.maximum(squares, 1e-12 * squares.max()), 0.0)
+    values, vectors = np.linalg.eigh(taken.T @ (precision[:, None] * taken))
+    told = values > 0
+    return taken @ vectors[:, told] / np.sqrt(values[told]), float(np.trace(beside))

@@ -36,14 +36,14 @@ KINDS = {
         "candidates.refine:BRACKETINGS TURNS FURTHER", "selection.final_fit:MAX_SEARCHES",
     ),
     "size of a sample": (
-        "data.base_model:MIN_ROWS", "data.gaps:SHORTEST", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
+        "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.saturation:NEIGHBOUR_READINGS",
         "data.outliers:WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS LONGEST_LAG",
     ),
     "setting of an estimator": (
-        "data.gaps:HELD ALIKE MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD USUAL_TURN LINE_CONTRAST",
+        "data.decimate:TARGET_ROWS MAX_TURN_RAD USUAL_TURN LINE_CONTRAST",
         "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE ANGLE_DECIMALS", "data.resolution:NEAR OFF",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
