@@ -70,7 +70,7 @@ $(CLIENTS)/.made: pyproject.toml tests/clients/requirements.txt
 
 clients: $(CLIENTS)/.made
 	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 LABCAL_CLIENTS=docs/instruments.md $(CLIENTS)/bin/pytest -q tests/clients \
-	    tests/drivers/test_thorlabs_apt.py tests/drivers/test_pi_gcs2.py tests/drivers/test_trinamic_tmcl.py
+	    tests/drivers/test_thorlabs_apt.py tests/drivers/test_pi_gcs2.py tests/drivers/test_trinamic_tmcl.py tests/drivers/test_ros_topic.py
 
 BUNDLE ?= dist/labcal-bundle
 BUNDLE_PYTHON ?= 3.11

@@ -21,6 +21,13 @@ from labcal.record.stream import Block
 LINE = re.compile(  # date and time where it sends them, the field in nT, the quality of its signal
     rb"(?:(?:\d\d-\d\d-\d{4} +)?\d{5,7}(?:\.\d+)? +)?(\d{5,6}\.\d{1,3})(?: +(\d{2,3}))?"
 )
+WHY = {  # of whole lines that are no good readings
+    rb"\d+\.\d +(\d{5,6}\.\d{1,3})\r?\n": "It says no quality: least_quality = 0 takes its readings all the same.",
+    rb"\d{5,6}\.\d{1,3} +[+-]?\d{1,4}\.\d+( +\d\d)?\r?\n": (
+        "It sends a gradient too, as a gradiometer: set it to send one sensor alone."
+    ),
+    rb"\d{5,6}\.\d{1,3} +\d\d\r?\n": "Their quality is below least_quality: tune it, or look for what disturbs it.",
+}
 LEAST_nT, MOST_nT = 10_000.0, 120_000.0
 LONGEST, PATIENT_PERIODS = 80, 3.0
 
@@ -75,3 +82,7 @@ class Gsm(ParsedListener):
         who = Identity("GEM Systems", settings.model, settings.serial)
         super().__init__(name, link, clock, settings, who)
         self.first_s = max(self.first_s, PATIENT_PERIODS * settings.period_s)
+
+    def why(self, came: bytes) -> str:
+        """What its lines are, where they are no good readings."""
+        return next((f" {told}" for line, told in WHY.items() if re.search(line, came)), "")

@@ -81,3 +81,10 @@ class Lemi025(ParsedListener):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         who = Identity("LEMI", settings.tag, settings.serial)
         super().__init__(name, link, clock, settings, who)
+
+    def why(self, came: bytes) -> str:
+        """Where its records begin with another tag, which."""
+        other = lemi.tag_in(came)
+        if other in ("", self.settings.tag):
+            return ""
+        return f" Its records begin with {other!r}: state that as tag."

@@ -22,6 +22,8 @@ ABSOLUTE, ALL_DATA, FULL_CURRENT = 1, 1, 1000
 ALARMS = {
     0x10: "position deviation", 0x20: "over-current", 0x21: "overheating", 0x22: "over-voltage",
     0x23: "main power off", 0x25: "under-voltage", 0x26: "motor overheating", 0x28: "sensor error",
+    0x30: "overload", 0x31: "overspeed", 0x33: "absolute position error", 0x66: "hardware overtravel",
+    0x67: "software overtravel", 0x68: "hard-wired torque off",
 }  # fmt: skip
 START_S = 0.1  # until the drive shows that it moves
 PULSE_S = 0.02  # how long an input is held

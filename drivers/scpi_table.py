@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from drivers.framing.scpi import Scpi
-from drivers.framing.scpi_table import NEVER, SAID, Table, bit_of, names, shipped, stated
+from drivers.framing.scpi_table import NEVER, SAID, SAID_BY_SOME, Table, bit_of, names, shipped, stated, voltage
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import decimal
@@ -51,7 +51,7 @@ class Settings:
     def say(self) -> dict[str, str]:
         """Its messages to this channel, by their names in the table."""
         table = self.words
-        return {name: table.to(self.channel, getattr(table, name)) for name in SAID}
+        return {name: table.to(self.channel, getattr(table, name)) for name in SAID + SAID_BY_SOME}
 
 
 class TableSupply(CurrentSource):
@@ -61,10 +61,10 @@ class TableSupply(CurrentSource):
     never = NEVER
 
     current = stated(
-        "ask_current", "set_current", unit="A", doc="Control the current set-point.", least="resolution_A",
+        "ask_current", "set_current", unit="A", doc="Control the set-point.", least="resolution_A", floor="least_A",
         limits=lambda s: (-s.max_current_A if s.words.bipolar else 0.0, s.max_current_A),
     )  # fmt: skip
-    compliance = stated(
+    compliance = voltage(
         "ask_voltage", "set_voltage", unit="V", doc="Control the voltage that may drive the coil.",
         least="resolution_V", limits=lambda s: (0.0, s.words.most_V),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""A POS-1: one reading for each `run`, in picotesla, ended by a zero byte."""
+"""A POS-1: one reading for each `run`, in picotesla, 44 bytes with the zero that ends it."""
 
 from __future__ import annotations
 
@@ -44,4 +44,4 @@ class Pos1Emulator(Answers):
         tuned = not self._centre_nT or abs(f_nT - self._centre_nT) <= WITHIN_nT
         code = "80" if LEAST_nT <= f_nT <= MOST_nT and tuned else "10"
         clock = f"{int(t_s) // 3600 % 24:02d}:{int(t_s) // 60 % 60:02d}:{t_s % 60:05.2f}"
-        return f"{round(1000 * f_nT):08d} +- 0021 [{code}] 01-01-26 {clock}\0".encode()
+        return f"{round(1000 * f_nT):9d} +- 0021 [{code}] 01-01-26 {clock}\0".encode()

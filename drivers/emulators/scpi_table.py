@@ -14,7 +14,12 @@ from drivers.framing.scpi_table import Table
 
 MARKS = {"value": "\ue000", "channel": "\ue001", "on": "\ue002"}  # letters of no alphabet, while words are shortened
 SELECT = re.compile(r"(INST(?::N?SEL)?)(?:\?| (?:CH|OUTP?)?(\d))")  # by number or by name, whatever the table says
-NETWORK_ALONE = ("delta-sm", "siglent-spd1000x", "siglent-spd3303x")  # without a serial line, by their manuals
+NETWORK_ALONE = (
+    "delta-sm",
+    "siglent-spd1000x",
+    "siglent-spd3303x",
+    "siglent-spd3303x-e",
+)  # without a serial line, by their manuals
 SWITCHED = {"1": "ON", "0": "OFF", "ON": "1", "OFF": "0"}  # SCPI 1999, 7.3: a state may be said in both ways
 NUMBER = r"(?P<value>[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)"
 Act = Callable[[float, "Channel", str], str]
@@ -26,6 +31,7 @@ class Channel:
 
     coil: Any
     volts: float = 0.0
+    lower: float = 0.0
     amps: float = 0.0
     on: bool = False
     tripped: set[str] = field(default_factory=set)
@@ -63,6 +69,9 @@ class TableEmulator(Answers):
         voltage = table.measure_current.replace("CURR", "VOLT").replace("CUR?", "VOL?")
         found[voltage] = lambda t, c, _: f"{c.coil.current.now(t) * c.coil.resistance_ohm:.4f}"
         found[table.ask_output] = lambda t, c, _: self._outputs() if table.output_bit else f"{c.on:d}"
+        if table.set_lower:
+            found[table.set_lower] = lambda t, c, value: self._set(t, c, "lower", float(value), table.most_V)
+            found[table.ask_lower] = lambda t, c, _: f"{c.lower:.4f}"
         found |= {question: self._tripped(question) for question in table.trips.values()}
         found |= {question: self._mode(pattern) for question, pattern in table.expects.items()}
         found |= {words: lambda t, c, _: "" for words in (table.remote, table.local) if words}
@@ -94,7 +103,8 @@ class TableEmulator(Answers):
         return ""
 
     def _set(self, t_s: float, channel: Channel, what: str, value: float, most: float) -> str:
-        if not (-most if self._table.bipolar and what == "amps" else 0.0) <= value <= 1.001 * most:
+        least = -most if what == "lower" or (self._table.bipolar and what == "amps") else 0.0
+        if not least <= value <= (0.0 if what == "lower" else 1.001 * most):
             return self._scpi.fault(RANGE)
         setattr(channel, what, value)
         return self._drive(t_s, channel)

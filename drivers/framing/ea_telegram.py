@@ -62,7 +62,8 @@ class Conversation:
 
     def exchange(self, said: bytes) -> tuple[int, bytes]:
         """Send, and take object and data of the answer. Raises InstrumentError (refused) with its own word for it."""
-        self.link.flush()
+        self.clock.wait_until(self._free_s)
+        self.link.flush()  # what acknowledged telegrams that nobody waited for has come by now
         self.send(said)
         head = self.link.ask(b"", end=HEAD, timeout_s=self.timeout_s)
         if not ANSWER <= head[0] <= ANSWER + 15 or head[1] != self.node:

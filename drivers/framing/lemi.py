@@ -6,6 +6,7 @@ supply, GPS state, a byte; little-endian.
 
 from __future__ import annotations
 
+import re
 import struct
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 LAYOUT = struct.Struct("<4sb6B8hb30f3BcB")
 TAG, SAMPLES, LENGTH = 4, 10, 153
+TAGS = re.compile(rb"(L\d{3}).(.{6})", re.DOTALL)
 TIME, FIELD, STATE = slice(2, 8), slice(17, 47), 50
 
 
@@ -101,6 +103,12 @@ def build(tag: bytes, second_s: float, gps: bool, xyz_uT: NDArray[np.float64]) -
     time = [value // 10 * 16 + value % 10 for value in digits]
     field = xyz_uT.ravel().tolist()
     return LAYOUT.pack(tag, 0, *time, 2150, 2480, 0, 0, 0, 0, 0, 0, 0, *field, 0, 0, 120, b"A" if gps else b"P", 0)
+
+
+def tag_in(came: bytes) -> str:
+    """A tag with a moment behind it; "" where there is none."""
+    found = (tag for tag in TAGS.finditer(came) if _second(tuple(tag[2])) is not None)
+    return next((tag[1].decode() for tag in found), "")
 
 
 def _second(bcd: tuple[int, ...]) -> float | None:

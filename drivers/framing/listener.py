@@ -16,6 +16,7 @@ from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
 FIRST_S = 3.0
+LOOKED_AT, SHOWN = 400, 60  # bytes of what came, where none of it is good
 Pieces = Sequence[tuple[float, bytes]]
 Array = NDArray[np.float64]
 
@@ -62,16 +63,20 @@ class Listener:
         deadline = self._clock.now() + self.first_s
         while self._clock.now() < deadline:
             pieces = self._link.receive(self._clock.now() + 0.05)
-            last = (last + b"".join(data for _, data in pieces))[-60:]
+            last = (last + b"".join(data for _, data in pieces))[-LOOKED_AT:]
             if parser.feed(pieces):
                 return self._who
         raise InstrumentError(
-            f"{self.name}: no good sample in {self.first_s:g} s; what came ends with {last!r}."
+            f"{self.name}: no good sample in {self.first_s:g} s; what came ends with {last[-SHOWN:]!r}.{self.why(last)}"
             if last
             else f"{self.name}: nothing came in {self.first_s:g} s.",
             fault="silent",
             remedy="Is it powered and sending? Do the settings in bench.toml fit what it sends?",
         )
+
+    def why(self, came: bytes) -> str:
+        """What the last bytes that came say of why none was good, a sentence after a blank; "" where nothing."""
+        return ""
 
     def start(self) -> None:
         """Begin: what arrived before is dropped."""

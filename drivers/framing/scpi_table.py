@@ -26,6 +26,7 @@ NEVER = (
 SAID = (
     "set_current", "ask_current", "set_voltage", "ask_voltage", "measure_current", "output", "ask_output",
 )  # fmt: skip
+SAID_BY_SOME = ("set_lower", "ask_lower")
 
 
 def _words(text: str, needs: tuple[str, ...], may: tuple[str, ...] = ("channel",)) -> str:
@@ -82,10 +83,12 @@ class Table:
 
     `maker`, `models`: regular expressions that its *IDN? must fit, as `example` does. `select` goes before each message
     on the same line, where the words themselves name no channel. `remote` is said before it is told to act, `local` to
-    give it back. `errors` asks for the oldest error, "" where it tells none; `no_error` is how an empty queue reads.
+    give it back. `set_lower`, `ask_lower`: the limit of negative voltage, of a supply that has one. `errors` asks for
+    the oldest error, "" where it tells none; `no_error` is how an empty queue reads.
     `trips`: by name, the question that is answered by a 1, or, with `trip_bit`, by a number that has this bit.
     `expects`: questions, and what each must be answered when it is greeted: a mode that is set at its panel.
     `output_bit`, one a channel: the bit of the answer to `ask_output`. `most_A`, `most_V`: what a channel can deliver.
+    `least_A`: what it is told where zero is meant, of one that takes no less.
     """
 
     __pydantic_config__ = ConfigDict(extra="forbid")
@@ -104,6 +107,8 @@ class Table:
     most_V: Positive
     channels: tuple[Annotated[int, Field(ge=1, le=8)], ...] = (1,)
     select: Word = ""
+    set_lower: SetNumber | Literal[""] = ""
+    ask_lower: Question | Literal[""] = ""
     remote: Word = ""
     local: Word = ""
     errors: Word = "SYST:ERR?"
@@ -115,6 +120,7 @@ class Table:
     off: Word = "0"
     terminator: Literal["\n", "\r\n", "\r"] = "\n"
     resolution_A: Positive = 0.001
+    least_A: NotNegative = 0.0
     resolution_V: Positive = 0.01
     gap_s: NotNegative = 0.0
     expects: dict[Question, Pattern] = field(default_factory=dict)
@@ -129,8 +135,10 @@ class Table:
             raise ValueError("output_bit must have one bit for each of channels")
         if stray := sorted(set(self.trip_bit) - set(self.trips)):
             raise ValueError(f"trip_bit has {stray[0]}, and trips has not")
+        if bool(self.set_lower) != bool(self.ask_lower):
+            raise ValueError("must have set_lower and ask_lower, or neither")
         if len(self.channels) > 1 and not self.select:
-            for name in SAID:
+            for name in filter(lambda name: getattr(self, name), SAID + SAID_BY_SOME):
                 if "{channel}" not in getattr(self, name) and not (name == "ask_output" and self.output_bit):
                     raise ValueError(f"{name} must have {{channel}}, or select must tell its channels apart")
 
@@ -160,18 +168,35 @@ def names() -> tuple[str, ...]:
 
 
 class stated(quantity):
-    """A number whose words stand in the table, `least` being the name of its resolution there."""
+    """A number whose words stand in the table, `least` and `floor` being the names of its resolution and of what it
+    is at least there.
+    """
 
-    def __init__(self, get: str, set: str = "", *, least: str = "", **rest: Any) -> None:
+    def __init__(self, get: str, set: str = "", *, least: str = "", floor: str = "", **rest: Any) -> None:
         super().__init__(f"{{s.say[{get}]}}", f"{{s.say[{set}]}}" if set else "", **rest)
-        self.least = least
+        self.least, self.floor = least, floor
 
     def _message(self, device: Any, value: float) -> str:
         table = device.settings.words
+        if self.floor and abs(value) < getattr(table, self.floor):
+            value = getattr(table, self.floor)
         return super()._message(device, value).format(value=value, on=table.on if value else table.off)
 
     def _agrees(self, device: Any, value: float, held: float) -> bool:
         return abs(held - value) <= 1.01 * (getattr(device.settings.words, self.least) if self.least else 0.0)
+
+
+LOWER = stated("ask_lower", "set_lower", unit="V", doc="Control the negative voltage.", least="resolution_V")
+LOWER.label = "lower compliance"
+
+
+class voltage(stated):
+    """The voltage that may drive the coil; where the table has words for it, on the negative side too, and first."""
+
+    def __set__(self, device: Any, value: float) -> None:
+        if device.settings.words.set_lower:
+            LOWER.__set__(device, -value)
+        super().__set__(device, value)
 
 
 def bit_of(reply: str, bit: int) -> str:

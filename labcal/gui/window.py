@@ -7,9 +7,19 @@ from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
+from PySide6.QtGui import (
+    QCloseEvent,
+    QColor,
+    QDragEnterEvent,
+    QDropEvent,
+    QGuiApplication,
+    QKeySequence,
+    QPalette,
+    QShortcut,
+)
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
 from labcal import plugin_loading
@@ -95,6 +105,7 @@ class Window(Frame):
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
+        self.setAcceptDrops(True)
         self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
         self._connect(app_state)
@@ -158,6 +169,25 @@ class Window(Frame):
         if self.imports.is_alive():
             self.imports.join()
         return self.lazy_pages[name].built()
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take a file, wherever it is dropped; not while a run goes on, or the screen is locked."""
+        is_file = any(url.isLocalFile() for url in event.mimeData().urls())
+        if is_file and not self.app_state.run.alive and self.stack.isEnabled() and not self.lock_screen.isVisible():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """A calibration is verified, a run bundle imported, of any other recording the mapping is looked at."""
+        path = next(url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile())
+        event.acceptProposedAction()
+        is_calibration = path.lower().endswith((".json", ".sshsig"))
+        name = "Certificate" if is_calibration else "History"
+        self.open_page(name)
+        page: Any = self.page(name)
+        if is_calibration:
+            page.verify(path.removesuffix(".sshsig").removesuffix(".2"))
+        else:
+            page.take_file(path)
 
     def toggle_wall(self) -> None:
         """Texts to be read from two metres, or back (F11)."""

@@ -6,7 +6,7 @@ import codecs
 import csv
 import re
 from collections.abc import Iterator, Sequence
-from itertools import islice
+from itertools import islice, pairwise
 from pathlib import Path
 from typing import BinaryIO, cast
 
@@ -28,11 +28,16 @@ COMMA, POINT = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?"), re.compile(r"[+-]?\
 SNIFFED = 1 << 20  # bytes
 MOSTLY = 0.9  # of a column's first cells: it is one of numbers, and what is none is a fault with its line
 AT_ONCE = 20_000  # rows
+DAY, CLOCK = re.compile(r"\d{4}-\d\d-\d\d|\d{1,2}\.\d{1,2}\.\d{4}"), re.compile(r"\d\d:\d\d(:\d\d([.,]\d+)?)?")
 LOOKED_AT = 20  # lines, to see how the table is written
 
 
 def read(path: Path, request: ReadRequest) -> ForeignRecording:
-    """The table as the stream "". Columns of a table without a header are called 1, 2, 3 and so on."""
+    """The table as the stream "". Columns of a table without a header are called 1, 2, 3 and so on.
+
+    A row of units below the header goes into the names: `Bx` over `nT` is `Bx [nT]`. A day and a time of day in two
+    columns beside each other are a third, of texts, by both their names: `Date Time`.
+    """
     with _as_utf8(path) as source:
         lines = _lines(line_blocks(source, str(path)), request.form)
         first = list(islice(lines, LOOKED_AT))
@@ -44,6 +49,12 @@ def read(path: Path, request: ReadRequest) -> ForeignRecording:
         names, first_row = _header(head, request.form, path)
         if first_row is None:
             first_row = next(rows, None)
+            if first_row is not None and _are_units(first_row, request.form):
+                names = [
+                    f"{name} [{unit.strip('()[]')}]" if unit else name
+                    for name, unit in zip(names, first_row[1], strict=True)
+                ]
+                first_row = next(rows, None)
         table = _Table(names, request.of(""), request.form, path)
         for block in _blocks(first_row, rows, request.most_rows):
             table.take(block)
@@ -133,6 +144,12 @@ def _header(head: Numbered, form: CsvForm, path: Path) -> tuple[list[str], Numbe
     return names, None
 
 
+def _are_units(row: Numbered, form: CsvForm) -> bool:
+    """Whether a row below the header holds words, and no number or date."""
+    words = [cell for cell in row[1] if cell]
+    return bool(words) and not any(cell[0].isdigit() or cell[0] in "+-.," or _is_value(cell, form) for cell in words)
+
+
 def _is_value(cell: str, form: CsvForm) -> bool:
     """Whether the cell is a number, a date or missing: something that no header has."""
     return _number(cell, form) is not None or (cell[:4].isdigit() and cell[4:5] == "-")
@@ -169,6 +186,7 @@ class _Table:
         self._wanted = wanted
         self._numbers: dict[str, list[Array]] = {}
         self._texts: dict[str, list[str]] = {}
+        self._days: dict[str, tuple[str, str]] = {}  # of a day's and a time's column, by both their names
         self._lines: list[int] = []
 
     def take(self, block: list[Numbered]) -> None:
@@ -181,7 +199,8 @@ class _Table:
         for name, parts in self._numbers.items():
             parts.append(self._parsed(columns[name], lines, name))
         for name, texts in self._texts.items():
-            texts.extend(columns[name])
+            of = self._days.get(name, (name,))
+            texts.extend(map(" ".join, zip(*(columns[one] for one in of), strict=True)))
         self._lines += lines
 
     def stream(self) -> Stream:
@@ -202,6 +221,11 @@ class _Table:
                 self._numbers[name] = []
             if is_text:
                 self._texts[name] = []
+        for (day, days), (clock, times) in pairwise(columns.items()):
+            name = f"{day} {clock}"
+            is_wanted = name not in columns if self._wanted is None else name in self._wanted.texts
+            if is_wanted and DAY.fullmatch(days[0]) and CLOCK.fullmatch(times[0]):
+                self._days[name], self._texts[name] = (day, clock), []
 
     def _parsed(self, cells: tuple[str, ...], lines: list[int], name: str) -> Array:
         values = [_number(cell, self._form) for cell in cells]

@@ -38,7 +38,7 @@ IN_NAME = (
     (r"(^|[_\[( ])mg($|[_\[\])])", "mG"),
 )
 REFERENCE = re.compile(r"ref|truth|true|igrf|wmm|model|fluxgate|overhauser|normal[_ .]", re.IGNORECASE)
-DATE = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:")
+DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ]|\d{1,2}\.\d{1,2}\.\d{4} +)\d\d:")
 OF_THREE = (("x", "y", "z"), ("0", "1", "2"), ("1", "2", "3"))
 LEAST = 8  # rows, to say anything
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Literal
@@ -17,6 +18,7 @@ from labcal.importers.units import s_OF
 Array = NDArray[np.float64]
 
 FIRST_DATE_S, LAST_DATE_S = 1e9, 4e9  # 2001 and 2096: stamps between are seconds since 1970, UTC
+DAY_FIRST = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4}) +(\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?)")  # written with dots
 WORDS = {"duplicates": "the same time as", "backward": "an earlier time than"}
 
 
@@ -71,10 +73,14 @@ def _seconds(stream: Stream, column: str, unit: str) -> Array:
 
 def _moment(cell: str, row: int, stream: Stream, column: str) -> float:
     """A date and time as seconds since 1970; one that states no zone is UTC."""
+    if dotted := DAY_FIRST.fullmatch(cell):
+        cell = f"{dotted[3]}-{int(dotted[2]):02d}-{int(dotted[1]):02d}T{dotted[4]}"
     try:
         found = datetime.fromisoformat(cell)
     except ValueError:
-        raise stream.fault(f"expected a date and time in ISO 8601, found {cell[:40]!r}", row, column) from None
+        raise stream.fault(
+            f"expected a date and time in ISO 8601, or 31.12.2026 23:59:59, found {cell[:40]!r}", row, column
+        ) from None
     return (found if found.tzinfo else found.replace(tzinfo=UTC)).timestamp()
 
 

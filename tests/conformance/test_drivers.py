@@ -69,6 +69,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "lemi-025": [b"L"],
     "replay": [b"1"],
     "rm3100": [b"\x01"],
+    "ros-topic": [b"\0"],
     "i2c-board": [b"\x01"],
     "iaga-2002": [b"\n"],
     "text-line": [b"x"],

@@ -123,3 +123,13 @@ def test_the_panel_has_it_back_last() -> None:
     rig.driver.output(True)
     rig.driver.make_safe()
     assert rig.sent[-1] == summed("F10036 1000")
+
+
+def test_acknowledgements_that_nobody_waited_for_do_not_answer_the_next_question() -> None:
+    zero = (summed("F10033 0000"), OK)
+    off = (bytes.fromhex("F1 00 36 01 00 01 28"), OK)
+    back = (summed("710033"), summed("810033 0000"))
+    with ps([REMOTE, zero, REMOTE, off, back, NOMINAL]) as supply:
+        supply.write_current(0.0)
+        supply.write_off()
+        assert supply.set_point() == 0.0

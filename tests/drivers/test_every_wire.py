@@ -51,6 +51,7 @@ def test_every_driver_is_here_or_only_listens() -> None:
     slow = {"pos-1", "mavlink", "twinleaf"}  # what it answers comes with a later look: test_pos1.py and their own
     listens = {
         "can-dbc", "ccsds", "csv-line", "gsm", "i2c-board", "iaga-2002", "lemi-025", "pmag", "replay", "rm3100",
+        "ros-topic",
         "text-line",
     }  # fmt: skip
     assert set(WIRES) | listens | slow | {"manual"} == set(DRIVERS)

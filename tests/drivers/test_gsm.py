@@ -52,3 +52,14 @@ def test_a_slow_one_is_waited_for_three_of_its_periods() -> None:
     assert listening(Gsm, list(late), period_s=10.0, serial="702").identify().serial == "702"
     with pytest.raises(InstrumentError, match="nothing came in 9 s"):
         listening(Gsm, list(late)).identify()
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [(b"142244.5 48464.53", "says no quality: least_quality = 0"), (b"142244.5 48464.53 0.12", "gradiometer"),
+     (b"142244.5 48464.53 0.12 99", "gradiometer"), (b"142244.5 48464.53 12", "quality")],
+)  # fmt: skip
+def test_lines_of_another_kind_are_explained(line: bytes, told: str) -> None:
+    sent = [(0.5 + n, line + b"\r\n") for n in range(8)]
+    with pytest.raises(InstrumentError, match=told):
+        listening(Gsm, sent, period_s=1.0).identify()

@@ -86,3 +86,9 @@ def test_lost_bytes_give_no_wrong_value_in_any_cutting(sizes: list[int], place: 
     blocks, _ = heard(Lemi025, cut(whole[:place] + whole[place + lost :], sizes))
     assert all((b.values == FIELD * 1000).all() for b in blocks)
     assert len(blocks) >= 2
+
+
+def test_records_of_another_tag_are_named() -> None:
+    reference = listening(Lemi025, [(0.1 + second, record(second)) for second in range(3)], tag="L036")
+    with pytest.raises(InstrumentError, match="Its records begin with 'L025': state that as tag"):
+        reference.identify()

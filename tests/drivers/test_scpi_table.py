@@ -134,7 +134,8 @@ PBZ = b"KIKUSUI,PBZ40-10,AB000001,IFC02.00.0011 IOC02.00.0015\n"
 
 def test_a_pbz_has_both_signs_once_it_says_that_it_is_in_constant_current() -> None:
     fine = (b"SYST:ERR?\n", b'0,"No error"\n')
-    greeting: list[Exchange] = [(b"*IDN?\n", PBZ), fine, (b"FUNC:MODE?\n", b"CC\n"), (b"VOLT:PROT:STAT?\n", b"LIM\n")]
+    greeting: list[Exchange] = [(b"*IDN?\n", PBZ), fine, (b"FUNC:MODE?\n", b"CC\n"), (b"FUNC:POL?\n", b"BIP\n"),
+                                (b"VOLT:PROT:STAT?\n", b"LIM\n")]  # fmt: skip
     wire = [*greeting, (b"CURR -1.5000\n", SILENT), fine, (b"CURR?\n", b"-1.5000\n")]
     with scripted(TableSupply, wire, model="kikusui-pbz", max_current_A=5.0) as supply:
         assert supply.identify().serial == "AB000001"
@@ -142,14 +143,55 @@ def test_a_pbz_has_both_signs_once_it_says_that_it_is_in_constant_current() -> N
         assert not supply.can_open
 
 
-@pytest.mark.parametrize(("mode", "protection"), [(b"CV\n", b"LIM\n"), (b"CC\n", b"TRIP\n")])
-def test_a_pbz_in_another_mode_is_refused(mode: bytes, protection: bytes) -> None:
-    wire: list[Exchange] = [(b"*IDN?\n", PBZ), (b"SYST:ERR?\n", b'0,"No error"\n'), (b"FUNC:MODE?\n", mode)]
-    wire += [(b"VOLT:PROT:STAT?\n", protection)] * (mode == b"CC\n")
+MODES = {b"FUNC:MODE?\n": b"CC\n", b"FUNC:POL?\n": b"BIP\n", b"VOLT:PROT:STAT?\n": b"LIM\n"}
+
+
+@pytest.mark.parametrize(
+    ("question", "reply"),
+    [(b"FUNC:MODE?\n", b"CV\n"), (b"FUNC:POL?\n", b"UNIP\n"), (b"VOLT:PROT:STAT?\n", b"TRIP\n")],
+)
+def test_a_pbz_in_another_mode_is_refused(question: bytes, reply: bytes) -> None:
+    before = list(MODES.items())[: list(MODES).index(question)]
+    wire: list[Exchange] = [(b"*IDN?\n", PBZ), (b"SYST:ERR?\n", b'0,"No error"\n'), *before, (question, reply)]
     with scripted(TableSupply, wire, model="kikusui-pbz") as supply, pytest.raises(InstrumentError) as caught:
         supply.identify()
     assert caught.value.fault == "wrong mode"
     assert "Set it at its panel" in caught.value.remedy
+
+
+def test_the_voltage_of_a_pbz_is_limited_on_both_sides_before_its_output_goes_on() -> None:
+    fine = (b"SYST:ERR?\n", b'0,"No error"\n')
+    wire = [(b"VOLT:LIM:LOW -5.000\n", SILENT), fine, (b"VOLT:LIM:LOW?\n", b"-5.00000E+00\n"),
+            (b"VOLT:LIM:UPP 5.000\n", SILENT), fine, (b"VOLT:LIM:UPP?\n", b"+5.00000E+00\n"),
+            (b"OUTP 1\n", SILENT), fine, (b"OUTP?\n", b"1\n")]  # fmt: skip
+    with scripted(TableSupply, wire, model="kikusui-pbz", compliance_V=5.0) as supply:
+        supply.output(True)
+
+
+def test_a_lower_limit_that_was_not_taken_keeps_the_output_off() -> None:
+    wire = [(b"VOLT:LIM:LOW -5.000\n", SILENT), (b"SYST:ERR?\n", b'0,"No error"\n'), (b"VOLT:LIM:LOW?\n", b"-21.0\n")]
+    with (
+        scripted(TableSupply, wire, model="kikusui-pbz", compliance_V=5.0) as supply,
+        pytest.raises(InstrumentError, match="-5 V and reads back -21 V") as caught,
+    ):
+        supply.output(True)
+    assert caught.value.fault == "read-back"
+
+
+def test_an_spd3303x_e_holds_hundredths() -> None:
+    wire = [*spd(b"CH2:CURR 0.12"), (b"CH2:CURR?\n", b"0.12\n")]
+    stated = TableSupply.recognise("Siglent Technologies,SPD3303X-E,SPD3XGB4150080,1.01.01.02.05,V3.0")
+    with scripted(TableSupply, wire, **(stated or {}), channel=2, max_current_A=2.5) as supply:
+        supply.set_current(0.1234)
+
+
+def test_an_hmc_is_told_its_least_current_where_zero_is_meant() -> None:
+    fine = (b"SYST:ERR?\n", b'0,"No error"\n')
+    wire = [(b"INST:NSEL 1;:CURR 0.0005\n", SILENT), fine, (b"INST:NSEL 1;:CURR?\n", b"0.0005\n"),
+            (b"INST:NSEL 1;:CURR 0.0005\n", SILENT)]  # fmt: skip
+    with scripted(TableSupply, wire, model="rohde-schwarz-hmc804x") as supply:
+        supply.set_current(0.0)
+        supply.write_current(0.0)
 
 
 def test_a_z_plus_is_selected_on_each_line_and_told_to_be_remote() -> None:
@@ -191,6 +233,7 @@ BAD = {
     "channels": [("[1, 2]", "must have {channel}"), ("[0]", "greater than or equal to 1")],
     "output_bit": [("[4, 5]", "one bit for each"), ("[99]", "less than or equal to 31")],
     "trip_bit": [("{ ovp = 1 }", "trips has not")],
+    "set_lower": [('"VOLT:LOW {value:.3f}"', "set_lower and ask_lower")],
     "terminator": [('"!"', "must be")],
     "most_A": [("0", "greater than 0"), ("0.5", "max_current_A must be at most 0.5 A")],
     "amps": [("1", "not a key that is known here")],

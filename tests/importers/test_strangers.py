@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import foreign_files as foreign
@@ -11,6 +12,8 @@ import pytest
 from foreign_files import Made
 
 from labcal.cli import execute as labcal
+from labcal.errors import InputError
+from labcal.importers import read_mapping, take_in
 from labcal.record import Run
 from labcal.store import read_bundle
 
@@ -58,6 +61,51 @@ def test_a_data_frame_s_dates_are_its_clock_and_not_its_count_of_rows(tmp_path: 
     assert np.allclose(run.t_s, made.t_s)
     assert run.reference_vector is not None
     assert np.abs(run.reference_vector - made.reference).max() < 0.1
+
+
+def two_columns_of_time(made: Made) -> str:
+    """Of an instrument's own program: a row of units below the names, day and time of day apart, tabs."""
+    rows = ["Date\tTime\tBx\tBy\tBz\tTemp", "\t\t(nT)\t(nT)\t(nT)\tdegC"]
+    for t, reading, temperature in zip(made.t_s, made.reading, made.temperature_C, strict=True):
+        clock = f"08:{15 + int(t) // 60:02d}:{t % 60:09.6f}"
+        rows.append("\t".join(["2026-03-02", clock, *(f"{v:.3f}" for v in (*reading, temperature))]))
+    return "\n".join([*rows, ""])
+
+
+def day_first(made: Made) -> str:
+    """A German logger's: the day before the month, a decimal comma in the seconds too."""
+    rows = ["Datum/Uhrzeit;X in nT;Y in nT;Z in nT;Temp"]
+    for t, reading, temperature in zip(made.t_s, made.reading, made.temperature_C, strict=True):
+        numbers = ";".join(f"{v:.3f}" for v in (*reading, temperature))
+        rows.append(
+            f"02.03.2026 08:{15 + int(t) // 60:02d}:{t % 60:09.6f};{numbers}".replace(".", ",").replace(",", ".", 2)
+        )
+    return "\r\n".join([*rows, ""])
+
+
+@pytest.mark.parametrize("table", [two_columns_of_time, day_first])
+def test_a_clock_as_people_write_it(tmp_path: Path, table: Callable[[Made], str]) -> None:
+    made = foreign.tumble()
+    run = guessed(tmp_path, table(made).encode())
+    assert run.started_utc == "2026-03-02T08:15:00Z"
+    assert np.allclose(run.t_s, made.t_s, atol=1e-5)
+    assert run.dut.unit == "nT"
+    assert np.abs(run.reading - made.reading).max() < 0.001
+    assert np.allclose([c.values for c in run.channels], [made.temperature_C], atol=1e-3)
+
+
+@pytest.mark.parametrize("cell", ["31.02.2026 08:15:00", "2.13.2026 08:15:00", "02/03/2026 08:15:00"])
+def test_a_day_that_is_none_or_could_be_two_is_refused_with_its_line(tmp_path: Path, cell: str) -> None:
+    made = foreign.tumble()
+    lines = day_first(made).split("\r\n")
+    table, mapping = tmp_path / "table.csv", tmp_path / "map.toml"
+    table.write_text("\r\n".join(lines))
+    assert labcal(["import", str(table), "--from", "csv", "--guess", "--map", str(mapping)]) == 0
+    lines[3] = cell + lines[3][lines[3].index(";") :]
+    table.write_text("\r\n".join(lines))
+    with pytest.raises(InputError, match=r"expected a date and time in ISO 8601, or 31\.12\.2026") as caught:
+        take_in(table, "csv", read_mapping(mapping))
+    assert caught.value.line == 4
 
 
 def refused(folder: Path, content: str, capsys: pytest.CaptureFixture[str], *, first: bool) -> str:

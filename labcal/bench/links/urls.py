@@ -11,7 +11,7 @@ from labcal.errors import InputError
 SERIAL = ("serial", "modbus-rtu")
 NETWORK = ("tcp", "udp", "telnet", "modbus-tcp")
 PORTS = {"modbus-tcp": 502, "telnet": 23}  # where none is stated
-OTHERS = ("usbtmc", "visa", "can", "daq", "file", "manual", "emulated")
+OTHERS = ("usbtmc", "visa", "can", "daq", "ros", "file", "manual", "emulated")
 NUMBERS = {"baud": 1, "bitrate": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
 CHOICES = {
     "bytesize": ("5", "6", "7", "8"), "parity": ("N", "E", "O", "M", "S"), "stopbits": ("1", "1.5", "2"),

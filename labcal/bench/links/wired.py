@@ -1,4 +1,4 @@
-"""serial, tcp, telnet, udp, usbtmc, visa, can, daq, file: links on real lines. A lost one stays so until reopened."""
+"""serial, tcp, telnet, udp, usbtmc, visa, can, daq, ros, file: links on real lines, a lost one until it is reopened."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from labcal.bench.links.followed import FollowedFile
 from labcal.bench.links.gone import failed, is_gone, not_open, stands
 from labcal.bench.links.line import drop, read_reply
 from labcal.bench.links.ports import claim
+from labcal.bench.links.rostopic import RosPort
 from labcal.bench.links.telnet import TelnetPort
 from labcal.bench.links.urls import place, split
 from labcal.bench.links.usbtmc import UsbtmcPort
@@ -337,6 +338,8 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
         return CanPort(address, options)
     if scheme == "daq":
         return DaqPort(address)
+    if scheme == "ros":
+        return RosPort(address)
     if scheme == "file":
         return FollowedFile(address)
     host, port = place(url, scheme, address)

@@ -56,6 +56,30 @@ class BenchText:
 
 
 @dataclass(frozen=True, slots=True)
+class MappedLine:
+    """One line of a recording's mapping: keys, value as written, what is said of it, the first rows of its columns."""
+
+    keys: tuple[str, ...]
+    value: str
+    remark: str
+    first: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordingMapped:
+    """A recording of others by its mapping `text`. `rows` (n, 4): time [s], x, y, z [µT].
+
+    `objection`: why it is not imported so ("": it is).
+    """
+
+    text: str
+    lines: tuple[MappedLine, ...]
+    rows: Array
+    remarks: tuple[str, ...]
+    objection: str
+
+
+@dataclass(frozen=True, slots=True)
 class Greeting:
     """Who an instrument says it is, or why it does not."""
 

@@ -280,6 +280,23 @@ class ImportBundle(Command[str]):
 
 
 @dataclass(frozen=True, slots=True)
+class LookAtRecording(Command[answers.RecordingMapped]):
+    """A recording of others by the mapping `before` ("": guessed), with `changes` of it (keys, value as written)."""
+
+    path: str
+    before: str = ""
+    changes: tuple[tuple[tuple[str, ...], str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ImportRecording(Command[str]):
+    """Take a recording of others into the store by the mapping `text`; answers the run's id."""
+
+    path: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class KeepPhoto(Command[Mapping[str, str]]):
     """Keep a photograph; answers what a note says of it."""
 

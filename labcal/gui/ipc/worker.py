@@ -11,13 +11,20 @@ from __future__ import annotations
 import sys
 import traceback
 
-from labcal.gui.ipc import bench_commands, bench_file_commands, compare_commands, file_commands, study_commands
+from labcal.gui.ipc import (
+    bench_commands,
+    bench_file_commands,
+    compare_commands,
+    file_commands,
+    recording_commands,
+    study_commands,
+)
 from labcal.gui.ipc.channel import Channel, stdio_channel
 from labcal.gui.ipc.codec import encode
 from labcal.gui.ipc.messages import Done, Event, Failed, Request
 from labcal.gui.ipc.wire import fault_of
 
-ROOMS = (bench_commands, bench_file_commands, study_commands, compare_commands, file_commands)
+ROOMS = (bench_commands, bench_file_commands, study_commands, compare_commands, file_commands, recording_commands)
 HANDLERS = dict(pair for room in ROOMS for pair in room.HANDLERS)
 
 

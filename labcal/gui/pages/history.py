@@ -24,6 +24,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton
+from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
 HEADINGS = ("started", "DUT", "procedure", "operator", "status", "verdict", "run")
@@ -66,13 +67,23 @@ class HistoryPage(QWidget):
         """Trend and comparison in the theme's colours."""
         self._theme = theme
         self.trend.set_theme(theme)
-        self.comparison.set_theme(theme)
+        for face in (self.comparison, self.recording):
+            face.set_theme(theme)
 
     def build_more(self) -> bool:
         """Build another part of what compares two runs; says whether any was missing."""
         if self.faces.count() > 1:
             return self.comparison.loci.build_more()
         return self.comparison is not None
+
+    @cached_property
+    def recording(self) -> RecordingView:
+        """A recording of others and its mapping, before it is a run."""
+        made = RecordingView(self._app_state, self._theme)
+        made.left.connect(lambda: self.faces.setCurrentIndex(0))
+        made.imported.connect(self._imported)
+        self.faces.addWidget(made)
+        return made
 
     @cached_property
     def comparison(self) -> ComparisonView:
@@ -118,7 +129,9 @@ class HistoryPage(QWidget):
             self.tr("The DUT was another one: an event of the record, until a calibration of the run is signed"),
         )
         self.correct.clicked.connect(self._correct)
-        take = button(self.tr("Import …"), self.tr("Take a run bundle (.zip) into the store, byte for byte"))
+        take = button(
+            self.tr("Import …"), self.tr("A run bundle (.zip) or a recording of others; or drop the file on the window")
+        )
         take.clicked.connect(self._import)
         self.compare = button(
             self.tr("Compare"), self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
@@ -291,9 +304,24 @@ class HistoryPage(QWidget):
         self._app_state.quick_worker.request(ExportRun(run, kind, out), known, self.fault.show_fault)
 
     def _import(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("Import a run bundle"), "", "*.zip")
+        kinds = (self.tr("Run bundles (*.zip)"), self.tr("Recordings of others (*)"))
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("Import a run"), "", ";;".join(kinds))
         if path:
-            self._app_state.quick_worker.request(ImportBundle(path), lambda _: self.refresh(), self.fault.show_fault)
+            self.take_file(path)
+
+    def take_file(self, path: str) -> None:
+        """A run bundle into the store; of all else its mapping is looked at first."""
+        if path.lower().endswith(".zip"):
+            command = ImportBundle(path)
+            return self._app_state.quick_worker.request(command, lambda _: self.refresh(), self.fault.show_fault)
+        self.faces.setCurrentWidget(self.recording)
+        return self.recording.open(path)
+
+    def _imported(self, run_id: str) -> None:
+        """The list again, with the new run in it."""
+        self.faces.setCurrentIndex(0)
+        self.search.clear()
+        self.refresh()
 
     def dut(self) -> str:
         """Of the chosen run, else the one at the top of the window."""

@@ -3,6 +3,13 @@
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 FAULTS = (  # of several that fit the first counts
+    QT_TRANSLATE_NOOP("Data", '{0}; where that is as it should be, accept = ["{1}"] in the mapping says so'),
+    QT_TRANSLATE_NOOP("Data", "{0}: are axes swapped or turned about?"),
+    QT_TRANSLATE_NOOP("Data", "the readings fit the reference with axes {0} {1} times better than as stated"),
+    QT_TRANSLATE_NOOP("Data", "{0}: is the unit of one of them wrong, by a factor of {1}?"),
+    QT_TRANSLATE_NOOP("Data", "readings of {0} nT in the median beside a reference of {1} nT"),
+    QT_TRANSLATE_NOOP("Data", "{0}: write the mapping by hand; it has {1}"),
+    QT_TRANSLATE_NOOP("Data", "{0}: no three columns beside a clock look like a magnetometer"),
     QT_TRANSLATE_NOOP(
         "Data", "'{0}' is no serial number: letters and digits, and . : / + # ( ) - or blanks between them"
     ),

@@ -1129,6 +1129,34 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}; where that is as it should be, accept = [&quot;{1}&quot;] in the mapping says so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: are axes swapped or turned about?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings fit the reference with axes {0} {1} times better than as stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: is the unit of one of them wrong, by a factor of {1}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of {0} nT in the median beside a reference of {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: write the mapping by hand; it has {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no three columns beside a clock look like a magnetometer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2875,7 +2903,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take a run bundle (.zip) into the store, byte for byte</source>
+        <source>A run bundle (.zip) or a recording of others; or drop the file on the window</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2939,7 +2967,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import a run bundle</source>
+        <source>Run bundles (*.zip)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings of others (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a run</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3606,6 +3642,73 @@
     </message>
     <message>
         <source>A file for the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RecordingView</name>
+    <message>
+        <source>Recording {0}: what its columns are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What its columns are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guessed: check every line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct a value as a mapping has it (docs/import.md): &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot;; an empty one takes the line away. accept: [&quot;axes&quot;] lets that doubt pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the list of runs; nothing is imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the recording by the corrected mapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it into the store by this mapping, as a run of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading {0} …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not imported so: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ It can be imported. {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} changed, not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported: run {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4396,6 +4499,26 @@
     </message>
     <message>
         <source>setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field  µT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

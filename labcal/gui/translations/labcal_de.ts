@@ -1129,6 +1129,34 @@
         <translation>{0}: Die Verbindung lässt sich nicht öffnen ({1}).</translation>
     </message>
     <message>
+        <source>{0}; where that is as it should be, accept = [&quot;{1}&quot;] in the mapping says so</source>
+        <translation>{0}; wo das so sein soll, sagt es accept = [&quot;{1}&quot;] in der Zuordnung</translation>
+    </message>
+    <message>
+        <source>{0}: are axes swapped or turned about?</source>
+        <translation>{0}: sind Achsen vertauscht oder umgedreht?</translation>
+    </message>
+    <message>
+        <source>the readings fit the reference with axes {0} {1} times better than as stated</source>
+        <translation>die Messwerte passen zur Referenz mit den Achsen {0} {1}-mal besser als mit den angegebenen</translation>
+    </message>
+    <message>
+        <source>{0}: is the unit of one of them wrong, by a factor of {1}?</source>
+        <translation>{0}: ist eine der beiden Einheiten falsch, um den Faktor {1}?</translation>
+    </message>
+    <message>
+        <source>readings of {0} nT in the median beside a reference of {1} nT</source>
+        <translation>Messwerte von {0} nT im Median neben einer Referenz von {1} nT</translation>
+    </message>
+    <message>
+        <source>{0}: write the mapping by hand; it has {1}</source>
+        <translation>{0}: die Zuordnung von Hand schreiben; die Datei hat {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no three columns beside a clock look like a magnetometer</source>
+        <translation>{0}: keine drei Spalten neben einer Zeit sehen nach einem Magnetometer aus</translation>
+    </message>
+    <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
         <translation>{0}: läge unter dem, was labcal gehört; einen anderen Ordner nennen</translation>
     </message>
@@ -2875,8 +2903,8 @@
         <translation>Import …</translation>
     </message>
     <message>
-        <source>Take a run bundle (.zip) into the store, byte for byte</source>
-        <translation>Ein Messbündel (.zip) Byte für Byte in den Speicher nehmen</translation>
+        <source>A run bundle (.zip) or a recording of others; or drop the file on the window</source>
+        <translation>Ein Bündel (.zip) oder eine fremde Aufzeichnung; oder die Datei auf das Fenster ziehen</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -2939,8 +2967,16 @@
         <translation>Exportiert: {0}</translation>
     </message>
     <message>
-        <source>Import a run bundle</source>
-        <translation>Messbündel importieren</translation>
+        <source>Run bundles (*.zip)</source>
+        <translation>Bündel (*.zip)</translation>
+    </message>
+    <message>
+        <source>Recordings of others (*)</source>
+        <translation>Fremde Aufzeichnungen (*)</translation>
+    </message>
+    <message>
+        <source>Import a run</source>
+        <translation>Messung importieren</translation>
     </message>
 </context>
 <context>
@@ -3607,6 +3643,73 @@
     <message>
         <source>A file for the record</source>
         <translation>Eine Datei für die Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingView</name>
+    <message>
+        <source>Recording {0}: what its columns are</source>
+        <translation>Aufzeichnung {0}: was ihre Spalten sind</translation>
+    </message>
+    <message>
+        <source>What its columns are</source>
+        <translation>Was ihre Spalten sind</translation>
+    </message>
+    <message>
+        <source>guessed: check every line</source>
+        <translation>geraten: jede Zeile prüfen</translation>
+    </message>
+    <message>
+        <source>Correct a value as a mapping has it (docs/import.md): &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot;; an empty one takes the line away. accept: [&quot;axes&quot;] lets that doubt pass.</source>
+        <translation>Einen Wert so berichtigen, wie er in einer Zuordnung steht (docs/import.md): &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot;; ein leerer nimmt die Zeile weg. accept: [&quot;axes&quot;] lässt diesen Zweifel gelten.</translation>
+    </message>
+    <message>
+        <source>Its readings</source>
+        <translation>Ihre Messwerte</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the list of runs; nothing is imported</source>
+        <translation>Zur Liste der Messungen; nichts wird importiert</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Read the recording by the corrected mapping</source>
+        <translation>Die Aufzeichnung nach der berichtigten Zuordnung lesen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Take it into the store by this mapping, as a run of its own</source>
+        <translation>Nach dieser Zuordnung als eigene Messung in den Speicher übernehmen</translation>
+    </message>
+    <message>
+        <source>Reading {0} …</source>
+        <translation>{0} wird gelesen …</translation>
+    </message>
+    <message>
+        <source>▲ Not imported so: {0}</source>
+        <translation>▲ So nicht importierbar: {0}</translation>
+    </message>
+    <message>
+        <source>✓ It can be imported. {0}</source>
+        <translation>✓ Kann importiert werden. {0}</translation>
+    </message>
+    <message>
+        <source>{0} changed, not checked</source>
+        <translation>{0} geändert, nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Imported: run {0}</source>
+        <translation>Importiert: Messung {0}</translation>
     </message>
 </context>
 <context>
@@ -4425,6 +4528,26 @@
     <message>
         <source>setting</source>
         <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>mapping</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>row 1</source>
+        <translation>Zeile 1</translation>
+    </message>
+    <message>
+        <source>row 2</source>
+        <translation>Zeile 2</translation>
+    </message>
+    <message>
+        <source>row 3</source>
+        <translation>Zeile 3</translation>
+    </message>
+    <message>
+        <source>field  µT</source>
+        <translation>Feld  µT</translation>
     </message>
     <message>
         <source>meaning</source>

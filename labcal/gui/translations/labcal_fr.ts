@@ -1129,6 +1129,34 @@
         <translation>{0} : la liaison ne s&apos;ouvre pas ({1}).</translation>
     </message>
     <message>
+        <source>{0}; where that is as it should be, accept = [&quot;{1}&quot;] in the mapping says so</source>
+        <translation>{0} ; si c’est voulu, accept = [&quot;{1}&quot;] dans la correspondance le dit</translation>
+    </message>
+    <message>
+        <source>{0}: are axes swapped or turned about?</source>
+        <translation>{0} : des axes sont-ils permutés ou retournés ?</translation>
+    </message>
+    <message>
+        <source>the readings fit the reference with axes {0} {1} times better than as stated</source>
+        <translation>les mesures s’accordent avec la référence, selon les axes {0} {1} fois mieux que selon ceux indiqués</translation>
+    </message>
+    <message>
+        <source>{0}: is the unit of one of them wrong, by a factor of {1}?</source>
+        <translation>{0} : l’une des deux unités est-elle fausse, d’un facteur {1} ?</translation>
+    </message>
+    <message>
+        <source>readings of {0} nT in the median beside a reference of {1} nT</source>
+        <translation>des mesures de {0} nT en médiane à côté d’une référence de {1} nT</translation>
+    </message>
+    <message>
+        <source>{0}: write the mapping by hand; it has {1}</source>
+        <translation>{0} : écrivez la correspondance à la main ; le fichier a {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no three columns beside a clock look like a magnetometer</source>
+        <translation>{0} : aucun groupe de trois colonnes à côté d’un temps ne ressemble à un magnétomètre</translation>
+    </message>
+    <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
         <translation>{0} : serait parmi ce qui appartient à labcal ; indiquez un autre dossier</translation>
     </message>
@@ -2875,8 +2903,8 @@
         <translation>Importer …</translation>
     </message>
     <message>
-        <source>Take a run bundle (.zip) into the store, byte for byte</source>
-        <translation>Prendre un paquet (.zip) dans le dépôt, octet par octet</translation>
+        <source>A run bundle (.zip) or a recording of others; or drop the file on the window</source>
+        <translation>Un paquet de mesures (.zip) ou un enregistrement tiers ; ou déposez le fichier sur la fenêtre</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -2939,8 +2967,16 @@
         <translation>Exporté : {0}</translation>
     </message>
     <message>
-        <source>Import a run bundle</source>
-        <translation>Importer un paquet</translation>
+        <source>Run bundles (*.zip)</source>
+        <translation>Paquets de mesures (*.zip)</translation>
+    </message>
+    <message>
+        <source>Recordings of others (*)</source>
+        <translation>Enregistrements tiers (*)</translation>
+    </message>
+    <message>
+        <source>Import a run</source>
+        <translation>Importer une mesure</translation>
     </message>
 </context>
 <context>
@@ -3607,6 +3643,73 @@
     <message>
         <source>A file for the record</source>
         <translation>Un fichier pour l&apos;enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingView</name>
+    <message>
+        <source>Recording {0}: what its columns are</source>
+        <translation>Enregistrement {0} : ce que sont ses colonnes</translation>
+    </message>
+    <message>
+        <source>What its columns are</source>
+        <translation>Ce que sont ses colonnes</translation>
+    </message>
+    <message>
+        <source>guessed: check every line</source>
+        <translation>deviné : vérifiez chaque ligne</translation>
+    </message>
+    <message>
+        <source>Correct a value as a mapping has it (docs/import.md): &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot;; an empty one takes the line away. accept: [&quot;axes&quot;] lets that doubt pass.</source>
+        <translation>Corrigez une valeur telle qu’elle figure dans une correspondance (docs/import.md) : &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot; ; une valeur vide supprime la ligne. accept : [&quot;axes&quot;] lève ce doute.</translation>
+    </message>
+    <message>
+        <source>Its readings</source>
+        <translation>Ses mesures</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>To the list of runs; nothing is imported</source>
+        <translation>Vers la liste des mesures ; rien n’est importé</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Read the recording by the corrected mapping</source>
+        <translation>Lire l’enregistrement selon la correspondance corrigée</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Take it into the store by this mapping, as a run of its own</source>
+        <translation>L’ajouter à la base selon cette correspondance, comme une mesure à part</translation>
+    </message>
+    <message>
+        <source>Reading {0} …</source>
+        <translation>Lecture de {0} …</translation>
+    </message>
+    <message>
+        <source>▲ Not imported so: {0}</source>
+        <translation>▲ Non importable ainsi : {0}</translation>
+    </message>
+    <message>
+        <source>✓ It can be imported. {0}</source>
+        <translation>✓ Peut être importé. {0}</translation>
+    </message>
+    <message>
+        <source>{0} changed, not checked</source>
+        <translation>{0} modifié(s), non vérifié(s)</translation>
+    </message>
+    <message>
+        <source>Imported: run {0}</source>
+        <translation>Importé : mesure {0}</translation>
     </message>
 </context>
 <context>
@@ -4425,6 +4528,26 @@
     <message>
         <source>setting</source>
         <translation>réglage</translation>
+    </message>
+    <message>
+        <source>mapping</source>
+        <translation>correspondance</translation>
+    </message>
+    <message>
+        <source>row 1</source>
+        <translation>ligne 1</translation>
+    </message>
+    <message>
+        <source>row 2</source>
+        <translation>ligne 2</translation>
+    </message>
+    <message>
+        <source>row 3</source>
+        <translation>ligne 3</translation>
+    </message>
+    <message>
+        <source>field  µT</source>
+        <translation>champ  µT</translation>
     </message>
     <message>
         <source>meaning</source>
