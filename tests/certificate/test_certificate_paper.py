@@ -141,8 +141,8 @@ def test_what_nobody_stated_is_said_to_be_so(issued: Calibration, tmp_path: Path
 @pytest.mark.parametrize(
     ("dates", "says"),
     [
-        ({"date": "2026-01-05", "due": "2026-11-19"}, "certificate was overdue."),
-        ({"date": "2026-11-22", "due": "2027-11-22"}, "certificate was not yet issued."),
+        ({"date": "2026-01-05", "due": "2026-11-19"}, "certificate was overdue on the day of the measurement."),
+        ({"date": "2026-11-22", "due": "2027-11-22"}, "certificate was not yet issued on the day of the measurement."),
         ({"date": "2026-11-20", "due": "2026-11-20"}, "traceable to the International System of Units (SI)"),
     ],
 )

@@ -164,21 +164,15 @@ def _row(name: str, known_as: Iterable[str | None], stated: Certified, day: date
 
 
 def _traceability(c: Calibration, stated: Certified, day: date) -> tuple[str, ...]:
-    """By the reference's certificate, which has to be of before the `day` of the measurement, and not overdue then."""
     if c.simulated:
         said = "SIMULATED: nothing was measured, and nothing is traceable."
-    elif stated.traceable and not (stated.date or "") <= day.isoformat() <= (stated.due or "9"):
-        said = (
-            "Traceability to the SI is not shown: on the day of the measurement the reference's certificate was "
-            f"{'overdue' if (stated.date or '') <= day.isoformat() else 'not yet issued'}."
-        )
-    elif stated.traceable:
+    elif objection := stated.objection_on(day.isoformat()):
+        said = f"Traceability to the SI is not shown: the reference's certificate {objection}."
+    else:
         said = (
             "The results are traceable to the International System of Units (SI) through the reference, by its "
             f"certificate {stated.number} of {stated.issuer}, {stated.date}."
         )
-    else:
-        said = "Traceability to the SI is not shown: the reference's certificate has no number, issuer or date here."
     named = c.cage_sha256 and f"The coils were driven by the cage calibration of SHA-256 {c.cage_sha256[:16]}…."
     return tuple(filter(None, (said, named)))
 
