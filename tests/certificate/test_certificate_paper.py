@@ -161,6 +161,11 @@ def test_what_of_the_surroundings_is_not_stated_is_said_beside_what_is(issued: C
         assert says in page, says
 
 
+def test_a_method_that_states_no_uncertainty_names_no_rule_for_it(issued: Calibration, tmp_path: Path):
+    assert "no uncertainty" in words(page_of(tmp_path / "cal.json", replace(issued, covariance=None, budget=())))
+    assert "; uncertainty by JCGM 100:2008" in words(page_of(tmp_path / "cal.json", issued))
+
+
 def test_no_U_is_printed_beside_another_component_s_k(issued: Calibration, tmp_path: Path):
     budget = (BUDGET, {**BUDGET, "quantity": "b y", "U": 9.0, "k": 2.31}, {**BUDGET, "quantity": "b z"})
     page = words(page_of(tmp_path / "cal.json", replace(issued, budget=budget)))

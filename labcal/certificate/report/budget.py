@@ -88,7 +88,7 @@ def _field_table(field: Sequence[One], units: Mapping[str, str]) -> Table:
         k = _k(worst) if len({_k(b) for b in of_point}) == 1 else ", ".join(map(_k, of_point))
         rows.append((_with_units(point, units), *(two_digits(b["U"]) for b in of_point), k, largest(worst)))
     header = ("At", "U(b x) nT", "U(b y) nT", "U(b z) nT", "k", "Largest contributions (to the largest U)")
-    note = "U of each component of the field from one reading; about 95 %. All rows of every budget are in the file."
+    note = "U of each component of the field from one reading; about 95 %. Every budget is in the file."
     return Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note)
 
 

@@ -81,7 +81,10 @@ def calibration_page(
             section(
                 "Results", [*indication_blocks(calibration, run), *field_blocks(calibration), *_parameters(calibration)]
             ),
-            section("Is it in specification?", conformity_blocks(lines, run.specification if run else None)),
+            section(
+                "Is it in specification?",
+                conformity_blocks(lines, run.specification if run else None, recorded=calibration.chain is not None),
+            ),
             section("As found, as left", change_blocks(changed)),
             section("Environment", environment(run)),
             section("Equipment and traceability", equipment(calibration, run, said)),

@@ -111,7 +111,8 @@ def _method(c: Calibration, said: Circumstances) -> str:
     steps = [f"procedure {said.procedure}" if said.procedure else "", f"estimated by {by['method']}" if by else ""]
     steps += [f"procedure's source SHA-256 {said.procedure_sha256[:16]}…" if said.procedure_sha256 else ""]
     how = "; ".join(filter(None, (*steps, c.software)))
-    return f"the laboratory's own: {how}; uncertainty by JCGM 100:2008 (GUM)"
+    uncertainty = "no uncertainty" if c.covariance is None else "uncertainty by JCGM 100:2008 (GUM)"
+    return f"the laboratory's own: {how}; {uncertainty}"
 
 
 def environment(run: Run | None) -> list[Block | None]:
