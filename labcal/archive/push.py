@@ -76,19 +76,25 @@ def known(archive: Archive, site: str) -> Known:
     """What is there of this site."""
     with archive.transaction() as connection:
         kept = tables.KEPT_HEAD.c
-        heads = connection.execute(select(kept.head, kept.sha256).where(kept.site == site))
-        of, own = tables.DOCUMENT.c["of"], tables.DOCUMENT.c.sha256
-        documents = connection.execute(select(of, own).where(tables.DOCUMENT.c.site == site))
+        run = tables.RUN.c  # a head whose run is not there says nothing
+        its_run = (run.site == kept.site) & (run.sha256 == kept.sha256)
+        named = select(kept.head, kept.sha256).join_from(tables.KEPT_HEAD, tables.RUN, its_run)
+        heads = connection.execute(named.where(kept.site == site))
+        d, made = tables.DOCUMENT.c, tables.CALIBRATION.c
+        its_file = (made.site == d.site) & (made.sha256 == d["of"])
+        beside = select(d["of"], d.sha256).join_from(tables.DOCUMENT, tables.CALIBRATION, its_file)
+        documents = connection.execute(beside.where(d.site == site))
         return Known(
             {str(head): str(digest) for head, digest in heads}, frozenset((str(a), str(b)) for a, b in documents)
         )
 
 
-def has_run(archive: Archive, site: str, digest: str) -> bool:
-    """Whether this site's run of this SHA-256 is there."""
-    there = select(tables.RUN.c.sha256).where(tables.RUN.c.site == site, tables.RUN.c.sha256 == digest)
+def run_there(archive: Archive, site: str, digest: str) -> Mapping[str, Any] | None:
+    """The row of this site's run of this SHA-256; None where it is not there."""
+    there = select(tables.RUN).where(tables.RUN.c.site == site, tables.RUN.c.sha256 == digest)
     with archive.transaction() as connection:
-        return connection.scalar(there) is not None
+        row = connection.execute(there).mappings().one_or_none()
+        return None if row is None else dict(row)
 
 
 def note_head(archive: Archive, site: str, head: str | None, digest: str) -> None:

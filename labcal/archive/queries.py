@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import ColumnElement, Label, Select, Subquery, and_, func, literal, or_, select, tuple_
+from sqlalchemy import ColumnElement, Label, Select, Subquery, and_, case, func, literal, or_, select, tuple_
 from sqlalchemy.sql.elements import KeyedColumnElement
 
 from labcal.archive.server import Archive
@@ -58,21 +58,23 @@ def runs(archive: Archive) -> list[dict[str, Any]]:
     return _plain(archive, listed)
 
 
-def run_named(archive: Archive, run: str, site: str | None) -> dict[str, Any]:
-    """The one run of this id, or whose SHA-256 begins so. Raises InputError where there is none, or several."""
-    named = or_(
-        RUN.c.run_id == run, and_(func.length(literal(run)) >= 8, RUN.c.sha256.startswith(run, autoescape=True))
-    )
-    listed = select(*(RUN.c[name] for name in LISTED_RUN)).where(named)
-    found = _plain(archive, listed if site is None else listed.where(RUN.c.site == site))
+def runs_named(archive: Archive, run: str, site: str | None) -> list[dict[str, Any]]:
+    """The run of this SHA-256, else of this id, else whose SHA-256 begins so: a row for each site that has it.
+
+    Raises InputError where there is none, or several runs are called so.
+    """
+    begins = and_(func.length(literal(run)) >= 8, RUN.c.sha256.startswith(run, autoescape=True))
+    listed = select(*(RUN.c[name] for name in LISTED_RUN)).where(or_(RUN.c.run_id == run, begins))
+    found = _plain(archive, (listed if site is None else listed.where(RUN.c.site == site)).order_by(RUN.c.pushed_utc))
     if not found:
         raise InputError(f"{archive.address.shown}: there is no run {run!r}; `labcal runs --archive` lists them")
+    found = [one for one in found if one["sha256"] == run] or found  # a name that is another's hash hides nothing
     if len({one["sha256"] for one in found}) > 1:
         each = ", ".join(f"{one['site']}: {one['sha256'][:12]}" for one in found[:5])
         raise InputError(
             f"{archive.address.shown}: there are {len(found)} runs {run!r} ({each}): name one by its SHA-256"
         )
-    return found[0]
+    return found
 
 
 def came_utc(archive: Archive, digests: Sequence[str]) -> dict[str, datetime]:
@@ -83,15 +85,15 @@ def came_utc(archive: Archive, digests: Sequence[str]) -> dict[str, datetime]:
         return {str(digest): utc for digest, utc in connection.execute(listed.group_by(c.sha256))}
 
 
-def superseding(archive: Archive, sha256: str) -> list[tuple[str, str, bytes, dict[str, bytes]]]:
-    """The calibrations that state to supersede the file of this SHA-256: site, SHA-256, bytes, {name: signature}."""
+def superseding(archive: Archive, sha256: str) -> list[tuple[bytes, list[bytes]]]:
+    """The calibrations that state to supersede the file of this SHA-256: bytes, and signatures as they came."""
     c, d = CALIBRATION.c, DOCUMENT.c
     with archive.transaction() as connection:
         found = connection.execute(select(c.site, c.sha256, c.content).where(c.supersedes == sha256)).all()
         each = []
         for site, digest, content in found:
-            listed = select(d.name, d.content).where(d.site == site, d["of"] == digest, d.kind == "signature")
-            each.append((site, digest, content, {str(name): made for name, made in connection.execute(listed)}))
+            listed = select(d.content).where(d.site == site, d["of"] == digest, d.kind == "signature")
+            each.append((content, list(connection.scalars(listed.order_by(d.pushed_utc, d.name)))))
         return each
 
 
@@ -152,8 +154,10 @@ def _signers() -> Column:
 
 
 def _superseded() -> Column:
+    """The run of a later calibration, with the site where that is not this one's: it is what that site states."""
     later = CALIBRATION.alias("later")
-    by = select(func.max(later.c.run_id)).where(later.c.supersedes == MEASURED.c.sha256)
+    named = case((later.c.site == MEASURED.c.site, later.c.run_id), else_=later.c.run_id + " of " + later.c.site)
+    by = select(func.max(named)).where(later.c.supersedes == MEASURED.c.sha256)
     return by.scalar_subquery().label("superseded_by")
 
 
@@ -194,7 +198,7 @@ def _changes() -> Subquery:
 def _pairs() -> Subquery:
     """Each calibration with the one before of the same DUT, read in the same unit."""
     c = MEASURED.c
-    same, order = (c.dut_serial, c.dut_model, c.dut_unit, c.simulated), (c.measured_utc, c.sha256, c.site)
+    same, order = (c.dut_serial, c.dut_model, c.dut_unit, c.simulated), (c.measured_utc, c.issued_utc, c.sha256, c.site)
     site, before = (func.lag(column).over(partition_by=same, order_by=order) for column in (c.site, c.sha256))
     pairs = select(c.site, c.sha256, site.label("site_before"), before.label("before"))
     return pairs.where(c.measured_utc.is_not(None)).subquery("pair")

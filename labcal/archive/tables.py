@@ -21,7 +21,7 @@ from sqlalchemy import (
     text,
 )
 
-SCHEMA, VERSION = "labcal", "0002"
+SCHEMA, VERSION = "labcal", "0003"
 METADATA = MetaData(schema=SCHEMA)
 
 

@@ -142,6 +142,22 @@ def get(
     say(out)
 
 
+@archive.command()
+def check(
+    archive: str | None = ARCHIVE,
+    bundles: str | None = typer.Option(None, metavar="PLACE", help="Where bundles are; else as the archive says."),
+) -> None:
+    """Read every bundle and file again: do they say what the catalogue says? Exit code 2: not all do."""
+    from labcal.session import archiving
+
+    looked = list[str]()
+    found = archiving.check_archive(archive, bundles, looked.append)
+    say(f"{len(looked)} runs and calibrations read, {len(found)} are not what the catalogue says")
+    if found:
+        say_lines(found[:-1], err=True)
+        raise InputError(found[-1])
+
+
 def _bound(text: str | None) -> tuple[float, str] | None:
     """The value and unit that `--above` states. Raises typer.BadParameter."""
     if text is None:

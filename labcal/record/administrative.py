@@ -87,10 +87,13 @@ class Certified(_Stated):
     due: str | None = None
     U: str | None = None
 
-    @property
-    def traceable(self) -> bool:
-        """Whether it says which certificate, of whom, and of when."""
-        return None not in (self.number, self.issuer, self.date)
+    def objection_on(self, day: str) -> str:
+        """Why it shows no traceability of what was measured on `day` (ISO 8601); empty where it does."""
+        if self.number is None or self.issuer is None or self.date is None:
+            return "has no number, issuer or date here"
+        if day < self.date:
+            return "was not yet issued on the day of the measurement"
+        return "was overdue on the day of the measurement" if self.due is not None and self.due < day else ""
 
     def in_words(self) -> str:
         """All of it on one line; empty where nothing is stated."""

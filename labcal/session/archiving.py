@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from time import sleep
 from typing import TYPE_CHECKING, Any, Literal, NoReturn
 
 from labcal.errors import InputError
-from labcal.files.atomic import write_bytes
 from labcal.files.outputs import claim
 from labcal.session.opened_archive import archive_address, needing_the_extra, opened, place_of_bundles
+from labcal.store import Bundle, save_bundle
 
 if TYPE_CHECKING:
     from labcal.session.pushing import Pushed
@@ -67,13 +69,28 @@ def fetch_from_archive(given: str | None, run: str, site: str | None, out: Path,
     if out.suffix.lower() != ".zip":
         raise InputError("a bundle from the archive is a zip: name it so", file=out)
     with opened(given) as archive:
-        from labcal.archive.bundles import get
-        from labcal.archive.queries import run_named
+        from labcal.archive.queries import runs_named
+        from labcal.session.archive_check import bundle_of_row
 
-        found = run_named(archive, run, site)
-        content = get(place_of_bundles(archive), found["bundle_sha256"])
+        bundle = _first_whole(partial(bundle_of_row, place_of_bundles(archive)), runs_named(archive, run, site))
     with output.writing():
-        write_bytes(out, content)
+        save_bundle(bundle, out)
+
+
+def _first_whole(bundle: Callable[[dict[str, Any]], Bundle], rows: list[dict[str, Any]]) -> Bundle:
+    """The bundle of the first site whose is what its row says. Raises InputError where none is."""
+    for row in rows[:-1]:
+        with suppress(InputError):
+            return bundle(row)
+    return bundle(rows[-1])
+
+
+def check_archive(given: str | None, bundles: str | None, on_remark: OnRemark = lambda one: None) -> list[str]:
+    """A sentence for each run and calibration of which the archive says something else than its bundle or file."""
+    with opened(given) as archive:
+        from labcal.session.archive_check import faults
+
+        return list(faults(archive, place_of_bundles(archive, bundles), on_remark))
 
 
 def push(

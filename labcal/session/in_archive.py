@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from functools import partial
@@ -15,7 +14,6 @@ from labcal.files.home import ARCHIVE
 from labcal.session.opened_archive import opened
 
 InArchive = Callable[[bytes, Sequence[bytes], Path], Mapping[str, datetime]]
-SIGNATURE = re.compile(r".*?((?:\.[1-9]\d?)?\.sshsig)")
 
 
 def asking(given: str | None, on_remark: Callable[[str], None]) -> InArchive | None:
@@ -47,9 +45,8 @@ def known_there(given: str | None, content: bytes, signatures: Sequence[bytes], 
     with opened(given) as archive:
         from labcal.archive.queries import came_utc, superseding
 
-        for number, (_, _, later, documents) in enumerate(superseding(archive, sha256(content).hexdigest())):
+        for number, (later, signed) in enumerate(superseding(archive, sha256(content).hexdigest())):
             (folder / f"{number}.json").write_bytes(later)
-            for name, signature in documents.items():
-                if found := SIGNATURE.fullmatch(name):
-                    (folder / f"{number}.json{found[1]}").write_bytes(signature)
+            for place, signature in enumerate(signed, 1):  # whatever they were called: none hides another
+                (folder / f"{number}.json{'' if place == 1 else f'.{place}'}.sshsig").write_bytes(signature)
         return came_utc(archive, [sha256(one).hexdigest() for one in signatures])

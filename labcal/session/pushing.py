@@ -10,18 +10,19 @@ from pathlib import Path
 from typing import Self
 
 from labcal import audit, certificate
+from labcal.archive.bundles import put
 from labcal.archive.push import (
     AuditRow,
     Document,
     Known,
     RunToPush,
-    has_run,
     known,
     last_entry,
     note_head,
     push_audit,
     push_calibration,
     push_run,
+    run_there,
 )
 from labcal.archive.server import Archive, AwayError
 from labcal.certificate.calibration_file import LARGEST_BYTES
@@ -30,6 +31,7 @@ from labcal.files.home import home
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.record import Run
+from labcal.session.archive_check import refuse_other_row
 from labcal.session.audited import note, noted_signatures
 from labcal.session.opened_archive import own_site, place_of_bundles
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING, signatures
@@ -106,7 +108,7 @@ class Pusher:
         if certificate.looks_like_calibration(Path(name)):
             self._calibration(Path(name))
         else:
-            digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name)
+            digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name, again=True)
             for path in self._calibrations_of(digest):
                 self._calibration(path)
 
@@ -126,13 +128,13 @@ class Pusher:
             found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
         yield from (run_id for run_id, head in found if head is None or head not in self.there.heads)
 
-    def _of_store(self, run_id: str) -> str:
-        """Push a run of the store; returns its SHA-256."""
+    def _of_store(self, run_id: str, *, again: bool = False) -> str:
+        """Push a run of the store, looking at it `again` though its chain is known; returns its SHA-256."""
         with closing(Store.read_only(home() / STORE)) as store:
             summary, head = store.summary(run_id), store.head_of(run_id)
             if summary.status not in FINISHED:
                 raise InputError(f"run {run_id} is {summary.status}: only a finished run goes into the archive")
-            if head is not None and head in self.there.heads:
+            if head is not None and head in self.there.heads and not again:
                 return self.there.heads[head]
             bundle, run = store.bundle_and_run(run_id)
             instruments = () if summary.status == "imported" else store.header(run_id).instruments
@@ -147,12 +149,16 @@ class Pusher:
         instruments: Sequence[object] = (),
         head: str | None = None,
     ) -> str:
-        digest, chain = bundle.sha256, bundle.stated_chain
-        if has_run(self.archive, self.site, digest):
+        digest, chain, content = bundle.sha256, bundle.stated_chain, zipped(bundle)
+        run = bundle.run() if run is None else run
+        if there := run_there(self.archive, self.site, digest):
+            refuse_other_row(run, there)
+            if there["bundle_sha256"] == audit.link_of(content):
+                put(self.place, content)  # made whole again, where its file was lost or damaged
             note_head(self.archive, self.site, head, digest)
             return digest
-        run, chain_head = bundle.run() if run is None else run, str(chain["head"]) if chain else None
-        pushed = RunToPush(run, digest, zipped(bundle), status, procedure, tuple(instruments), chain_head, head)
+        chain_head = str(chain["head"]) if chain else None
+        pushed = RunToPush(run, digest, content, status, procedure, tuple(instruments), chain_head, head)
         if push_run(self.archive, self.site, pushed, self.place):
             self.runs += 1
             self._say("run", run.run_id, digest)
@@ -188,7 +194,7 @@ class Pusher:
 
     def _its_run(self, calibration: Calibration) -> None:
         """Push the run that the calibration was made from, where the store has it unchanged and it is not there yet."""
-        if has_run(self.archive, self.site, calibration.run_sha256) or not (home() / STORE).is_file():
+        if run_there(self.archive, self.site, calibration.run_sha256) or not (home() / STORE).is_file():
             return
         with closing(Store.read_only(home() / STORE)) as store:
             same = store.has(calibration.run_id) and store.bundle(calibration.run_id).sha256 == calibration.run_sha256

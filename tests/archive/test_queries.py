@@ -8,7 +8,7 @@ from collections.abc import Callable
 from datetime import UTC, datetime
 
 import pytest
-from made_up import Years, fill
+from made_up import Years, copy, fill
 from postgres import Server
 
 from labcal.cli import execute as labcal
@@ -41,6 +41,26 @@ def answers(url: str, years: Years) -> None:
 def test_what_is_asked_is_answered_rightly(postgres: Server, database: str, url: str) -> None:
     fill(postgres, database, SMALL)
     answers(url, SMALL)
+
+
+def test_of_two_calibrations_of_one_run_the_one_that_was_issued_later_is_the_later(
+    postgres: Server, database: str, url: str
+) -> None:
+    """A run of 2020 calibrated twice, its offset 0 and then 100 nT, whose hash comes first; one of 2021 with 100 nT."""
+    made = [("z", 2020, 1, 0.0), ("a", 2020, 2, 100.0), ("m", 2021, 3, 100.0)]
+    sensor = (True, "S", "M", "nT", "ada")
+    columns = "site sha256 run_sha256 run_id simulated dut_serial dut_model dut_unit operator issued_utc content"
+    issued = [datetime(2022, 1, day, tzinfo=UTC) for _, _, day, _ in made]
+    rows = [("aalto", one[0], f"r{one[1]}", one[0], *sensor, utc, b"{}") for one, utc in zip(made, issued, strict=True)]
+    copy(postgres, database, "calibration", columns, rows)
+    columns = "site sha256 run_id started_utc status simulated dut_serial dut_model dut_unit operator procedure "
+    columns += "reference_kind reference_serial n_samples bundle_sha256 bundle_bytes"
+    runs = [("aalto", f"r{y}", f"r{y}", datetime(y, 1, 1, tzinfo=UTC), "finished", *sensor, *[""] * 3, 0, "", 0)
+            for y in (2020, 2021)]  # fmt: skip
+    copy(postgres, database, "run", columns, runs)
+    offsets = [("aalto", name, 0, "figure", "offset x", offset, 1.0, "nT") for name, _, _, offset in made]
+    copy(postgres, database, "parameter", "site calibration number of name value u unit", offsets)
+    assert [one["run_id"] for one in archiving.archived_calibrations(url, changed=True)] == ["a"]
 
 
 def processor_s(server: Server, url: str, question: str, times: int = 5) -> float:

@@ -18,7 +18,7 @@ from labcal.certificate.report.front import images_in
 from labcal.certificate.report.html import html
 from labcal.certificate.report.style import with_uncertainty
 from labcal.errors import InputError
-from labcal.model import Calibration, EffectRecord, Parameter
+from labcal.model import AffineMap, Calibration, EffectRecord, Parameter
 from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
 from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
 from labcal.record.specification import Limit, Specification
@@ -90,7 +90,10 @@ CLAUSES = [
     ("7.8.4.1 c", "reference (vector) Honeywell HMR2300 H-1 M-1 PTB 2026-01-05 2027-01-05"),
     ("7.8.6.2 b", "Specification: ICD-7, issue C."),
     ("7.8.4.1 c", "thermometer Fluke 1524 T-77 T-1 METAS 2025-02-01 2026-02-01 OVERDUE 0.05 K"),
-    ("7.8.4.3", "Last day of use 2027-11-21: a recommendation that stands here by agreement with the customer"),
+    (
+        "7.8.4.3",
+        "Last day of use 2027-11-21, as stated at approval: a recommendation, which the customer has to have agreed to",
+    ),
     ("accreditation", "Accreditation SCS 0999"),
     ("7.8.8", "Supersedes"),
     ("signatures", "ssh-keygen -Y verify -f allowed_signers -I SIGNER -n labcal-calibration -s cal.json.sshsig"),
@@ -129,10 +132,64 @@ def test_what_nobody_stated_is_said_to_be_so(issued: Calibration, tmp_path: Path
     checked = verify(path, (), frozenset(), NOW)
     bare = replace(RUN, reference=Reference("vector", "H-1"), environment=None, channels=())
     page = words(calibration_page(replace(issued, number=None, issued_utc=None, budget=()), checked, "now", bare))
-    for says in ("No. without a number", "Laboratory not stated", "Customer not stated", "not issued: a draft",
+    for says in ("Without a number", "Laboratory not stated", "Customer not stated", "not issued: a draft",
                  "Traceability to the SI is not shown", "Nothing is stated of temperature"):  # fmt: skip
         assert says in page, says
     assert "not known here: the run is not in this lab" in words(page_of(path, issued, run=None))
+
+
+@pytest.mark.parametrize(
+    ("dates", "says"),
+    [
+        ({"date": "2026-01-05", "due": "2026-11-19"}, "certificate was overdue on the day of the measurement."),
+        ({"date": "2026-11-22", "due": "2027-11-22"}, "certificate was not yet issued on the day of the measurement."),
+        ({"date": "2026-11-20", "due": "2026-11-20"}, "traceable to the International System of Units (SI)"),
+    ],
+)
+def test_a_certificate_that_does_not_hold_on_the_day_shows_no_traceability(
+    dates: dict[str, str], says: str, issued: Calibration, tmp_path: Path
+):
+    run = replace(RUN, reference=Reference("vector", "H-1", certificate={**OF_REFERENCE, **dates}))
+    page = words(page_of(tmp_path / "cal.json", issued, run=run))
+    assert says in page
+    assert ("traceable to the International" in page) == ("traceable" in says)
+
+
+def test_what_of_the_surroundings_is_not_stated_is_said_beside_what_is(issued: Calibration, tmp_path: Path):
+    page = words(page_of(tmp_path / "cal.json", issued, run=replace(RUN, channels=())))
+    for says in ("Temperature not stated", "Humidity not stated", "Ambient field, without the coils 48 000 nT"):
+        assert says in page, says
+
+
+def test_a_method_that_states_no_uncertainty_names_no_rule_for_it(issued: Calibration, tmp_path: Path):
+    assert "no uncertainty" in words(page_of(tmp_path / "cal.json", replace(issued, covariance=None, budget=())))
+    assert "; uncertainty by JCGM 100:2008" in words(page_of(tmp_path / "cal.json", issued))
+
+
+def test_no_U_is_printed_beside_another_component_s_k(issued: Calibration, tmp_path: Path):
+    budget = (BUDGET, {**BUDGET, "quantity": "b y", "U": 9.0, "k": 2.31}, {**BUDGET, "quantity": "b z"})
+    page = words(page_of(tmp_path / "cal.json", replace(issued, budget=budget)))
+    assert "50 µT along +x 17 9.0 17 2.00, 2.31, 2.00" in page
+
+
+def test_what_the_sensor_indicates_is_what_its_map_reads_in_that_field(issued: Calibration, tmp_path: Path):
+    affine = AffineMap(np.diag([1.02, 0.98, 1.0]), np.array([100.0, -50.0, 0.0]))
+    _, high = issued.validity.field_nT
+    made = replace(issued, affine=affine, effects=(), dut=replace(issued.dut, unit="nT", nominal_nT_per_unit=1.0))
+    results = page_of(tmp_path / "cal.json", made).sections[0].blocks[0]
+    assert results.header == ("Field", "Component", "Applied nT", "Indicated nT", "Error nT", "U nT", "k")
+    assert [row[:2] for row in results.rows[:4]] == [
+        ("60 µT along +x", "b x"),
+        ("", "b y"),
+        ("", "b z"),
+        ("60 µT along +y", "b x"),
+    ]
+    printed = (cell.replace("\u202f", "").replace("\u2212", "-") for cell in results.rows[0][2:6])
+    applied, indicated, error, U = map(float, printed)
+    rounding = 10 ** np.floor(np.log10(U) - 1)
+    assert applied == pytest.approx(high, abs=rounding)
+    assert indicated == pytest.approx((high + 100.0) / 1.02, abs=rounding)
+    assert error == pytest.approx((high + 100.0) / 1.02 - high, abs=rounding)
 
 
 @pytest.mark.parametrize(
@@ -236,7 +293,7 @@ def test_the_pdf_is_archival_and_holds_what_was_signed(
         assert set(map(_embedded, _fonts(pdf))) == {True}
         held = {name: spec.get_file().read_bytes() for name, spec in pdf.attachments.items()}
         assert held == {f.name: f.read_bytes() for f in (path, path.with_name("cal.json.sshsig"))}
-        assert {str(spec.UF) for spec in pdf.Root.AF} == set(held)
+        assert sorted(str(spec.UF) for spec in pdf.Root.AF) == sorted(held)
         assert not pdf.is_encrypted
     sheets = [sheet.get_textpage().get_text_range() for sheet in pdfium.PdfDocument(out)]
     for number, sheet in enumerate(sheets, 1):

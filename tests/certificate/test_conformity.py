@@ -61,7 +61,7 @@ def test_the_file_keeps_the_lines(judged: Calibration, tmp_path: Path):
 
 
 def test_the_report_states_each_line_its_rule_and_its_risk(judged: Calibration, tmp_path: Path):
-    text = page_of(judged, tmp_path / "cal.json")
+    text = page_of(replace(judged, chain={"head": "ab" * 32, "rows": 7}), tmp_path / "cal.json")
     for said in (
         "Is it in specification?", "NOT IN SPECIFICATION", "PASS", "conditional pass", "conditional fail", "FAIL",
         "&lt; 0.01 %", "16 %", "84 %", "&gt; 99 %", "<td>′</td>", "37.5",
@@ -69,6 +69,12 @@ def test_the_report_states_each_line_its_rule_and_its_risk(judged: Calibration, 
         "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)",
     ):  # fmt: skip
         assert said in text, said
+
+
+def test_a_run_without_a_chain_does_not_show_when_its_rule_was_chosen(judged: Calibration, tmp_path: Path):
+    text = page_of(replace(judged, chain=None), tmp_path / "cal.json")
+    assert "Decision rule, as its run states it (when it was chosen is not shown)" in text
+    assert "chosen before" not in text
 
 
 @pytest.mark.parametrize(

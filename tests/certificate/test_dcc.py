@@ -236,6 +236,16 @@ def test_the_error_of_indication_is_what_the_reading_says_less_the_field(whole: 
     np.testing.assert_allclose(parts["basic_measurementError"], indicated - field, rtol=1e-9, atol=1e-6)
 
 
+def test_equipment_shows_traceability_where_its_certificate_held_on_the_day(whole: Calibration, run: Run):
+    cases = [({"due": run.started_utc[:10]}, "traceable to the SI"), ({"due": "2026-01-06"}, "was overdue")]
+    for dates, says in [*cases, ({"date": "2099-01-01"}, "was not yet issued")]:
+        certificate = {**(run.reference.certificate or {}), **dates}
+        made = replace(run, reference=replace(run.reference, certificate=certificate))
+        root = etree.fromstring(xml_of(replace(whole, simulated=False), made))
+        [reference] = root.iterfind(".//dcc:measuringEquipment[@refType='basic_referenceStandard']", NAMES)
+        assert says in "".join(reference.find("dcc:description", NAMES).itertext()), dates
+
+
 def test_the_u_of_an_indication_is_the_scatter_of_what_drawn_maps_read(whole: Calibration, run: Run):
     """Of a sensor turned by 40° in its body, whose components of the field share an error: U = k u, k of the budget."""
     draw, turn, noise = np.random.default_rng(2), rotation_vector(np.array([0.0, 0.0, np.radians(40)])), 5.0

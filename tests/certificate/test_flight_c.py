@@ -206,6 +206,17 @@ def test_a_function_without_a_name_gives_in_c_what_apply_gives(
 
 
 @needs_cc
+@pytest.mark.parametrize("inputs", [("channel:temp",), ("field_x", "channel:temp")], ids=" ".join)
+def test_vectors_without_the_run_go_where_a_channel_was_seen(inputs: tuple[str, ...], run: Run, tmp_path: Path) -> None:
+    """About where the channel counts from, which nothing says was seen, the term is left out in every row."""
+    folder = exported(replace(calibration(), effects=(smooth(inputs, run),)), None, tmp_path)
+    assert checked(folder).returncode == 0
+    text = (folder / "labcal_calibration.c").read_text()
+    (folder / "labcal_calibration.c").write_text(text.replace("double phi = 0.0;", "double phi = 0.01;"))
+    assert checked(folder).returncode == 1
+
+
+@needs_cc
 def test_the_check_fails_where_a_number_differs(run: Run, tmp_path: Path) -> None:
     folder = exported(calibration(*FORMS["behind"]), run, tmp_path)
     text = (folder / "labcal_calibration.c").read_text()

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from labcal.certificate.dcc.parts import Makers, one_line
-from labcal.certificate.report.circumstances import MEASURED, STATED, Circumstances
+from labcal.certificate.report.circumstances import MEASURED, STATED, Circumstances, performed
 from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.administrative import Certified, certified
@@ -42,12 +43,11 @@ def used_methods(m: Makers, c: Calibration, said: Circumstances) -> Any:
 def measuring_equipments(m: Makers, c: Calibration, run: Run, said: Circumstances) -> Any:
     """The reference and what else was stated, each with its certificate."""
     own = certified(run.reference.certificate)
-    serial = run.reference.serial
-    reference = _equipment(
-        m, f"reference ({run.reference.kind})", *said.made_by(serial), serial, own, simulated=c.simulated
-    )
+    serial, kind, day = run.reference.serial, run.reference.kind, f"{performed(run)[0]:%Y-%m-%d}"
+    made = partial(_equipment, m, day=day, simulated=c.simulated)
+    reference = made(f"reference ({kind})", *said.made_by(serial), serial, own)
     others = [
-        _equipment(m, e.name, e.manufacturer, e.model, e.serial, e.certificate or Certified(), simulated=c.simulated)
+        made(e.name, e.manufacturer, e.model, e.serial, e.certificate or Certified())
         for e in said.administrative.equipment
     ]
     reference.set("refType", "basic_referenceStandard")
@@ -62,6 +62,7 @@ def _equipment(
     serial: str | None,
     stated: Certified,
     *,
+    day: str,
     simulated: bool,
 ) -> Any:
     d, known = m.d, [("manufacturer", serial, "serial number")]
@@ -69,8 +70,13 @@ def _equipment(
     known += [("calibrationLaboratory", stated.issuer, "issuer of its certificate")]
     given = [m.identification(issuer, value, said) for issuer, value, said in known if value]
     identifications = [d.identifications(*given)] if given else []
-    traceable = "traceable to the SI through its certificate" if stated.traceable else "traceability not shown"
-    text = "SIMULATED: nothing is traceable" if simulated else traceable
+    objection = stated.objection_on(day)
+    shown = (
+        f"traceability not shown: its certificate {objection}"
+        if objection
+        else "traceable to the SI through its certificate"
+    )
+    text = "SIMULATED: nothing is traceable" if simulated else shown
     description = m.text("description", f"{text}. {stated.in_words() or 'No certificate is stated'}.")
     made = [d.manufacturer(m.text("name", maker))] if maker else []
     of_model = [d.model(one_line(model))] if model else []

@@ -10,17 +10,15 @@ import numpy as np
 from labcal.certificate.dcc.basis import basis_in_words, basis_quantities
 from labcal.certificate.dcc.changes import change_results
 from labcal.certificate.dcc.conformity import conformity_results
-from labcal.certificate.dcc.parts import COVERAGE, Makers
+from labcal.certificate.dcc.parts import Makers
+from labcal.certificate.indications import Indication, indications
 from labcal.certificate.parameters_k import k_of_parameters
 from labcal.model import Calibration, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.effects import find
 from labcal.record import Run
 from labcal.uncertainty.conformity import Changes
-from labcal.uncertainty.of_calibration import u_indicated
-from labcal.uncertainty.working_points import Point, slopes_at, working_points
 
-DIRECTIONS = 6  # the first points of the working range: the largest field both ways along each axis
 MODEL = (
     "b = K m - k - sum of effects e(a, channels, t), a = K m - k: b is the field in the sensor's own axes in nT, m its "
     "reading. A channel enters an effect as its value less its reference value."
@@ -34,7 +32,7 @@ def results(m: Makers, c: Calibration, run: Run, changed: Changes | None) -> lis
     f = k_of_parameters(c)
     K, k = m.real_list(c.affine.K, per_reading, f * u[:9], f), m.real_list(c.affine.k_nT, "nT", f * u[9:], f)
     return [
-        *_indications(m, c, run),
+        *(_indication(m, c, one) for one in indications(c, run)),
         m.result("K", f"Row by row. {MODEL}", m.d.quantity(K), ref_type="labcal_K"),
         m.result(f"k {c.k_means()}".rstrip(), "", m.d.quantity(k), ref_type="labcal_k"),
         *(_effect(m, i, effect, f, run) for i, effect in enumerate(c.effects) if effect.parameters),
@@ -45,35 +43,24 @@ def results(m: Makers, c: Calibration, run: Run, changed: Changes | None) -> lis
     ]
 
 
-def _indications(m: Makers, c: Calibration, run: Run) -> list[Any]:
-    """What the item indicates of a known field, and its error, at the largest field both ways along each axis."""
-    followed = {name for effect in c.effects for name in effect.channels}
-    if not c.budget or not followed <= {channel.name for channel in run.channels}:
-        return []
-    points = working_points(c, run)[:DIRECTIONS]
-    readings, slopes = slopes_at(c, points)
-    indicated, u = c.dut.nominal_nT_per_unit * readings, u_indicated(c, slopes)
-    return [_indication(m, c, *one) for one in zip(points, indicated, u, strict=True)]
-
-
-def _indication(m: Makers, c: Calibration, point: Point, indicated: Any, u: Any) -> Any:
-    """One point: U of the indication and of its error, by the largest k of the field's components there."""
-    k = max([b["k"] for b in c.budget if b["at"] == point.says], default=COVERAGE)
+def _indication(m: Makers, c: Calibration, one: Indication) -> Any:
+    """What the item indicates of a known field, and its error."""
+    U, k = one.U_nT, one.k
     listed = m.d.list(
         m.d.quantity(
-            m.text("name", "reference value"), m.real_list(point.field_nT, "nT"), refType="basic_referenceValue"
+            m.text("name", "reference value"), m.real_list(one.field_nT, "nT"), refType="basic_referenceValue"
         ),
         m.d.quantity(
-            m.text("name", "indicated value"), m.real_list(indicated, "nT", k * u, k), refType="basic_measuredValue"
+            m.text("name", "indicated value"), m.real_list(one.indicated_nT, "nT", U, k), refType="basic_measuredValue"
         ),
         m.d.quantity(
             m.text("name", "error of indication"),
-            m.real_list(indicated - point.field_nT, "nT", k * u, k),
+            m.real_list(one.error_nT, "nT", U, k),
             refType="basic_measurementError",
         ),
     )
     what = f"Components x, y, z of the reading times {c.dut.nominal_nT_per_unit:g} nT, the nominal value of its unit."
-    return m.result(f"Indication of {point.says}", what, listed, ref_type="basic_result")
+    return m.result(f"Indication of {one.at}", what, listed, ref_type="basic_result")
 
 
 def _effect(m: Makers, i: int, effect: EffectRecord, k: float, run: Run) -> Any:

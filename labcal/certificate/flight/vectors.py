@@ -6,15 +6,18 @@ to the run are left out, the rows' clock is moved beyond the run's span: there `
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.certificate.flight.content import Content, Flown, stamps, without_lag
+from labcal.model import Calibration
 from labcal.model.apply import apply, linearised, needed_columns
 from labcal.model.effects import DELAY, Scene
 from labcal.model.effects.c_form import Input, mode_enumerator
+from labcal.model.effects.inputs import channels_of
 from labcal.model.effects.regressors import delayed
 from labcal.model.pieces import Recording, Walk
 from labcal.model.readings import Applied, Readings, readings_of
@@ -25,6 +28,8 @@ Array = NDArray[np.float64]
 MOST = 3000  # rows
 STRETCHES = 6
 APART_S = 1000.0  # from the run's span
+WAY = 0.2  # of a made-up channel about where it counts from, where nothing states what was seen of it
+BEYOND = 1.1  # of what was seen: a term is left out outside
 UNSURE = {"saturated", "outlier", "rate"}  # flags that rest on rows to come: u is not compared there
 
 
@@ -140,7 +145,7 @@ def _some(readings: Readings, which: NDArray[np.bool_]) -> Readings:
 
 
 def _made_up(content: Content) -> Readings:
-    """Two turns of the field through the validity, the channels moving about where they count from."""
+    """Two turns of the field through the validity, channels moving through where they were seen, and a little on."""
     calibration, n = content.calibration, 400
     t = 0.25 * np.arange(n, dtype=np.float64)
     segment = np.repeat([0, 1], n // 2)
@@ -149,10 +154,20 @@ def _made_up(content: Content) -> Readings:
     length = np.mean(calibration.validity.field_nT) or 1.0
     field = length * direction / np.linalg.norm(direction, axis=1)[:, None]
     reading = np.asarray((field + calibration.affine.k_nT) @ np.linalg.inv(calibration.affine.K).T, dtype=np.float64)
-    starts = {name: value for record in calibration.effects for name, value in record.reference_value.items()}
-    channels = {name: value + 0.2 * np.sin(t / (5 + i)) for i, (name, value) in enumerate(starts.items())}
+    moves = {name: (at, WAY) for record in calibration.effects for name, at in record.reference_value.items()}
+    moves |= {name: ((low + high) / 2, BEYOND * (high - low) / 2) for name, (low, high) in _seen_ends(calibration)}
+    channels = {name: at + way * np.sin(t / (5 + i)) for i, (name, (at, way)) in enumerate(moves.items())}
     modes = np.array(calibration.validity.modes or ("",))[np.arange(n) // 20 % max(len(calibration.validity.modes), 1)]
     return Readings(reading, t, segment, modes, channels)
+
+
+def _seen_ends(calibration: Calibration) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Each channel that a domain states, and between which values it was seen."""
+    for domain in (one for record in calibration.effects for one in record.domain):
+        corners = np.array(domain.hull)
+        for place, given in enumerate(domain.inputs):
+            for name in channels_of((given,)):
+                yield name, (float(corners[:, place].min()), float(corners[:, place].max()))
 
 
 def _stamped(rows: Readings, lag_s: float) -> Readings:

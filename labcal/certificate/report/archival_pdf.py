@@ -53,4 +53,10 @@ def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # it leaves its colour profile open
         pages = weasyprint.HTML(string=text, url_fetcher=nothing_from_elsewhere)
-        pages.write_pdf(path, pdf_variant=VARIANT, attachments=attached, pdf_identifier=own)
+        pages.write_pdf(path, finisher=_each_once, pdf_variant=VARIANT, attachments=attached, pdf_identifier=own)
+
+
+def _each_once(_: Any, pdf: Any) -> None:
+    """The files that belong to the document (AF), each once: WeasyPrint 70 names an attachment twice."""
+    if files := pdf.catalog.get("AF"):
+        files[:] = dict.fromkeys(files)

@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from labcal.certificate.indications import Indication, indications
 from labcal.certificate.report.page import Block, Plot, Table
-from labcal.certificate.report.style import NOTHING, TEXT, decimals_for, ink, number, printed_unit, two_digits
+from labcal.certificate.report.style import (
+    NOTHING,
+    TEXT,
+    decimals_for,
+    ink,
+    number,
+    printed_unit,
+    two_digits,
+    with_uncertainty,
+)
 from labcal.model import Calibration
 from labcal.model.calibration import units_of_channels
+from labcal.record import Run
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase
@@ -25,6 +36,28 @@ def field_blocks(c: Calibration) -> list[Block]:
     """U of the field's components over the working range; nothing without a budget."""
     field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
     return [_field_table(field, units_of_channels(c.effects))] if field else []
+
+
+def indication_blocks(c: Calibration, run: Run | None) -> list[Block]:
+    """The sensor as it came: what it indicates of the largest fields, before correction; nothing without the run."""
+    found = indications(c, run) if run else []
+    rows = [row for one in found for row in _indicated(one)]
+    unit = (
+        "its reading"
+        if c.dut.unit == "nT"
+        else f"its reading times {c.dut.nominal_nT_per_unit:g} nT, the nominal value"
+    )
+    note = f"Before correction: what it indicates is {unit}; components in its own axes. U is that of the error."
+    header = ("Field", "Component", "Applied nT", "Indicated nT", "Error nT", "U nT", "k")
+    return [Table(header, tuple(rows), frozenset({2, 3, 4, 5, 6}), note)] if rows else []
+
+
+def _indicated(one: Indication) -> Iterator[tuple[str, ...]]:
+    """A row for each component, all numbers to the place of U."""
+    values = zip("xyz", one.field_nT, one.indicated_nT, one.error_nT, one.U_nT, strict=True)
+    for axis, applied, indicated, error, U in values:
+        said = [with_uncertainty(float(value), float(U))[0] for value in (applied, indicated, error)]
+        yield one.at if axis == "x" else "", f"b {axis}", *said, two_digits(float(U)), f"{one.k:.2f}"
 
 
 def budget_blocks(c: Calibration) -> list[Block]:
@@ -52,9 +85,10 @@ def _field_table(field: Sequence[One], units: Mapping[str, str]) -> Table:
     for point in dict.fromkeys(b["at"] for b in field):
         of_point = [b for b in field if b["at"] == point]
         worst = max(of_point, key=lambda b: b["U"])
-        rows.append((_with_units(point, units), *(two_digits(b["U"]) for b in of_point), _k(worst), largest(worst)))
+        k = _k(worst) if len({_k(b) for b in of_point}) == 1 else ", ".join(map(_k, of_point))
+        rows.append((_with_units(point, units), *(two_digits(b["U"]) for b in of_point), k, largest(worst)))
     header = ("At", "U(b x) nT", "U(b y) nT", "U(b z) nT", "k", "Largest contributions (to the largest U)")
-    note = "U of each component of the field from one reading; about 95 %. All rows of every budget are in the file."
+    note = "U of each component of the field from one reading; about 95 %. Every budget is in the file."
     return Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note)
 
 

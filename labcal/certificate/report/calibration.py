@@ -9,7 +9,7 @@ from hashlib import sha256
 import numpy as np
 
 from labcal.certificate.parameters_k import COVERAGE, k_in_words, k_of_parameters
-from labcal.certificate.report.budget import OF_THE_FIELD, budget_blocks, field_blocks
+from labcal.certificate.report.budget import OF_THE_FIELD, budget_blocks, field_blocks, indication_blocks
 from labcal.certificate.report.circumstances import (
     NOTHING_SAID,
     Circumstances,
@@ -38,6 +38,7 @@ from labcal.certificate.report.page import (
 from labcal.certificate.report.style import NOTHING, number, printed_unit, sentence, two_digits, with_uncertainty
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
+from labcal.model.apply import temperature_channel
 from labcal.model.calibration import units_of_channels
 from labcal.model.effects import find
 from labcal.record import Dut, Run
@@ -77,8 +78,13 @@ def calibration_page(
         headline=_headline(calibration),
         facts=identity(calibration, run, said),
         sections=sections(
-            section("Results", [*field_blocks(calibration), *_parameters(calibration)]),
-            section("Is it in specification?", conformity_blocks(lines, run.specification if run else None)),
+            section(
+                "Results", [*indication_blocks(calibration, run), *field_blocks(calibration), *_parameters(calibration)]
+            ),
+            section(
+                "Is it in specification?",
+                conformity_blocks(lines, run.specification if run else None, recorded=calibration.chain is not None),
+            ),
             section("As found, as left", change_blocks(changed)),
             section("Environment", environment(run)),
             section("Equipment and traceability", equipment(calibration, run, said)),
@@ -86,7 +92,7 @@ def calibration_page(
                 "Effects of the sensor, corrected by this calibration",
                 effect_tables(calibration.effects, k_of_parameters(calibration)),
             ),
-            section("Where it holds", [_validity(calibration)]),
+            section("Where it holds", [_validity(calibration, run)]),
             section("What is not covered", [Prose(_not_covered(calibration, run))]),
             section("Uncertainty budget", budget_blocks(calibration)),
             section(
@@ -143,7 +149,7 @@ def _why(effect: EffectRecord) -> str:
     if before is not None and after is not None and "held-out" not in effect.why:
         said.append(f"Held-out rms {number(before)} → {number(after)} nT.")
     if (gain := effect.improvement_ci95_nT) is not None:
-        said.append(f"Its gain lies between {number(gain[0])} and {number(gain[1])} nT (95 %).")
+        said.append(f"What it takes off lies between {number(gain[0])} and {number(gain[1])} nT (95 %).")
     said += [
         f"Rival: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
     ]
@@ -220,18 +226,19 @@ def _coverage(c: Calibration) -> str:
     return said if k == COVERAGE else said.replace("(about 95 %)", "(95 % at least)") + few
 
 
-def _validity(c: Calibration) -> Facts:
+def _validity(c: Calibration, run: Run | None) -> Facts:
     lo, hi = c.validity.field_nT
     temperature = c.validity.temperature_C
+    warm = temperature_channel(c, {channel.name for channel in run.channels}) if run else None
     return Facts(
         (
             ("Field", f"{number(lo, 0)} to {number(hi, 0)} nT"),
             (
-                "Temperature",
+                f"Temperature ({warm})" if warm else "Temperature",
                 f"{number(temperature[0])} to {number(temperature[1])} °C" if temperature else "not recorded",
             ),
             ("Power modes", ", ".join(c.validity.modes) or "not stated"),
-            ("Until", c.validity.until or "no date stated"),
+            ("Last day of use", c.validity.until or "no date stated"),
             ("Run's clock", f"{number(c.span_s[0])} to {number(c.span_s[1])} s (for effects bound to the run's time)"),
         )
     )
@@ -264,7 +271,7 @@ def _signatures(c: Calibration, v: Verification, checked: str) -> list[Block | N
     table = Table(("File", "Signed by", "Key", "Signed", "Result"), rows) if rows else None
     facts = Facts(
         (
-            ("SHA-256 of this file", sha256(v.content).hexdigest()),
+            ("SHA-256 of the calibration file", sha256(v.content).hexdigest()),
             ("SHA-256 of its run", c.run_sha256),
             ("Head of its run's chain", _head(c)),
             ("Supersedes", c.supersedes or "–"),

@@ -111,7 +111,8 @@ def _method(c: Calibration, said: Circumstances) -> str:
     steps = [f"procedure {said.procedure}" if said.procedure else "", f"estimated by {by['method']}" if by else ""]
     steps += [f"procedure's source SHA-256 {said.procedure_sha256[:16]}…" if said.procedure_sha256 else ""]
     how = "; ".join(filter(None, (*steps, c.software)))
-    return f"the laboratory's own: {how}; uncertainty by JCGM 100:2008 (GUM)"
+    uncertainty = "no uncertainty" if c.covariance is None else "uncertainty by JCGM 100:2008 (GUM)"
+    return f"the laboratory's own: {how}; {uncertainty}"
 
 
 def environment(run: Run | None) -> list[Block | None]:
@@ -120,18 +121,20 @@ def environment(run: Run | None) -> list[Block | None]:
         return [Prose((f"The environment is {UNKNOWN_RUN}.",))]
     rows, stated = _measured(run), run.environment or {}
     there = {name for name, *_ in rows}
-    rows += [
-        (name, f"{stated[key]:g} {unit}".strip(), "stated for this bench")
-        for key, name, unit in STATED
-        if key in stated and name not in there
-    ]
-    if not rows:
+    if not rows and not stated:
         return [Prose(("Nothing is stated of temperature, pressure, humidity and the ambient field.",))]
+    rows += [_as_stated(name, stated.get(key), unit) for key, name, unit in STATED if name not in there]
     return [Table(("", "Value", "From"), tuple(rows))]
 
 
+def _as_stated(name: str, value: float | None, unit: str) -> tuple[str, str, str]:
+    if value is None:
+        return name, NOT_STATED, NOTHING
+    return name, f"{value:,g} {unit}".strip().replace(",", "\u202f").replace("-", "\u2212"), "stated for this bench"
+
+
 def _measured(run: Run) -> list[tuple[str, str, str]]:
-    rows = []
+    rows = list[tuple[str, str, str]]()
     for channel in run.channels:
         seen = channel.values[np.isfinite(channel.values)]
         if channel.role == "room" and channel.quantity in MEASURED and len(seen):
@@ -151,7 +154,7 @@ def equipment(c: Calibration, run: Run | None, said: Circumstances) -> list[Bloc
     for one in said.administrative.equipment:
         rows.append(_row(one.name, (one.manufacturer, one.model, one.serial), one.certificate or Certified(), day))
     header = ("Equipment", "Maker, model, serial", "Certificate", "Issuer", "Date", "Due", "U")
-    return [Table(header, tuple(rows)), Prose(_traceability(c, run, of_reference))]
+    return [Table(header, tuple(rows)), Prose(_traceability(c, of_reference, day))]
 
 
 def _row(name: str, known_as: Iterable[str | None], stated: Certified, day: date) -> tuple[str, ...]:
@@ -161,16 +164,16 @@ def _row(name: str, known_as: Iterable[str | None], stated: Certified, day: date
     return name, *(cell or NOTHING for cell in cells)
 
 
-def _traceability(c: Calibration, run: Run, stated: Certified) -> tuple[str, ...]:
+def _traceability(c: Calibration, stated: Certified, day: date) -> tuple[str, ...]:
     if c.simulated:
         said = "SIMULATED: nothing was measured, and nothing is traceable."
-    elif stated.traceable:
+    elif objection := stated.objection_on(day.isoformat()):
+        said = f"Traceability to the SI is not shown: the reference's certificate {objection}."
+    else:
         said = (
             "The results are traceable to the International System of Units (SI) through the reference, by its "
             f"certificate {stated.number} of {stated.issuer}, {stated.date}."
         )
-    else:
-        said = "Traceability to the SI is not shown: the reference's certificate has no number, issuer or date here."
     named = c.cage_sha256 and f"The coils were driven by the cage calibration of SHA-256 {c.cage_sha256[:16]}…."
     return tuple(filter(None, (said, named)))
 
@@ -198,8 +201,8 @@ def statements(c: Calibration) -> tuple[str, ...]:
         "probability of about 95 % (JCGM 100:2008).",
         "This certificate may be reproduced in full only, unless the laboratory agrees in writing.",
     )
-    agreed = "a recommendation that stands here by agreement with the customer (ISO/IEC 17025, 7.8.4.3)"
-    return (*said, f"Last day of use {until}: {agreed}.") if until else said
+    agreed = "a recommendation, which the customer has to have agreed to (ISO/IEC 17025, 7.8.4.3)"
+    return (*said, f"Last day of use {until}, as stated at approval: {agreed}.") if until else said
 
 
 def how_to_check(name: str) -> tuple[str, ...]:

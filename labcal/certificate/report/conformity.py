@@ -34,16 +34,20 @@ def conformity_marks(lines: Sequence[Judged]) -> tuple[Mark, ...]:
     return () if worst is None else (Mark(*MARKS[worst]),)
 
 
-def conformity_blocks(lines: Sequence[Judged], specification: Specification | None = None) -> list[Block | None]:
+def conformity_blocks(
+    lines: Sequence[Judged], specification: Specification | None = None, *, recorded: bool = False
+) -> list[Block | None]:
     """The table of the specification's lines and the rule that decided; nothing where there are none.
 
-    `specification` is what the run stated, which has the title (ISO/IEC 17025:2017, 7.8.6.2 b).
+    `specification` is what the run stated, which has the title (ISO/IEC 17025:2017, 7.8.6.2 b). Where the run was
+    `recorded` in a chain, the specification was in it before the first sample; else nothing shows when it was chosen.
     """
     if not lines:
         return []
     header = ("Figure", "Value", "U", "Limit ±", "Unit", "Result", "Risk", "TUR")
     rules = dict.fromkeys(line.rule for line in lines)
-    said = f"Decision rule, chosen before the measurement: {'; '.join(rules)}."
+    when = "chosen before the measurement" if recorded else "as its run states it (when it was chosen is not shown)"
+    said = f"Decision rule, {when}: {'; '.join(rules)}."
     which = () if specification is None else (f"Specification: {title_of(specification)}.",)
     return [Table(header, tuple(map(_line, lines)), frozenset({1, 2, 3, 6, 7}), RISK), Prose((*which, said))]
 

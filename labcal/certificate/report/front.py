@@ -22,7 +22,14 @@ def front_of(c: Calibration, v: Verification, images: tuple[str, ...] = ()) -> F
     """The front of the certificate of `c`, whose file was checked as `v`."""
     digest, number = sha256(v.content).hexdigest(), c.number or NO_NUMBER
     said = f"{number} · {c.dut.serial} · SHA-256 {digest[:16]}…"
-    return Front(number, said, stamp(c, v), images, _code(code_text(c, digest)), _attached(v))
+    return Front(
+        f"No. {number}" if c.number else number.capitalize(),
+        said,
+        stamp(c, v),
+        images,
+        _code(code_text(c, digest)),
+        _attached(v),
+    )
 
 
 def code_text(c: Calibration, digest: str) -> str:

@@ -41,7 +41,7 @@ class LargeNumber:
 
 @dataclass(frozen=True, slots=True)
 class Front:
-    """What makes a page a certificate: its number, what stands at the foot of every sheet and across it.
+    """What makes a page a certificate: number as printed, what stands at the foot of every sheet and across it.
 
     `images` and `code` (a QR code of what is signed) are data: addresses; `attached` are the files that its PDF holds,
     by name: bytes and what they are.
