@@ -19,7 +19,7 @@ from labcal.errors import InputError
 from labcal.geometry import unit
 from labcal.record import Run
 from labcal.record.stream import Event
-from labcal.uncertainty.verdicts import in_body, largest, u_declared, u_of_size, uncovered
+from labcal.uncertainty.verdicts import half_expanded, in_body, largest, u_declared, u_of_size, uncovered
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage", 3
 
@@ -71,9 +71,11 @@ def linearity(
     along_DUT = np.array(readings) @ along_B
     true = in_body(positions) @ along_B
     slope, worst, u = straightness(true, along_DUT)
+    dof = len(along_DUT) // 3  # repeats
     of_slope = u / float(np.linalg.norm(true - true.mean()))
-    u_slope = float(np.hypot(of_slope, u_declared(positions, partial(_slope, along_B, along_DUT))))
-    u_worst = u_of_size(positions, partial(_departures, along_B, along_DUT), largest, u)
+    of_reference = u_declared(positions, partial(_slope, along_B, along_DUT))
+    u_slope = half_expanded((of_slope, dof), (of_reference, np.inf))
+    u_worst = u_of_size(positions, partial(_departures, along_B, along_DUT), largest, u, dof)
     yield from measured(bench, "slope", slope, u_slope, "")
     yield from measured(bench, "departure from a straight line", worst, u_worst, "nT", limit_nT)
     seen = np.column_stack([true, along_DUT]).tolist()

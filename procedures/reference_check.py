@@ -17,10 +17,12 @@ from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, LimitNotMet
 from labcal.geometry import rotation
 from labcal.record.stream import Prompt
+from labcal.uncertainty.verdicts import half_expanded
 
 NEEDS, LASTS_MIN = "the reference on the platform", 2
 
 Array = NDArray[np.float64]
+LEFT_OF_A_WALK = np.sqrt([6.0, 2.0, 2.0]) / 8  # of its change from first to last, in the mean of four attitudes
 HALF_TURNS = {name: rotation(axis, np.pi) for name, axis in zip("xyz", np.eye(3), strict=True)}
 
 
@@ -79,10 +81,6 @@ def _enforce_due_date(bench: Bench, due_days: int) -> None:
 def _zero(bench: Bench, dwell_s: float, limit_nT: float, u_turn_deg: float) -> Work[tuple[Array, Array, float]]:
     """Four attitudes that add up to nothing: the mean reading is the zero.
 
-    An attitude that is missed by a small turn w reads w × b too much: with three of four turned to, each on its own,
-    the mean is uncertain by sqrt(3) / 4 |b| u_w along an axis at the most. The field of the place changes meanwhile:
-    by how much shows when the reference stands again as at first. Of a random walk of the steps w, with a variance of a
-    quarter of that change each, (w1 + 2 w2 + w3) / 4 is left in a component at the most: sqrt(6) / 8 of the change.
     Returns the ambient field (3,) and the zero (3,) [nT, C], and the standard uncertainty of one component.
     """
     turned = np.asarray(bench.config.reference.cage_from_sensor)
@@ -91,13 +89,31 @@ def _zero(bench: Bench, dwell_s: float, limit_nT: float, u_turn_deg: float) -> W
         seen.append((yield from _standing(bench, f"turned by 180° about its own {name}", half, dwell_s)))
     again = yield from _standing(bench, "as it always stands", np.eye(3), dwell_s)
     zero = np.mean([turned.T @ standing.mean for standing in seen], axis=0)
-    noise = float(np.linalg.norm([standing.u_mean.max() for standing in seen])) / len(seen)
-    missed = np.radians(u_turn_deg) * float(np.linalg.norm(seen[0].mean)) * np.sqrt(len(HALF_TURNS)) / len(seen)
-    moved = np.sqrt(6) / 8 * float(np.sqrt(np.mean((again.mean - seen[0].mean) ** 2)))
-    u = float(np.linalg.norm([noise, missed, moved]))
-    for name, value in zip("xyz", zero, strict=True):
-        yield from measured(bench, f"zero {name}", value, u, "nT", limit_nT)
-    return np.asarray(again.mean - turned @ zero), turned @ zero, float(np.hypot(u, again.u_mean.max()))
+    in_sensor = np.array([turned.T @ standing.mean for standing in (*seen, again)])
+    noise = np.sqrt([(turned.T**2) @ standing.u_mean**2 for standing in (*seen, again)])
+    u = u_of_zero(in_sensor, noise, np.radians(u_turn_deg))
+    for name, value, of_axis in zip("xyz", zero, u, strict=True):
+        yield from measured(bench, f"zero {name}", value, of_axis, "nT", limit_nT)
+    return np.asarray(again.mean - turned @ zero), turned @ zero, float(np.hypot(u.max(), again.u_mean.max()))
+
+
+def u_of_zero(means_nT: Array, u_nT: Array, u_turn_rad: float) -> Array:
+    """Half the U of 95.45 % (3,) [nT] of the mean of four attitudes, by means and noise (5, 3) in the sensor's axes.
+
+    The fifth stands as the first. An attitude that is missed by a small turn w reads w × b too much: with three of
+    four turned to, each on its own, an axis is uncertain by sqrt(3) / 4 u_w times the field across it. The field of the
+    place changes meanwhile; by how much, beyond noise, shows in the fifth. Of a random walk of four steps w there is
+    left (w1 + 2 w2 + w3) / 4 in x, (w1 + w3) / 4 in y and (w1 − w3) / 4 in z: sqrt(6), sqrt(2) and sqrt(2) of an eighth
+    of that change, which one walk of three components tells with three degrees of freedom.
+    """
+    first, again = means_nT[0], means_nT[-1]
+    noise = np.linalg.norm(u_nT[:4], axis=0) / 4
+    across = np.sqrt(np.maximum(np.sum(first**2) - first**2, 0.0))
+    missed = u_turn_rad * across * np.sqrt(len(HALF_TURNS)) / 4
+    beyond = np.sum((again - first) ** 2) - np.sum(u_nT[0] ** 2 + u_nT[-1] ** 2)
+    moved = LEFT_OF_A_WALK * float(np.sqrt(max(beyond, 0.0) / len(first)))
+    known = np.hypot(noise, missed)
+    return np.array([half_expanded((a, np.inf), (b, len(first))) for a, b in zip(known, moved, strict=True)])
 
 
 def _standing(bench: Bench, how: str, half: Array, dwell_s: float) -> Work[Samples]:

@@ -16,6 +16,7 @@ from labcal.loop.data.noise_floor import noise_beside_readings
 from labcal.loop.design.proposal import next_experiment
 from labcal.loop.findings import working_range
 from labcal.loop.findings.confounded import confounded
+from labcal.loop.findings.declaration import BEYOND, Declaration, declaration
 from labcal.loop.findings.own_colour import coloured_floor
 from labcal.loop.findings.residual_shape import describe
 from labcal.loop.findings.residual_tests import residual_tests as residual_tests
@@ -33,7 +34,7 @@ from labcal.loop.noise.autocorrelation import serially_correlated
 from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate, fixed_choice, rms
 from labcal.loop.selection.equivalents import Equivalent
-from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.joint_fit import JointFit, beside_declared, in_sample_rms, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
@@ -55,37 +56,47 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     problem = after.problem
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
-    found = replace(found, cv_error=as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
+    beside = in_sample_rms(after) if problem.declared.shape[2] else in_sample[1]
+    found = replace(found, cv_error=as_shipped(found.cv_error, beside, in_sample[1], added=bool(found.accepted)))
     found = replace(found, level=coloured_floor(found, after) or found.level)
-    verdict = verdict_of(found, aside, len(problem))
+    declared = declaration(after, found.cv_error)
+    verdict = verdict_of(found, aside, len(problem), declared)
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
     uncertain = uncertainty_of(after)
     accepted = [*of_the_data, *_records(found, after, uncertain)]
     unsupported = working_range.unsupported(run, found.accepted, after)
     shipping = [one for i, one in enumerate(accepted[len(of_the_data) :]) if i not in unsupported]
-    shipped, errors = _shipped(found, after, unsupported)
+    shipped, errors, beside_nT = _shipped(found, after, unsupported)
     of_file = of_the_file(
         shipped,
         uncertain if shipped is after else uncertainty_of(shipped),
         [c.belongs_to == "sensor" for i, c in enumerate(found.accepted) if i not in unsupported],
     )
-    noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
-    tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
-    left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
+    of_declared = declared.finding(found.level) if declared else None
+    noticed = (
+        *([of_declared] if of_declared else []),
+        *findings(run, problem, found.level),
+        *working_range.findings(run, found.accepted, after),
+    )
+    tests = {when: residual_tests(beside_declared(r), rows) for when, r in (("before", before), ("after", after))}
+    beyond = of_declared is not None and of_declared.kind == BEYOND
+    structure = verdict in ("unexplained", "partly-explained") and not beyond
+    left = describe(beside_declared(after), rows) if structure else None
     return ClosedLoop(
         run_id=run.run_id,
         residual_kind=problem.kind,
         base=problem.base,
         noise_floor_nT=found.level.nT,
         noise_floor_source=found.level.source,
-        before=Errors(in_sample[0], found.cv_error.before),
-        after=Errors(in_sample[1], found.cv_error.after),
+        before=Errors(in_sample[0], found.cv_error.plain[0]),
+        after=Errors(in_sample[1], found.cv_error.plain[1]),
+        beside_declared_nT=beside_nT,
         set_aside=aside,
         accepted=tuple(accepted),
         rejected=tuple(_rejected(found)),
         verdict=verdict,
-        summary=summary(found, verdict, aside, left),
-        next_experiment=next_experiment(found, verdict, after, left),
+        summary=summary(found, verdict, aside, left, of_declared),
+        next_experiment=next_experiment(found, verdict, after, left, beyond_declared=beyond),
         affine=shipped.problem.affine,
         covariance=of_file.covariance,
         covariance_of=of_file.names,
@@ -115,29 +126,46 @@ def _meaning(shipping: Sequence[EffectRecord]) -> list[str]:
     return [f"k is the offset {means}."] if means else []
 
 
-def as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
+def as_shipped(
+    cv_error: HeldOutErrors, in_sample: float, plain: float | None = None, *, added: bool = True
+) -> HeldOutErrors:
     """The held-out error, no smaller than what the shipped map and effects leave on the rows of their fit.
 
     Blocks are predicted to first order about the last fit; where an effect is too nonlinear, the file is worse.
-    Where nothing was `added`, before is what is after.
+    Where nothing was `added`, before is what is after. `plain` is `in_sample` with what declared errors leave.
     """
-    shipped = max(cv_error.after, in_sample)
-    after_nT = cv_error.after_nT * (shipped / cv_error.after) if cv_error.after > 0 else cv_error.after_nT
-    return replace(cv_error, after_nT=after_nT, before_nT=cv_error.before_nT if added else after_nT)
+    after_nT = _no_smaller(cv_error.after_nT, in_sample)
+    found = replace(cv_error, after_nT=after_nT, before_nT=cv_error.before_nT if added else after_nT)
+    if cv_error.plain_nT is None:
+        return found
+    before, after = cv_error.plain_nT
+    after = _no_smaller(after, in_sample if plain is None else plain)
+    return replace(found, plain_nT=(before if added else after, after))
 
 
-def _shipped(found: Evidence, after: JointFit, unsupported: Collection[int]) -> tuple[JointFit, Errors | None]:
+def _no_smaller(lengths: Array, least: float) -> Array:
+    """Lengths (n,) with an rms of `least` or more."""
+    left = rms(lengths)
+    return lengths * (max(left, least) / left) if left > 0 else lengths
+
+
+def _shipped(found: Evidence, after: JointFit, unsupported: Collection[int]) -> tuple[JointFit, Errors | None, float]:
     """The map that goes with the effects that are shipped, fitted without the others, and its errors.
+
+    The last is the held-out one beside what the run declares.
 
     A map fitted beside an effect that the run does not pin down is as uncertain as the effect.
     """
     if not unsupported:
-        return after, None
+        return after, None, found.cv_error.after
     kept = [chosen for i, chosen in enumerate(found.accepted) if i not in unsupported]
     rows = found.pool.valid
     fitted = joint_fit(found.pool.whole, [c.term for c in kept], rows)
     left = rms(fitted.problem.length_nT(fitted.problem.residual_nT)[rows])
-    return fitted, Errors(left, max(cross_validate(found.pool, found.blocks, fixed_choice(kept)).after, left))
+    held = as_shipped(
+        cross_validate(found.pool, found.blocks, fixed_choice(kept)), in_sample_rms(fitted), left, added=True
+    )
+    return fitted, Errors(left, held.plain[1]), held.after
 
 
 def residual_pictures(before: LinearProblem, after: LinearProblem) -> Pictures:
@@ -159,10 +187,15 @@ def _shown(problem: LinearProblem) -> Array:
     return np.asarray(np.sum(problem.residual_nT * b, axis=1) / np.linalg.norm(b, axis=1))[:, None]
 
 
-def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
-    """The verdict that the evidence bears, with so many rows set `aside` by effect, of so many `rows`."""
+def verdict_of(found: Evidence, aside: dict[str, int], rows: int, declared: Declaration | None = None) -> Verdict:
+    """The verdict that the evidence bears, with so many rows set `aside` by effect, of so many `rows`.
+
+    Beside errors that the run declares, where what is left of them is no larger than `declared`.
+    """
     law = policy.POLICY
     reaches = found.cv_error.after <= law.floor_ratio * found.level.nT
+    if declared is not None and not declared.holds:
+        reaches = reaches and found.cv_error.plain[1] <= law.floor_ratio * found.level.nT
     known = found.level.source != "differences" or found.level.memory_s is not None or not _correlated(found)
     outlying = aside[OUTLIERS.id] > law.max_outlier_share * rows
     if any(len(r) > 1 for r in found.equivalents):

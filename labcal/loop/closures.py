@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.data.credible import of_the_rig
+from labcal.loop.data.declared_moves import as_stated
 from labcal.loop.selection.joint_fit import JointFit, sum_of_effects
 from labcal.model.effects import Scene
 from labcal.record import Run
@@ -24,9 +25,8 @@ def after_effects(found: JointFit) -> Run:
     stated = run.reference.u_offset_nT
     if stated is None or not run.closures:
         return run
-    whole = max(closure.u_offset_nT for closure in run.closures)
     left = max(SHARE * left_nT(closure, found) for closure in run.closures)
-    u = float(np.hypot(np.sqrt(max(stated**2 - whole**2, 0.0)), left))
+    u = float(np.hypot(as_stated(run).reference.u_offset_nT or 0.0, left))
     return replace(run, reference=replace(run.reference, u_offset_nT=u))
 
 

@@ -15,23 +15,35 @@ if TYPE_CHECKING:
     from labcal.loop.selection.proof import Evidence
 
 
-def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: ResidualShape | None = None) -> str:
-    """One sentence for the technician, the shape of what is left, and the rows that were set aside."""
+def summary(
+    found: Evidence,
+    verdict: Verdict,
+    aside: dict[str, int],
+    shape: ResidualShape | None = None,
+    declared: Finding | None = None,
+) -> str:
+    """One sentence for the technician, the shape of what is left, and the rows that were set aside.
+
+    Where errors that the run declares decide the verdict, `declared` says so.
+    """
     names = [c.label for c in found.accepted]
     named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows set aside"
     verb = "explains" if len(names) == 1 else "explain"
     change = (
         f"{found.cv_error.before:.0f} to {found.cv_error.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
     )
+    beside = " beside what the run declares of its reference and mounting" if declared is not None else ""
     rows = ", ".join(f"{n} row{'s' * (n != 1)} set aside as {what}" for what, n in aside.items() if n)
     sentences = {
-        "clean": f"The base model reaches the noise: {change}.",
-        "explained": f"{named} {verb} the residual: {change}.",
+        "clean": f"The base model reaches the noise{beside}: {change}.",
+        "explained": f"{named} {verb} the residual{beside}: {change}.",
         "partly-explained": f"{named} {verb} part of the residual{_share(found)}: {change}.",
         "ambiguous": f"{named} {verb} the residual: {change}; but {_others(found)} as well on this run.",
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     left = f" What is left: {shape.says}" if shape is not None else ""
+    if declared is not None and verdict == "unexplained":
+        return declared.says + (f" {rows}." if rows else "")
     if not names and shape is not None and verdict == "partly-explained":
         return f"Beside the rows set aside there is structure that no known effect carries: {change}.{left} {rows}."
     return sentences[verdict] + left + (f" {rows}." if rows else "")

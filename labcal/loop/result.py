@@ -138,6 +138,7 @@ class ClosedLoop:
     covariance_of: tuple[str, ...] = MAP_PARAMETERS
     conformity: Assessment | None = None  # of what is shipped, where the run has a specification
     sources: Sources | None = None  # what `covariance` is made of
+    beside_declared_nT: float | None = None  # held out, of what is shipped, beside errors that the run declares
     proposed: tuple[EffectRecord, ...] = ()  # an empirical term that nobody asked to be shipped
 
     @property
@@ -168,8 +169,8 @@ class ClosedLoop:
         after = {**asdict(self.shipped or self.after), "noise_nT": self.noise_nT}
         after["noise_beside_readings_nT"] = self.noise_beside_readings_nT
         after["holdout_components"] = 3.0 if self.residual_kind == "vector" else 1.0
-        if self.sources is not None:
-            after["holdout_beside_declared_nT"] = after["holdout_rms_nT"] * self.sources.beside_declared**0.5
+        if self.beside_declared_nT is not None:
+            after["holdout_beside_declared_nT"] = self.beside_declared_nT
         return {"before": asdict(self.before), "after": after}
 
     def to_json(self) -> dict[str, Any]:
@@ -183,6 +184,7 @@ class ClosedLoop:
             "noise_floor_source": self.noise_floor_source,
             "before": asdict(self.before),
             "after": asdict(self.after),
+            "beside_declared": {"holdout_rms_nT": self.beside_declared_nT},
             "set_aside": dict(self.set_aside),
             "accepted": [effect_json(e) for e in self.accepted],
             "rejected": [effect_json(e) for e in self.rejected],

@@ -40,6 +40,7 @@ class DeclaredError:
     u: float
     unit: str
     change: Perturbation
+    each_mounting: bool = False  # whether a remounting draws it anew
 
     def moves(self, run: Run, of: Callable[[Run], Array]) -> Array:
         """What one standard deviation of it changes of what is read off a run, to first order (GUM, 5.1.3, note 2).
@@ -101,7 +102,8 @@ def _of_the_mounting(run: Run) -> list[DeclaredError]:
         sizes = np.radians([typical if u is None else u for u in stated])
         for name, turn in _turns():
             change = partial(turned, turn=turn, sizes=sizes)
-            found.append(DeclaredError(f"rotation axes in the {where} about {name}", typical, "deg", change))
+            source = f"rotation axes in the {where} about {name}"
+            found.append(DeclaredError(source, typical, "deg", change, each_mounting=where == "body"))
     return found
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.record import Run
-from labcal.uncertainty.budget import PROBABILITY
+from labcal.uncertainty.budget import PROBABILITY, coverage_factor
 from labcal.uncertainty.declared import DeclaredError, declared_errors
 from labcal.uncertainty.unstated import ALL_COVERED, not_covered
 
@@ -36,17 +36,25 @@ def u_by(run: Run, error: DeclaredError, figure: Figure) -> float:
     return float(np.hypot(one - here, other - here) / np.sqrt(2))
 
 
-def u_of_size(run: Run, errors: Errors, size: Size, u_noise: ArrayLike) -> float:
+def half_expanded(*known: tuple[float, float]) -> float:
+    """Half the U of 95.45 % of independent standard uncertainties, each with its degrees of freedom (GUM, G.4.2)."""
+    u = float(np.linalg.norm([u for u, _ in known]))
+    inverse = sum((part / u) ** 4 / dof for part, dof in known) if u else 0.0
+    return u * coverage_factor(1 / inverse if inverse else np.inf) / 2
+
+
+def u_of_size(run: Run, errors: Errors, size: Size, u_noise: ArrayLike, dof: float = np.inf) -> float:
     """Standard uncertainty, half the U of 95.45 %, of how large the true errors are by `size`: their rms, the largest.
 
-    `errors` (n,) are those that a run shows, `u_noise` (n,) or a number is their own noise. They are the true ones and
+    `errors` (n,) are those that a run shows, `u_noise` (n,) or a number is their own noise, known with `dof` degrees of
+    freedom. They are the true ones and
     a draw of all that is declared and of noise: the draw raises their size more than it lowers it, and by how much it
     did scatters as few independent errors do, so that no slope of the figure is its uncertainty. By drawn distributions
     (JCGM 101): not above what the seen errors less a draw come to in all but 2.3 % of the draws, nor below errors of
     the same shape that with a draw would look as large in 2.3 %.
     """
     seen = errors(run)
-    here, drawn = float(size(seen)), _drawn(run, errors, np.broadcast_to(u_noise, seen.shape))
+    here, drawn = float(size(seen)), _drawn(run, errors, np.broadcast_to(u_noise, seen.shape), dof)
     most = float(np.quantile(size(seen - drawn), 1 - TAIL))
 
     def as_large(part: float) -> float:
@@ -62,13 +70,19 @@ def u_of_size(run: Run, errors: Errors, size: Size, u_noise: ArrayLike) -> float
     return max(most - here, here * (1 - least)) / 2
 
 
-def _drawn(run: Run, errors: Errors, u_noise: Array) -> Array:
-    """Draws (draws, n) of what declared errors and noise make of the errors that a run shows."""
+def _drawn(run: Run, errors: Errors, u_noise: Array, dof: float) -> Array:
+    """Draws (draws, n) of what declared errors and noise make of the errors that a run shows.
+
+    Noise whose size was estimated is distributed as Student's t, of one size in all of a draw (JCGM 101, 6.4.9).
+    """
     n = len(u_noise)
     count = int(np.clip(NUMBERS // n, *DRAWS))
     random = np.random.default_rng(count)  # the same figure twice has the same uncertainty
     moved = np.array([error.moves(run, errors) for error in declared_errors(run)]).reshape(-1, n)
-    return np.asarray(random.normal(size=(count, len(moved))) @ moved + random.normal(size=(count, n)) * u_noise)
+    noise = random.normal(size=(count, n)) * u_noise
+    if np.isfinite(dof):
+        noise *= np.sqrt(dof / random.chisquare(dof, size=(count, 1)))
+    return np.asarray(random.normal(size=(count, len(moved))) @ moved + noise)
 
 
 def rms(values: Array) -> Array:

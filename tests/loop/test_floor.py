@@ -29,7 +29,15 @@ def rounded(angle_deg: np.ndarray) -> np.ndarray:
     return STEP_deg * np.round(angle_deg / STEP_deg)
 
 
-@pytest.mark.parametrize(("told", "step_deg"), [(in_halves, 0.0), (rounded, STEP_deg)])
+def from_rest(angle_deg: np.ndarray) -> np.ndarray:
+    """No rounding: each sixth of the run begins at rest and ends there, within two rows."""
+    each = angle_deg.reshape(6, -1).copy()
+    each[:, 0] += 1.3
+    each[:, -1] -= 0.65
+    return each.ravel()
+
+
+@pytest.mark.parametrize(("told", "step_deg"), [(in_halves, 0.0), (from_rest, 0.0), (rounded, STEP_deg)])
 def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
     making: ModuleType, tmp_path: Path, told: Callable[[np.ndarray], np.ndarray], step_deg: float
 ) -> None:

@@ -44,7 +44,7 @@ KINDS = {
     ),
     "setting of an estimator": (
         "data.decimate:TARGET_ROWS MAX_TURN_RAD USUAL_TURN LINE_CONTRAST",
-        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE ANGLE_DECIMALS", "data.resolution:NEAR OFF",
+        "data.noise_floor:MIN_STEPS_PER_ROW MIN_CHANGING STEP_TOLERANCE ANGLE_DECIMALS", "data.resolution:NEAR OFF",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS BELOW_LOWEST IN_A_BAND", "noise.marginal:RATIOS",
@@ -61,6 +61,7 @@ KINDS = {
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:APART WILD", "data.base_model:ITERATIONS",
         "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
+        "noise.declared_directions:SHOWS",
         "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
     ),
     "constant of mathematics": (
@@ -75,6 +76,7 @@ KINDS = {
     ),
     "words for what is left, beside the verdict": (
         "empirical.description:POINTS GRID NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
+        "findings.declaration:MOST_NAMED WORTH_NAMING",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
         "SURROGATES ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS EDGE LOW_BAND QUARTERS_deg "

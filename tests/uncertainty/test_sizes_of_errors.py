@@ -9,7 +9,7 @@ import pytest
 from wrong_lab import turn
 
 from labcal.record import Dut, Reference, Run, Segment
-from labcal.uncertainty.verdicts import largest, rms, u_of_size
+from labcal.uncertainty.verdicts import half_expanded, largest, rms, u_of_size
 from procedures.linearity import straightness
 from procedures.verify import errors
 
@@ -78,15 +78,28 @@ def test_of_a_hundred_straight_devices_ninety_five_may_be_straight() -> None:
     field = np.tile(np.linspace(-50_000.0, 50_000.0, 5), 3)
     run = replace(seen(1, 0.0)[0], reference=Reference("none"), segments=(Segment("s", "static"),))
     run = replace(run, segment_index=np.zeros(POSITIONS, dtype=np.intp))
-    held, two_sigma = [], []
+    held, two_sigma, as_known, wide = [], [], [], []
     for seed in range(RUNS):
         reading = field + np.random.default_rng([seed, 4]).normal(0, 15.0, len(field))
         _, worst, sigma = straightness(field, reading)
         left = reading - np.polyval(np.polyfit(field, reading, 1), field)
-        held.append(abs(worst) <= 2.0001 * u_of_size(run, lambda _, left=left: left, largest, sigma))
+        u, known = (u_of_size(run, lambda _, left=left: left, largest, sigma, dof) for dof in (len(field) // 3, np.inf))
+        held.append(abs(worst) <= 2.0001 * u)
+        as_known.append(abs(worst) <= 2.0001 * known)
         two_sigma.append(abs(worst) <= 2 * sigma)
-    assert np.mean(held) > 0.9
+        wide.append(2 * u / abs(worst))
+    assert np.mean(held) > 0.93
+    assert np.mean(as_known) < 0.93  # five repeats do not tell the noise's size
     assert np.mean(two_sigma) < 0.8
+    assert np.median(wide) < 3.0
+
+
+@pytest.mark.parametrize(("dof", "factor"), [(3, 3.307), (10, 2.284), (np.inf, 2.0)])
+def test_half_of_u_follows_student_s_t(dof: float, factor: float) -> None:
+    """GUM, table G.2, 95.45 %; of two equal parts of which one has few degrees of freedom four times as many."""
+    assert 2 * half_expanded((3.0, dof)) == pytest.approx(3.0 * factor, rel=1e-3)
+    assert half_expanded((3.0, dof), (3.0, np.inf)) == pytest.approx(half_expanded((np.sqrt(18), 4 * dof)))
+    assert half_expanded((0.0, 3.0)) == 0.0
 
 
 @pytest.mark.parametrize(("error_nT", "U"), [(900.0, 2.0), (0.0, 2.278)])

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.whitening import WhitenedNull
 from labcal.model.effects import Term
 
@@ -122,7 +121,7 @@ def _best_along(
     from scipy.optimize import minimize_scalar
 
     def cost(term: Term) -> float:
-        return -gain(cosine_transform(pool.problem.columns(term)[pool.transformed_rows]))
+        return -gain(pool.transformed(pool.problem.columns(term)))
 
     low, high = bounds
     found = minimize_scalar(

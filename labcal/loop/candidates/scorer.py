@@ -23,6 +23,7 @@ from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.bands import Bands, bands_of, cosine_transform, fast_length
 from labcal.loop.noise.coloured import Grams, Likelihood, NullModel
 from labcal.loop.noise.column_sets import ColumnSets
+from labcal.loop.noise.declared_directions import DeclaredDirections
 from labcal.loop.noise.nuisance import ols_with_nuisance, orthogonal_complement, orthonormal
 from labcal.loop.parallel import parallel_map
 
@@ -78,8 +79,8 @@ class CandidateSet:
         short = len(rows) <= LONG_RUN and not self.part
         self.transformed_rows = rows[: fast_length(len(rows), PRIMES) if short else fast_length(len(rows))]
         self.bands = bands_of(len(self.transformed_rows))
-        self.base = orthonormal(cosine_transform(self.problem.T[self.transformed_rows]))
-        self.y = cosine_transform(self.problem.y[self.transformed_rows])[:, :, None]
+        self.base = orthonormal(self.transformed(self.problem.T))
+        self.y = self.transformed(self.problem.y[:, :, None])
 
     @classmethod
     def of(cls, problem: LinearProblem, min_noise_level: float, tell: Tell = silent) -> CandidateSet:
@@ -136,6 +137,18 @@ class CandidateSet:
         """Fewer candidates on the same rows."""
         return CandidateSet(self.problem, candidates, self.rows, self.min_noise_level, self.valid)
 
+    def transformed(self, columns: Array) -> Array:
+        """Columns (n, q, p) of all rows as the likelihood has them (rows, q, p): on these rows, cosine-transformed.
+
+        In white noise the errors that the run declares are no evidence: they are integrated over their prior.
+        """
+        return cosine_transform(self._declared(self.transformed_rows).whitened(columns[self.transformed_rows]))
+
+    def _declared(self, rows: NDArray[np.intp]) -> DeclaredDirections:
+        """What errors that the run declares move on some rows."""
+        of_all = self.problem.declared
+        return self.cached(("declared", len(rows)), (), lambda: DeclaredDirections.of(of_all[rows]))
+
     def columns(self, candidate: Candidate) -> Array:
         """Its whitened columns on all rows of the problem (n, q, p)."""
         return self.store.columns(candidate)
@@ -145,15 +158,13 @@ class CandidateSet:
         home = self.store.home(candidate)
         if home is not None and self._fits_in_memory:
             return self.transformed_group(home[0]).columns(home[1])
-        return self.cached(
-            "transformed", (candidate,), lambda: cosine_transform(self.columns(candidate)[self.transformed_rows])
-        )
+        return self.cached("transformed", (candidate,), lambda: self.transformed(self.columns(candidate)))
 
     def transformed_group(self, group: ColumnGroup) -> ColumnSets:
         """The columns of a group on these rows, transformed; kept where that is not too much."""
 
         def made() -> ColumnSets:
-            return group.whitened.like(cosine_transform(group.whitened.made_of[self.transformed_rows]))
+            return group.whitened.like(self.transformed(group.whitened.made_of))
 
         return self.cached("transformed", (group,), made) if self._fits_in_memory else made()
 
@@ -232,30 +243,49 @@ class CandidateSet:
         return sorted(best.values(), key=lambda s: -s.evidence)
 
     def residual(self, accepted: Sequence[Candidate]) -> Array:
-        """What least squares on these rows leaves of all rows of the problem (n, q)."""
+        """What least squares on these rows leaves of all rows (n, q), beside errors that the run declares."""
         A = np.concatenate([self.problem.T, *(self.columns(c) for c in accepted)], axis=2)
-        return np.asarray(self.problem.y - A @ self.coefficients(accepted))
+        left = self.problem.y - A @ self.coefficients(accepted)
+        return np.asarray(left - self.problem.declared @ self.declared_errors(accepted))
 
     def coefficients(self, accepted: Sequence[Candidate]) -> Array:
         """The base's steps and the effects' parameters by ordinary least squares on these rows."""
 
         def made() -> Array:
-            T, y, rows = self.problem.T, self.problem.y, self.rows
-            A = np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2)
-            known, none = as_data([c.term for c in accepted], None, T.shape[2], y.shape[1])
-            return ols_with_nuisance(np.concatenate([A, known]), np.concatenate([y[rows], none]), T.shape[2])
+            A, y = self._on_these_rows(accepted)
+            taken, start = self._declared(np.flatnonzero(self.rows)), self.problem.T.shape[2]
+            known, none = as_data([c.term for c in accepted], None, start, y.shape[1])
+            own = np.concatenate([taken.whitened(A), known])
+            return ols_with_nuisance(own, np.concatenate([taken.whitened(y[:, :, None])[:, :, 0], none]), start)
 
         return self.cached("coefficients", accepted, made)
 
+    def declared_errors(self, accepted: Sequence[Candidate]) -> Array:
+        """The likeliest errors of those that the run declares (r,), by these rows, in standard deviations of each."""
+
+        def made() -> Array:
+            A, y = self._on_these_rows(accepted)
+            return self._declared(np.flatnonzero(self.rows)).likeliest(y - A @ self.coefficients(accepted))
+
+        return self.cached("declared errors", accepted, made)
+
+    def _on_these_rows(self, accepted: Sequence[Candidate]) -> tuple[Array, Array]:
+        T, y, rows = self.problem.T, self.problem.y, self.rows
+        return np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2), y[rows]
+
     def residual_everywhere(self, accepted: Sequence[Candidate]) -> tuple[Array, Array]:
-        """Of every row of the whole problem (N, q): what that leaves, and what the accepted effects add."""
+        """Of every row of the whole problem (N, q): what that leaves, and what the accepted effects add.
+
+        Beside the likeliest errors of those that the run declares.
+        """
         whole, x = self.whole, self.coefficients(accepted)
         start = whole.T.shape[2]
         added = np.zeros_like(whole.y)
         for columns in map(self.full_columns, accepted):
             added += columns @ x[start : start + columns.shape[2]]
             start += columns.shape[2]
-        return np.asarray(whole.y - whole.T @ x[: whole.T.shape[2]] - added), added
+        left = whole.y - whole.T @ x[: whole.T.shape[2]] - whole.declared @ self.declared_errors(accepted)
+        return np.asarray(left - added), added
 
     def full_columns(self, candidate: Candidate) -> Array:
         """Its whitened columns on every row of the whole problem (N, q, p)."""

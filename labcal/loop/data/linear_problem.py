@@ -19,7 +19,10 @@ from labcal.fit.vector.solve import Parameterisation
 from labcal.fit.vector.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
 from labcal.loop.data.credible import credible, follows_reference, min_new_share
+from labcal.loop.data.declared_moves import moves, residual_of
 from labcal.loop.data.outliers import hampel_outliers
+from labcal.loop.noise.declared_directions import principal
+from labcal.loop.noise.nuisance import beside, orthonormal
 from labcal.model import AffineMap
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.scene import Rig
@@ -85,6 +88,17 @@ class LinearProblem:
         """The map in nT per DUT unit."""
         K, k = map_of(self.theta, self.observations.scale)
         return AffineMap(K, k)
+
+    @cached_property
+    def declared(self) -> Array:
+        """What errors leave that the run declares (n, q, r), whitened: one standard deviation of r independent ones.
+
+        Beside the base, and of those directions alone that show beside the noise.
+        """
+        if self.bins is not None and self.whole is not None:
+            return self.bins.averaged(self.whole.declared)
+        _, changes = moves(self.run, residual_of(self.observations, self.noise, self.theta, self.phase))
+        return principal(beside(orthonormal(self.T), self.whiten @ changes))
 
     def columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p), of the rig's in directions that are credible."""

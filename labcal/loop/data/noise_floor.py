@@ -21,6 +21,7 @@ Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
 MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
 ANGLE_DECIMALS = 6  # of a degree, below which changes of the angle are the same
+MIN_CHANGING = 0.1  # of the rows: fewer changes are the beginnings and ends of motions
 STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
 ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
@@ -93,16 +94,21 @@ def _angle_step(problem: LinearProblem) -> float:
     """Variance [nT²] of the field across the axis from the angle's rounding.
 
     Rounding lets the motion between rows change by whole steps within a segment; the smallest such change is the step
-    where the motion itself is several times that.
+    where the motion itself is several times that. Where a motion begins and ends it changes without any rounding.
     """
     rig, angle = problem.scene.rig, problem.run.angle_deg
     if rig is None or angle is None or not np.isfinite(rig.angle_rad).any():
         return 0.0
     turning = np.isfinite(rig.angle_rad)
     segment, turned = problem.scene.segment[turning], np.unwrap(angle[turning], period=360.0)
-    changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], ANGLE_DECIMALS))
+    inside = segment[4:] == segment[:-4]
+    changes = np.abs(np.round(np.diff(turned, 2)[1:-1][inside], ANGLE_DECIMALS))
     step = float(changes[changes > 0].min(initial=np.inf))
-    if not np.isfinite(step) or step * MIN_STEPS_PER_ROW > np.median(np.abs(np.diff(turned))):
+    if (
+        np.count_nonzero(changes) < MIN_CHANGING * len(changes)
+        or not np.isfinite(step)
+        or step * MIN_STEPS_PER_ROW > np.median(np.abs(np.diff(turned)))
+    ):
         return 0.0
     if np.median(np.abs(changes / step - np.round(changes / step))) > STEP_TOLERANCE:
         return 0.0

@@ -25,16 +25,22 @@ BY_SHAPE = {  # do, procedure
                "rate-sweep"),
     "noise": ("record at rest with the coils off: the noise that remains is the sensor's own", "ambient"),
 }  # fmt: skip
+OF_THE_DECLARED = NextExperiment(
+    "what is left has the shape of errors that the run declares of its reference and mounting, and is larger",
+    "compare the reference with a second one in two fields, mount the device anew, and repeat",
+)
 BY_ANGLE = ("turn once forwards and once backwards: what stays at its angles belongs to the rig", "reverse")
 BY_FIELD = ("step the field up and down along each axis: what grows with the field shows its shape", "linearity")
 
 
 def next_experiment(
-    found: Evidence, verdict: Verdict, after: JointFit, shape: ResidualShape | None
+    found: Evidence, verdict: Verdict, after: JointFit, shape: ResidualShape | None, *, beyond_declared: bool = False
 ) -> NextExperiment | None:
     """The proposal; None where nothing is open."""
     if verdict == "ambiguous":
         return _between_equivalents(found, after)
+    if beyond_declared:
+        return OF_THE_DECLARED
     if shape is None:
         return None
     do, procedure = BY_SHAPE[shape.kind]

@@ -86,8 +86,8 @@ def _on_each_axis(functions: Array) -> Array:
 def _reduced(pool: CandidateSet, null: NullModel, plain: Term, spectra: Sequence[int]) -> NullEliminated:
     """The splines' columns with the null model eliminated; at once for all axes where every row is whitened alike."""
     whole, rows = pool.whole, pool.transformed_rows
-    if whole.whiten.strides[0]:
-        return NullEliminated.of(null, cosine_transform(pool.problem.columns(plain)[rows]), spectra)
+    if whole.whiten.strides[0] or pool.problem.declared.shape[2]:
+        return NullEliminated.of(null, pool.transformed(pool.problem.columns(plain)), spectra)
     assert plain.basis is not None
     functions = plain.basis.at(list(values(plain.inputs, whole.scene).T))
     functions = functions if pool.problem.bins is None else pool.problem.bins.averaged(functions)

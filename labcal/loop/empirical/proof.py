@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
@@ -75,8 +73,5 @@ def _held_out(found: Evidence, own: HeldOutErrors, inputs: Shortlist) -> HeldOut
             return [*chosen, *_built(part, chosen, inputs)]
 
         after = cross_validate(found.pool, found.blocks, again)
-    before = np.full(len(after.rows), np.nan)
-    before[found.cv_error.rows] = found.cv_error.before_nT
-    finite = np.isfinite(before[after.rows])
-    rows = after.rows & np.isfinite(before)
-    return HeldOutErrors(after.block[finite], before[rows], after.after_nT[finite], rows)
+    both = after.rows & found.cv_error.rows
+    return after.on(both).against(found.cv_error.on(both))

@@ -142,6 +142,13 @@ def orthogonal_complement(columns: Array, part: Array) -> Array:
     return np.asarray((own @ combined - X @ (cross @ combined)).reshape(n, q, -1))
 
 
+def beside(columns: Array, part: Array) -> Array:
+    """What no combination of the orthonormal `columns` (n, q, b) carries of each of `part` (n, q, p)."""
+    n, q, _ = part.shape
+    X, own = columns.reshape(n * q, -1), part.reshape(n * q, -1)
+    return np.asarray((own - X @ (X.T @ own)).reshape(part.shape))
+
+
 def squares_beside(columns: Array, part: Array) -> float:
     """The sum of squares of `part` (n, q, p) that no combination of the orthonormal `columns` (n, q, b) carries."""
     n, q, _ = part.shape

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,12 +78,16 @@ def block_folds(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeldOutErrors:
-    """Held-out residual lengths of each row [nT], with the base alone and with the effects."""
+    """Held-out residual lengths of each row [nT], with the base alone and with the effects.
+
+    All is judged by what is left beside the errors that the run declares, as likely as the other rows make them.
+    """
 
     block: NDArray[np.intp]
     before_nT: Array  # (n,)
     after_nT: Array  # (n,)
     rows: NDArray[np.bool_]  # (N,) which of the whole problem's they are
+    plain_nT: tuple[Array, Array] | None = None  # the same with declared errors in; None where none is declared
 
     @property
     def before(self) -> float:
@@ -94,6 +98,29 @@ class HeldOutErrors:
     def after(self) -> float:
         """Rms after [nT]."""
         return rms(self.after_nT)
+
+    @property
+    def plain(self) -> tuple[float, float]:
+        """Rms before and after [nT] with what declared errors leave."""
+        before, after = self.plain_nT or (self.before_nT, self.after_nT)
+        return rms(before), rms(after)
+
+    def on(self, rows: NDArray[np.bool_]) -> HeldOutErrors:
+        """The same on fewer rows (N,)."""
+        kept = rows[self.rows]
+        plain = self.plain_nT and (self.plain_nT[0][kept], self.plain_nT[1][kept])
+        return HeldOutErrors(self.block[kept], self.before_nT[kept], self.after_nT[kept], self.rows & rows, plain)
+
+    def against(self, base: HeldOutErrors) -> HeldOutErrors:
+        """The same with what another base leaves before; zero on rows that it never held out."""
+
+        def before(lengths: Array) -> Array:
+            out = np.zeros(len(self.rows))
+            out[base.rows] = lengths
+            return out[self.rows]
+
+        plain = self.plain_nT and base.plain_nT and (before(base.plain_nT[0]), self.plain_nT[1])
+        return replace(self, before_nT=before(base.before_nT), plain_nT=plain or None)
 
     def improvement(self) -> tuple[float, float]:
         """95 % interval of the fall of the rms [nT], over draws of whole blocks."""
@@ -125,7 +152,7 @@ def cross_validate(
     """
     problem, whole = pool.problem, pool.whole
     block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (blocks.block, blocks.fold))
-    out, known = np.full((2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
+    out, known = np.full((2, 2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
     numbers = np.unique(blocks.fold[blocks.fold != NEVER]).tolist()
     parts = [pool.on(blocks.training(problem.scene.t_s, fold) & pool.rows) for fold in numbers]
     for fold, part, chosen in zip(numbers, parts, parallel_map(choose, parts), strict=True):
@@ -134,9 +161,13 @@ def cross_validate(
         known = [(c, _columns_of(c, known, pool)) for c in (*before, *chosen)]
         for which, effects in enumerate((before, chosen)):
             A = np.concatenate([whole.T[test], *(_columns_of(c, known, pool)[test] for c in effects)], axis=2)
-            out[which, test] = residual_lengths(whole, whole.y[test] - A @ part.coefficients(effects), test)
-    seen = np.isfinite(out).all(axis=0)
-    return HeldOutErrors(block[seen], out[0, seen], out[1, seen], seen)
+            left = whole.y[test] - A @ part.coefficients(effects)
+            beside = left - whole.declared[test] @ part.declared_errors(effects)
+            out[:, which, test] = [residual_lengths(whole, lengths, test) for lengths in (beside, left)]
+    seen = np.isfinite(out).all(axis=(0, 1))
+    judged, plain = out[:, :, seen]
+    stated = (plain[0], plain[1]) if whole.declared.shape[2] else None
+    return HeldOutErrors(block[seen], judged[0], judged[1], seen, stated)
 
 
 def fixed_choice(accepted: Sequence[Candidate]) -> Callable[[CandidateSet], Sequence[Candidate]]:

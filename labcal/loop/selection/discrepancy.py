@@ -17,7 +17,6 @@ from labcal.loop import policy
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
 from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, scaled, whitened
@@ -81,7 +80,7 @@ def discrepancy(pool: CandidateSet, chosen: Candidate) -> Span:
         scene = pool.problem.scene if pool.problem.whole is None else pool.problem.whole.scene
         drives = list(_drives(scene, chosen.term.channels))
         columns = np.concatenate([on_each_axis(drive) for drive in drives], axis=2)
-        return Span(principal_span(cosine_transform(whitened(pool, columns)[pool.transformed_rows])))
+        return Span(principal_span(pool.transformed(whitened(pool, columns))))
 
     return pool.cached(("discrepancy", chosen.term.channels), (), made)
 

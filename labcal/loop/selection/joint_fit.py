@@ -13,7 +13,9 @@ from labcal.loop.data.credible import min_new_share
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
+from labcal.loop.noise.declared_directions import DeclaredDirections
 from labcal.loop.noise.nuisance import inverse_gram, ols_with_nuisance
+from labcal.loop.selection.crossval import residual_lengths
 from labcal.loop.selection.moment import u_of_moment
 from labcal.model import Parameter
 from labcal.model.effects import Scene, Term
@@ -107,9 +109,36 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
 
 
 def in_sample_rms(fitted: JointFit) -> float:
-    """What a fit leaves on its own rows [nT]."""
-    lengths = fitted.problem.length_nT(fitted.problem.residual_nT)[fitted.used]
+    """What a fit leaves on its own rows [nT], beside the likeliest errors of those that the run declares."""
+    problem = fitted.problem
+    lengths = problem.length_nT(problem.residual_nT)[fitted.used]
+    if problem.declared.shape[2]:
+        lengths = residual_lengths(problem, beside_declared(fitted).y[fitted.used], fitted.used)
     return float(np.sqrt(np.mean(lengths**2)))
+
+
+def declared_beside(fitted: JointFit) -> Array:
+    """What one standard deviation of each declared error leaves (n, q, r) beside a fit, of every row."""
+    return beside_fit(fitted, fitted.problem.declared)
+
+
+def beside_fit(fitted: JointFit, columns: Array) -> Array:
+    """Columns (n, q, r) less what a fit of all parameters to them takes, on the rows of the fit."""
+    A, inverse = derivatives(fitted)
+    left = columns.copy()
+    shared = inverse @ np.einsum("nqp,nqr->pr", A, columns[fitted.used])
+    left[fitted.used] -= np.einsum("nqp,pr->nqr", A, shared)
+    return left
+
+
+def beside_declared(fitted: JointFit) -> LinearProblem:
+    """The problem with what declared errors are likeliest to have left taken off the whitened residual of its rows."""
+    problem, used = fitted.problem, fitted.used
+    if not problem.declared.shape[2]:
+        return problem
+    left, y = declared_beside(fitted)[used], problem.y.copy()
+    y[used] -= left @ DeclaredDirections.of(left).likeliest(y[used])
+    return replace(problem, y=y)
 
 
 def information(fitted: JointFit) -> float:

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.noise.marginal import NullEliminated
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
@@ -104,7 +103,7 @@ def _transformed(pool: CandidateSet, chosen: Candidate, forms: Callable[[Scene, 
     def on_all_rows() -> Array:
         return whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
 
-    return cosine_transform(pool.store.memo.get(forms, (chosen,), on_all_rows)[pool.transformed_rows])
+    return pool.transformed(pool.store.memo.get(forms, (chosen,), on_all_rows))
 
 
 def whitened(pool: CandidateSet, columns: Array) -> Array:

@@ -105,10 +105,7 @@ def against_own_base(
     """
     if pool is base_set or len(pool.problem) != len(base_set.problem):
         return cv_error
-    own = cross_validate(base_set.without_rows(~pool.valid), blocks, fixed_choice(()))
-    before = np.zeros(len(cv_error.rows))
-    before[own.rows] = own.before_nT
-    return replace(cv_error, before_nT=before[cv_error.rows])
+    return cv_error.against(cross_validate(base_set.without_rows(~pool.valid), blocks, fixed_choice(())))
 
 
 def _of_this_choice(

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from labcal.loop.candidates.columns import ColumnGroup
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span, span_of_combinations
 from labcal.model.effects import TIME_CONSTANT
 
@@ -42,7 +41,7 @@ def initial_state_columns(pool: CandidateSet, chosen: Candidate) -> list[Span]:
 
     def made(tau_s: float) -> Span:
         columns = pool.problem.columns(settling.term.with_shape(replace(own, value=tau_s)))
-        return Span(cosine_transform(columns[pool.transformed_rows]))
+        return Span(pool.transformed(columns))
 
     taus = [tau_s for tau_s in chosen.family.time_constants(chosen.term) if tau_s > 0]
     return [pool.cached(("initial state", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
