@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
+from labcal.loop.beginnings import with_beginnings
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import noise_beside_readings
@@ -52,6 +53,7 @@ Array = NDArray[np.float64]
 
 def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside: dict[str, int]) -> ClosedLoop:
     """The result: verdict, accepted and rejected effects, errors before and after, findings and the next experiment."""
+    after = with_beginnings(after)
     problem = after.problem
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
@@ -135,7 +137,7 @@ def _shipped(found: Evidence, after: JointFit, unsupported: Collection[int]) -> 
         return after, None
     kept = [chosen for i, chosen in enumerate(found.accepted) if i not in unsupported]
     rows = found.pool.valid
-    fitted = joint_fit(found.pool.whole, [c.term for c in kept], rows)
+    fitted = with_beginnings(joint_fit(found.pool.whole, [c.term for c in kept], rows))
     left = rms(fitted.problem.length_nT(fitted.problem.residual_nT)[rows])
     return fitted, Errors(left, max(cross_validate(found.pool, found.blocks, fixed_choice(kept)).after, left))
 

@@ -7,6 +7,7 @@ step times, frequencies). Above zero a candidate is more probable than not.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -242,8 +243,18 @@ class CandidateSet:
         def made() -> Array:
             T, y, rows = self.problem.T, self.problem.y, self.rows
             A = np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2)
-            known, none = as_data([c.term for c in accepted], None, T.shape[2], y.shape[1])
-            return ols_with_nuisance(np.concatenate([A, known]), np.concatenate([y[rows], none]), T.shape[2])
+            terms = [c.term for c in accepted]
+
+            def solved(beta: Sequence[Array] | None) -> Array:
+                known, _ = as_data(terms, beta, T.shape[2], y.shape[1])
+                none = np.zeros((len(known), y.shape[1]))
+                return ols_with_nuisance(np.concatenate([A, known]), np.concatenate([y[rows], none]), T.shape[2])
+
+            x = solved(None)
+            if any(term.begins for term in terms):  # only then is it known how far off they may have begun
+                ends = np.cumsum([T.shape[2], *(len(term.parameters) for term in terms)])
+                x = solved([x[a:b] for a, b in itertools.pairwise(ends)])
+            return x
 
         return self.cached("coefficients", accepted, made)
 

@@ -11,6 +11,7 @@ from labcal.model.effects.registry import families, family, find, load, load_shi
 from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import (
     ANGLE,
+    BEGINNING,
     DELAY,
     FREQUENCY,
     GIVEN,
@@ -27,6 +28,7 @@ from labcal.model.effects.term import Term
 
 __all__ = [
     "ANGLE",
+    "BEGINNING",
     "DELAY",
     "FREQUENCY",
     "GIVEN",
