@@ -1,7 +1,7 @@
 """How far from rest the loops of other recordings begin: as far as the segments of the run did.
 
-A state that nobody saw before the first row may lie anywhere. Where it lay in the run's own segments, the residual shows:
-each is one more draw of how the device is treated before it is recorded.
+A state that nobody saw before the first row may lie anywhere. Where it lay in the run's own segments is seen in the
+residual, and each is one more draw of how the device is treated before it is recorded.
 """
 
 from __future__ import annotations
@@ -11,48 +11,90 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit
-from labcal.model.effects import BEGINNING, Term
+from labcal.model.effects import BEGINNING, BEGINNING_ON, Term
 from labcal.model.effects.past import Past
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 SPREADS = np.linspace(0.0, 1.0, 201)  # in deviations of anywhere
+MOST_SEGMENTS = 40  # that are looked at: they tell enough
 ANYWHERE_TOO = 0.5  # the chance, before the run is seen, that segments begin anywhere; else each spread is as likely
 
 
 def with_beginnings(found: JointFit) -> JointFit:
-    """The same, each loop with the spread of its beginnings over the run's segments."""
-    terms = tuple(_begun(found, term, beta) for term, beta in zip(found.terms, found.beta, strict=True))
-    return replace(found, terms=terms)
+    """The same, each loop with where the run's segments began on the whole, and how far from there."""
+    for place in range(len(found.terms)):
+        found = _spread(_on_the_whole(found, place), place)
+    return found
 
 
-def _begun(found: JointFit, term: Term, beta: Array) -> Term:
+def _spread(found: JointFit, place: int) -> JointFit:
+    term = found.terms[place]
     if (shape := term.of(BEGINNING)) is None:
-        return term
-    return term.with_values(**{shape.name: spread_of(*_shown(found, term, beta))})
+        return found
+    return _changed(found, place, term.with_values(**{shape.name: spread_of(*_shown(found, term, found.beta[place]))}))
+
+
+def _on_the_whole(found: JointFit, place: int) -> JointFit:
+    """The part of its curve that a core began with, by least squares; each beginning is told from there."""
+    term, beta = found.terms[place], found.beta[place]
+    if (shape := term.of(BEGINNING_ON)) is None or not term.begins:
+        return found
+    used, none = found.used, term.with_values(**{shape.name: 0.0})
+    per_part = (found.problem.all_columns(term) - found.problem.all_columns(none))[:, :, : term.lasting]
+    slope = (per_part @ beta[: term.lasting])[used].ravel()
+    begun = found.problem.all_columns(term)[:, :, term.lasting :][used].reshape(len(slope), -1)
+    y = found.problem.y[used].ravel() + begun @ beta[term.lasting :]
+    lacking = float(slope @ y) / max(float(slope @ slope), 1e-300)
+    part = min(max(shape.value + lacking, 0.0), 1.0)
+    more = np.linalg.lstsq(begun, (shape.value - part) * slope, rcond=None)[0]
+    moved = np.r_[beta[: term.lasting], beta[term.lasting :] + more]
+    return _changed(found, place, term.with_values(**{shape.name: part}), moved)
+
+
+def _changed(found: JointFit, place: int, term: Term, beta: Array | None = None) -> JointFit:
+    terms = (*found.terms[:place], term, *found.terms[place + 1 :])
+    own = found.beta[place] if beta is None else beta
+    return replace(found, terms=terms, beta=(*found.beta[:place], own, *found.beta[place + 1 :]))
 
 
 def _shown(found: JointFit, term: Term, beta: Array) -> tuple[Array, Array]:
-    """How well each direction (k,) of a segment's beginning is seen, and what is seen of it.
+    """How well each direction (k,) of the segments' beginnings is seen, and what is seen of it.
 
-    For y = X u + noise of variance one, u in deviations of anywhere on the three axes: the eigenvalues of XᵀX, and Xᵀy
-    along its eigenvectors.
+    For y = X u + A b + noise of variance one, u in deviations of anywhere for each axis of each segment, b all that
+    is fitted beside: with A taken off both, the eigenvalues of XᵀX, and Xᵀy along its eigenvectors.
     """
     problem, used = found.problem, found.used
-    begun = np.r_[np.zeros(term.lasting), beta[term.lasting :]]
+    begun = np.where(np.arange(len(beta)) < term.lasting, 0.0, beta)
     y = problem.y + problem.all_columns(term) @ begun
-    rms = float(np.sqrt(np.mean(problem.y[used] ** 2)))
     anywhere = term.with_values(**{s.name: 1.0 for s in term.shape if s.kind is BEGINNING})
-    off, rest = (_effect(found, anywhere, beta - begun, astray) for astray in (1.0, 0.0))
-    X = problem.whiten @ ((off - rest)[:, :, None] * np.eye(3)) / rms
-    values, seen = list[Array](), list[Array]()
-    for rows in stretches(problem.scene.segment):
-        A = X[rows][used[rows]].reshape(-1, 3)
-        weight, along = np.linalg.eigh(A.T @ A)
-        values.append(weight)
-        seen.append(along.T @ (A.T @ (y[rows][used[rows]].ravel() / rms)))
-    return np.concatenate(values), np.concatenate(seen)
+    rest, *either = (_effect(found, anywhere, beta - begun, astray) for astray in (0.0, 1.0, -1.0))
+    far = np.sqrt(np.mean([np.square(off - rest) for off in either], axis=0))
+    columns = problem.whiten @ (far[:, :, None] * np.eye(3))
+    segments = [rows for rows in stretches(problem.scene.segment) if far[rows].any()][:MOST_SEGMENTS]
+    X = np.zeros((*problem.y.shape, 3 * len(segments)))
+    for place, rows in enumerate(segments):
+        X[rows, :, 3 * place : 3 * place + 3] = columns[rows]
+    fitted = [problem.all_columns(t)[:, :, : t.lasting] for t in found.terms]
+    A = np.concatenate([problem.T, *fitted], axis=2)[used].reshape(-1, problem.T.shape[2] + sum(map(_width, fitted)))
+    base = orthonormal_span(A / np.maximum(np.linalg.norm(A, axis=0), 1e-300))
+    both = np.concatenate([X, y[:, :, None]], axis=2)[used].reshape(len(A), -1) / np.sqrt(np.mean(problem.y[used] ** 2))
+    both -= base @ (base.T @ both)
+    gram = both.T @ both
+    values, along = np.linalg.eigh(gram[:-1, :-1])
+    return np.maximum(values, 0.0), along.T @ gram[:-1, -1]
+
+
+def _width(columns: Array) -> int:
+    return int(columns.shape[2])
+
+
+def orthonormal_span(columns: Array) -> Array:
+    """An orthonormal basis of what columns (n, p) span."""
+    u, size, _ = np.linalg.svd(columns, full_matrices=False)
+    return np.asarray(u[:, size > RANK_TOLERANCE * size[0]])
 
 
 def _effect(found: JointFit, term: Term, beta: Array, astray: float) -> Array:

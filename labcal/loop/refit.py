@@ -20,7 +20,7 @@ from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.unseen_switching import misses_more, ways_of
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
-from labcal.model.effects import BEGINNING, Term, family
+from labcal.model.effects import BEGINNING, BEGINNING_ON, Term, family
 from labcal.record import Run
 
 Mask = NDArray[np.bool_]
@@ -71,14 +71,18 @@ def _term(run: Run, effect: EffectRecord) -> Term:
     grids = {shape.name: shape.grid for term in like[:1] for shape in term.shape}
     searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
     shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
-    mine = [term for term in like if term.parameters[:1] == stated.parameters[:1]]
-    begun = [p for term in mine[:1] for p in term.parameters[term.lasting :]]  # of this run's own segments
+    begun = [p for term in like if _alike(term, stated) for p in term.parameters[term.lasting :]]  # of its own segments
     return replace(stated, parameters=(*stated.parameters, *begun), shape=tuple(shapes), begins=len(begun))
 
 
 def _shapes(term: Term) -> list[str]:
     """The names of what it does not depend on linearly; files of before do not say how loops begin."""
-    return [shape.name for shape in term.shape if shape.kind is not BEGINNING]
+    return [shape.name for shape in term.shape if shape.kind not in (BEGINNING, BEGINNING_ON)]
+
+
+def _alike(term: Term, stated: Term) -> bool:
+    """Whether what it is made of, but for how segments began, is named alike."""
+    return [name for name, _ in term.parameters[: term.lasting]] == [name for name, _ in stated.parameters]
 
 
 def _switched_unseen(found: JointFit) -> Mask:

@@ -156,12 +156,12 @@ static double bent(double u)
     "magnetised": """\
 /* How far a core's magnetisation is from its curve; exact where the curve is straight between readings. */
 static labcal_real magnetised(labcal_core *state, const labcal_now *now, labcal_real drive, labcal_real bend,
-                              labcal_real pin)
+                              labcal_real pin, labcal_real part)
 {
     const double curve = langevin((double)drive / (double)bend), rise = curve - state->curve;
     double way = fabs((double)drive - state->drive) / (double)pin;
     if (!state->begun || state->segment != now->segment) {
-        state->value = curve;
+        state->value = (double)part * curve;
     } else if (rise < 0.0 || rise > 0.0) {
         const double ahead = (state->value - state->curve) / rise;
         if (ahead < 1.0) {

@@ -12,6 +12,7 @@ from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import (
     ANGLE,
     BEGINNING,
+    BEGINNING_ON,
     DELAY,
     FREQUENCY,
     GIVEN,
@@ -29,6 +30,7 @@ from labcal.model.effects.term import Term
 __all__ = [
     "ANGLE",
     "BEGINNING",
+    "BEGINNING_ON",
     "DELAY",
     "FREQUENCY",
     "GIVEN",

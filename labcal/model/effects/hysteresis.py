@@ -39,15 +39,15 @@ from labcal.model.effects.regressors import (
     stretches,
 )
 from labcal.model.effects.scene import Scene
-from labcal.model.effects.shape import ANGLE, BEGINNING, GIVEN, SCALE, THRESHOLD, Shape
+from labcal.model.effects.shape import ANGLE, BEGINNING, BEGINNING_ON, GIVEN, SCALE, THRESHOLD, Shape
 from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
-SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
+SEVERAL_nT = ((500.0, 1500.0, 4000.0, 12000.0), (500.0, 1000.0, 2000.0, 4000.0, 8000.0, 16000.0))
 WIDTHS_nT = (1000.0, 4000.0)
 OWN_NOISE = 90.0  # deviations of a reading: a narrower loop, driven by the readings, would take off their noise
-CORES_nT, PINS_nT = (6000.0, 12000.0, 24000.0, 48000.0), (2000.0, 4000.0, 8000.0, 16000.0)
+CORES_nT, PINS_nT = (7000.0, 18000.0, 45000.0), (2000.0, 4000.0, 8000.0, 16000.0)
 MOST_BEGINNINGS = 40  # segments: how more began is not fitted
 BAR_nT = (2000.0, 6000.0, 18000.0)
 LON_deg = (30.0, 90.0, 150.0, 210.0, 270.0, 330.0)
@@ -58,6 +58,7 @@ STOP, WIDTH = (Shape(name, 0.0, "nT", kind=THRESHOLD) for name in ("r_nT", "w_nT
 LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "deg", LAT_deg, ANGLE)
 KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
 CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("k_nT", 0.0, "nT", kind=THRESHOLD)
+ON_CURVE = Shape("begins_on", 1.0, "1", kind=BEGINNING_ON)  # the part of its curve that a core begins with
 BEGINS = Shape("begins", 1.0, "1", kind=BEGINNING)  # how far from rest, or from demagnetised; 1: anywhere
 
 
@@ -76,10 +77,12 @@ def stop(
     """The stop operator along rows of drive (n, k) [nT]: within ± threshold (one, or k).
 
     It starts anew in each row of `starts`, at rest in the field there or at drive 0; the first row goes on from the one
-    `before` it where it is no start. `astray` starts so many standard deviations of anywhere from the middle.
+    `before` it where it is no start. `astray` starts so many standard deviations of anywhere from the middle, by less
+    than one as much nearer to where it would be.
     """
     steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
-    steps[first] = astray * ANYWHERE * threshold if astray or at_rest else drive[first]
+    rest = 0.0 if at_rest else np.clip(drive[first], -np.asarray(threshold), threshold)
+    steps[first] = (1 - abs(astray)) * rest + astray * ANYWHERE * threshold
     if before is None:
         return clipped_recursion(steps, threshold, first)
     steps[0] = before[1] + (drive[0] - before[0])
@@ -138,12 +141,18 @@ def _begins(term: Term) -> float:
     return BEGINS.value if found is None else found.value
 
 
+def _part(term: Term) -> float:
+    found = term.of(BEGINNING_ON)
+    return ON_CURVE.value if found is None else found.value
+
+
 def _of_a_core(term: Term, scene: Scene, s: Array) -> Array:
     """What its magnetisation lags behind its curve, the curve's bend, and what was left of each beginning."""
     a, k, left = term.at(CORE.name), term.at(PIN.name), np.zeros_like(s)
 
     def loop(starts: Sequence[int], before: Before | None) -> Array:
-        state, left[:] = magnetised(s, a, k, np.asarray(starts, dtype=np.intp), before, _astray(term, scene) * ANYWHERE)
+        off, anew = _astray(term, scene) * ANYWHERE, np.asarray(starts, dtype=np.intp)
+        state, left[:] = magnetised(s, a, k, anew, before, off, _part(term))
         return state
 
     state = _along(scene, s, loop)
@@ -159,7 +168,7 @@ def in_c(term: Term) -> CForm:
     s = driving_in_c(term)
     places = {shape.name: f"R(shape[{place}])" for place, shape in enumerate(term.shape)}
     if "k_nT" in places:
-        return c_loops.core(s, places["a_nT"], places["k_nT"])
+        return c_loops.core(s, places["a_nT"], places["k_nT"], places.get(ON_CURVE.name, "R(1.0)"))
     if "w_nT" in places:
         return c_loops.dahl(s, places["w_nT"])
     if "s_nT" in places:
@@ -218,39 +227,45 @@ def candidates(run: Run) -> list[Term]:
     is wider than the field goes to and fro within a segment: it would take off the reference's own noise.
     """
     least, travel = _narrowest(run), _travel(run)
-    thresholds, several, widths = (
-        tuple(r for r in grid if r >= least) for grid in (THRESHOLDS_nT, SEVERAL_nT, WIDTHS_nT)
-    )
-    found = []
-    pins = tuple(r for r in PINS_nT if r >= least)
-    for drive in ("", BODY) if travel > THRESHOLDS_nT[0] else ():
-        seen = tuple(r for r in thresholds if r <= travel)
+    thresholds, widths, pins, bars = (_above(least, grid) for grid in (THRESHOLDS_nT, WIDTHS_nT, PINS_nT, BAR_nT))
+    seen, found = tuple(r for r in thresholds if r <= travel), list[Term]()
+    for drive in ("", BODY):
+        several = [part for part in (_stops(f"{drive}c", _above(least, grid)) for grid in SEVERAL_nT) if part]
+        for kept in (KEPT, replace(KEPT, value=1.0)):
+            if thresholds:
+                found.append(Term(kernel, per_axis(f"{drive}c", "1"), shape=(replace(STOP, grid=thresholds), kept)))
+            found += [Term(kernel, part, shape=(kept,)) for part in several]
+        if travel <= THRESHOLDS_nT[0]:
+            continue
         if pins and len(run.segments) <= MOST_BEGINNINGS:
             found.append(_core(run, drive, pins))
         units = [("nT", replace(WIDTH, grid=seen)), ("1", replace(STOP, grid=seen))]
         found += [Term(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
-        if several:
-            found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
+        found += [Term(kernel, part) for part in several]
         if widths:
             shapes = (replace(STOP, grid=widths), replace(SATURATION, value=0.0, grid=SATURATION_nT))
             curve = (*per_axis(f"{drive}t1", "nT"), *(p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k))))
             found.append(Term(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
-    bar = tuple(p for r in BAR_nT if r >= least for p in per_axis(f"{BODY}c{r:.0f}", "1"))
-    for kept in (KEPT, replace(KEPT, value=1.0)):
-        if thresholds:
-            found.append(Term(kernel, per_axis("c", "1"), shape=(replace(STOP, grid=thresholds), kept)))
-        if several:
-            found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"c{r:.0f}", "1")), shape=(kept,)))
-        if bar:
-            found.append(Term(kernel, bar, shape=(LON, LAT, kept)))
-    return [term if term.of(BEGINNING) else replace(term, shape=(*term.shape, BEGINS)) for term in found]
+    if bars:
+        bar = _stops(f"{BODY}c", bars)
+        found += [Term(kernel, bar, shape=(LON, LAT, kept)) for kept in (KEPT, replace(KEPT, value=1.0))]
+    return [replace(term, shape=(*term.shape, BEGINS)) for term in found]
+
+
+def _above(least: float, grid: tuple[float, ...]) -> tuple[float, ...]:
+    return tuple(r for r in grid if r >= least)
+
+
+def _stops(name: str, thresholds: tuple[float, ...]) -> tuple[tuple[str, str], ...]:
+    """The parameters of several stops."""
+    return tuple(p for r in thresholds for p in per_axis(f"{name}{r:.0f}", "1"))
 
 
 def _core(run: Run, drive: str, pins: tuple[float, ...]) -> Term:
     """A core with its curve, and with how it was magnetised at the beginning of each segment."""
     begun = tuple(p for number in np.unique(run.segment_index).tolist() for p in per_axis(f"{drive}m{number}", "nT"))
     curve = (*per_axis(f"{drive}c", "nT"), *per_axis(f"{drive}t1", "nT"))
-    return Term(kernel, (*curve, *begun), shape=(CORE, replace(PIN, grid=pins)), begins=len(begun))
+    return Term(kernel, (*curve, *begun), shape=(CORE, replace(PIN, grid=pins), ON_CURVE), begins=len(begun))
 
 
 def _travel(run: Run) -> float:
@@ -284,7 +299,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(STOP, WIDTH, SATURATION, CORE, PIN, LON, LAT, KEPT, BEGINS),
+    shapes=(STOP, WIDTH, SATURATION, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS),
     of_field=True,
     follows_reference=True,
     extends=("nonlinearity",),

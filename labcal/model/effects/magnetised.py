@@ -38,11 +38,12 @@ def magnetised(
     starts: NDArray[np.intp],
     before: Before | None = None,
     off: float = 0.0,
+    part: float = 1.0,
 ) -> tuple[Array, Array]:
     """M along rows of drive (n, k) [nT], and the part (n, k) that is left of what it was where it began.
 
-    It begins in each row of `starts` on the curve, or `off` it; the first row goes on from the one `before` it where it
-    is no start. Exact where L is straight from row to row.
+    It begins in each row of `starts` at a part of the curve, and `off` that; the first row goes on from the one
+    `before` it where it is no start. Exact where L is straight from row to row.
     """
     last, state = (drive[0], langevin(drive[0] / bend_nT)) if before is None else before
     step, curve = np.diff(drive, axis=0, prepend=last[None]), langevin(drive / bend_nT)
@@ -52,16 +53,16 @@ def magnetised(
     out, left = np.empty_like(drive), np.empty_like(drive)
     for k in range(drive.shape[1]):
         ways = zip(*(one.tolist() for one in (np.abs(step[:, k]) / pin_nT, rise[:, k], curve[:, k], anew)), strict=True)
-        out[:, k], left[:, k] = _followed(ways, float(state[k]), off)
+        out[:, k], left[:, k] = _followed(ways, float(state[k]), off, part)
     return out, left
 
 
-def _followed(ways: Iterable[Way], state: float, off: float) -> tuple[list[float], list[float]]:
+def _followed(ways: Iterable[Way], state: float, off: float, part: float) -> tuple[list[float], list[float]]:
     """The state of one column and what is left of its beginning, in every row."""
-    out, left, part = list[float](), list[float](), 1.0
+    out, left, remains = list[float](), list[float](), 1.0
     for way, rise, curve, anew in ways:
         if anew:
-            state, part = curve + off, 1.0
+            state, remains = part * curve + off, 1.0
         elif rise:
             ahead = (state - curve + rise) / rise  # of this row's way, until the curve has come to where M is
             if ahead < 1.0:
@@ -70,7 +71,7 @@ def _followed(ways: Iterable[Way], state: float, off: float) -> tuple[list[float
                 keep = math.exp(-way)
                 ramp = (1.0 - keep) / way if way > 0.0 else 1.0
                 state = curve + (state - start) * keep - (curve - start) * ramp
-                part *= keep
+                remains *= keep
         out.append(state)
-        left.append(part)
+        left.append(remains)
     return out, left
