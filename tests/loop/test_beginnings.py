@@ -114,8 +114,10 @@ def test_a_core_that_always_begins_at_half_of_its_curve_is_known_to() -> None:
 def test_a_run_that_shows_no_beginning_says_that_it_may_be_anywhere() -> None:
     nothing, seen = np.zeros(9), np.full(18, 100.0)
     assert spread_of(nothing, nothing) > 0.8
-    assert spread_of(seen, np.zeros(18)) < 0.05
-    assert abs(spread_of(seen, np.tile([60.0, -60.0], 9)) - 0.6) < 0.1
+    assert spread_of(2 * seen, np.zeros(18)) < 0.05
+    assert abs(spread_of(2 * seen, np.tile([120.0, -120.0], 9)) - 0.6) < 0.1
+    hardly = np.r_[2 * seen, 10.0]  # of which a form's misfit says what it likes
+    assert spread_of(hardly, np.r_[np.zeros(18), 25.0]) < 0.05
 
 
 def test_a_demagnetised_stop_that_begins_a_little_astray_begins_nearly_there() -> None:
