@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
-from labcal.loop.beginnings import with_beginnings
+from labcal.loop.beginnings import astray_nT, with_beginnings
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import noise_beside_readings
@@ -106,6 +106,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
             *(finding.says for finding in noticed),
             *([ROUNDS_EXHAUSTED] if found.ending == "rounds exhausted" else []),
             *_meaning(shipping),
+            *_beginnings(found, after),
         ),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
@@ -115,6 +116,17 @@ def _meaning(shipping: Sequence[EffectRecord]) -> list[str]:
     """What k belongs to, beside the sensor's effects among those that are shipped."""
     means = k_means([effect for effect in shipping if effect.belongs_to == "sensor"])
     return [f"k is the offset {means}."] if means else []
+
+
+def _beginnings(found: Evidence, after: JointFit) -> list[str]:
+    """What another recording's beginning adds to the error, where it is more than noise: blocks do not hold it."""
+    each = [(chosen.label, astray_nT(after, place)) for place, chosen in enumerate(found.accepted)]
+    return [
+        f"In another recording {label} begins {off:.0f} nT astray (one standard deviation) until the field has wiped "
+        "that out: the held-out error does not hold it, u_nT does."
+        for label, off in each
+        if off > found.level.nT
+    ]
 
 
 def as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:

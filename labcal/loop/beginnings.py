@@ -71,8 +71,7 @@ def _shown(found: JointFit, term: Term, beta: Array) -> tuple[Array, Array]:
     begun = np.where(np.arange(len(beta)) < term.lasting, 0.0, beta)
     y = problem.y + problem.all_columns(term) @ begun
     anywhere = term.with_values(**{s.name: 1.0 for s in term.shape if s.kind is BEGINNING})
-    rest, *either = (_effect(found, anywhere, beta - begun, astray) for astray in (0.0, 1.0, -1.0))
-    far = np.sqrt(np.mean([np.square(off - rest) for off in either], axis=0))
+    far = _far(found, anywhere, beta - begun)
     columns = problem.whiten @ (far[:, :, None] * np.eye(3))
     segments = [rows for rows in stretches(problem.scene.segment) if far[rows].any()][:MOST_SEGMENTS]
     X = np.zeros((*problem.y.shape, 3 * len(segments)))
@@ -96,6 +95,22 @@ def orthonormal_span(columns: Array) -> Array:
     """An orthonormal basis of what columns (n, p) span."""
     u, size, _ = np.linalg.svd(columns, full_matrices=False)
     return np.asarray(u[:, size > RANK_TOLERANCE * size[0]])
+
+
+def astray_nT(found: JointFit, place: int) -> float:
+    """How far off a loop is in the first row of another recording: the rms length of one standard deviation [nT]."""
+    term, beta = found.terms[place], found.beta[place]
+    if term.of(BEGINNING) is None:
+        return 0.0
+    far = _far(found, term, np.where(np.arange(len(beta)) < term.lasting, beta, 0.0))
+    first = [rows.start for rows in stretches(found.problem.scene.segment)]
+    return float(np.sqrt(np.mean(np.sum(far[first] ** 2, axis=1))))
+
+
+def _far(found: JointFit, term: Term, beta: Array) -> Array:
+    """How far from its own a term is (n, 3) [nT] where it begins a standard deviation astray."""
+    rest, *either = (_effect(found, term, beta, astray) for astray in (0.0, 1.0, -1.0))
+    return np.asarray(np.sqrt(np.mean([np.square(off - rest) for off in either], axis=0)))
 
 
 def _effect(found: JointFit, term: Term, beta: Array, astray: float) -> Array:

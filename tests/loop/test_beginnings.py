@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 from labcal.fit import draft_calibration
-from labcal.loop.beginnings import spread_of
+from labcal.loop.beginnings import astray_nT, spread_of, with_beginnings
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.refit import refit
 from labcal.loop.selection.admission import earns_its_extension
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
+from labcal.loop.selection.joint_fit import joint_fit
 from labcal.model import EffectRecord, Parameter
 from labcal.model.apply import apply
 from labcal.model.effects.hysteresis import FAMILY, candidates, stop
@@ -152,3 +153,11 @@ def test_how_a_segment_began_is_not_asked_of_a_fit_that_did_not_see_it() -> None
     held = cross_validate(pool, block_folds(pool.problem, 2.0), fixed_choice([chosen]))
     assert held.after < 1.15 * np.sqrt(3) * NOISE_nT
     assert 0.5 < held.rows.mean() < 1.0
+
+
+def test_how_far_astray_another_recording_begins_is_what_the_segments_scatter() -> None:
+    made, draw = made_up_run(noise_nT=NOISE_nT), np.random.default_rng(7)
+    pool, chosen = problem_of(made.with_effect(of_a_core(made, draw, 1.0, 0.3)))
+    found = with_beginnings(joint_fit(pool.problem, [chosen.term]))
+    scatter = np.sqrt(3) * C_nT * 0.3 / np.sqrt(3)  # of three axes, each anywhere between two ends
+    assert abs(astray_nT(found, 0) / scatter - 1) < 0.4
