@@ -74,27 +74,20 @@ def _shown(found: JointFit, term: Term, beta: Array) -> tuple[Array, Array]:
     far = _far(found, anywhere, beta - begun)
     columns = problem.whiten @ (far[:, :, None] * np.eye(3))
     segments = [rows for rows in stretches(problem.scene.segment) if far[rows].any()][:MOST_SEGMENTS]
-    X = np.zeros((*problem.y.shape, 3 * len(segments)))
+    A = np.concatenate([problem.T, *(problem.all_columns(t)[:, :, : t.lasting] for t in found.terms)], axis=2)
+    A = A * used[:, None, None]
+    A /= np.maximum(np.sqrt(np.einsum("nqp,nqp->p", A, A)), 1e-300)
+    gram, cross = np.zeros((3 * len(segments), 3 * len(segments))), np.zeros((A.shape[2], 3 * len(segments)))
+    seen, y = np.zeros(len(gram)), y * used[:, None]
     for place, rows in enumerate(segments):
-        X[rows, :, 3 * place : 3 * place + 3] = columns[rows]
-    fitted = [problem.all_columns(t)[:, :, : t.lasting] for t in found.terms]
-    A = np.concatenate([problem.T, *fitted], axis=2)[used].reshape(-1, problem.T.shape[2] + sum(map(_width, fitted)))
-    base = orthonormal_span(A / np.maximum(np.linalg.norm(A, axis=0), 1e-300))
-    both = np.concatenate([X, y[:, :, None]], axis=2)[used].reshape(len(A), -1) / np.sqrt(np.mean(problem.y[used] ** 2))
-    both -= base @ (base.T @ both)
-    gram = both.T @ both
-    values, along = np.linalg.eigh(gram[:-1, :-1])
-    return np.maximum(values, 0.0), along.T @ gram[:-1, -1]
-
-
-def _width(columns: Array) -> int:
-    return int(columns.shape[2])
-
-
-def orthonormal_span(columns: Array) -> Array:
-    """An orthonormal basis of what columns (n, p) span."""
-    u, size, _ = np.linalg.svd(columns, full_matrices=False)
-    return np.asarray(u[:, size > RANK_TOLERANCE * size[0]])
+        own, X = slice(3 * place, 3 * place + 3), columns[rows] * used[rows, None, None]
+        gram[own, own] = np.einsum("nqi,nqj->ij", X, X)
+        cross[:, own] = np.einsum("nqp,nqi->pi", A[rows], X)
+        seen[own] = np.einsum("nqi,nq->i", X, y[rows])
+    taken_off = cross.T @ np.linalg.pinv(np.einsum("nqp,nqr->pr", A, A), rcond=RANK_TOLERANCE, hermitian=True)
+    level = float(np.mean(problem.y[used] ** 2))
+    values, along = np.linalg.eigh((gram - taken_off @ cross) / level)
+    return np.maximum(values, 0.0), along.T @ (seen - taken_off @ np.einsum("nqp,nq->p", A, y)) / level
 
 
 def astray_nT(found: JointFit, place: int) -> float:
