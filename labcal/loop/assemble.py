@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
+from labcal.loop.beginnings import astray_nT, with_beginnings
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import noise_beside_readings
@@ -53,6 +54,7 @@ Array = NDArray[np.float64]
 
 def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside: dict[str, int]) -> ClosedLoop:
     """The result: verdict, accepted and rejected effects, errors before and after, findings and the next experiment."""
+    after = with_beginnings(after)
     problem = after.problem
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
@@ -115,6 +117,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
             *(finding.says for finding in noticed),
             *([ROUNDS_EXHAUSTED] if found.ending == "rounds exhausted" else []),
             *_meaning(shipping),
+            *_beginnings(found, after),
         ),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
@@ -124,6 +127,17 @@ def _meaning(shipping: Sequence[EffectRecord]) -> list[str]:
     """What k belongs to, beside the sensor's effects among those that are shipped."""
     means = k_means([effect for effect in shipping if effect.belongs_to == "sensor"])
     return [f"k is the offset {means}."] if means else []
+
+
+def _beginnings(found: Evidence, after: JointFit) -> list[str]:
+    """What another recording's beginning adds to the error, where it is more than noise: blocks do not hold it."""
+    each = [(chosen.label, astray_nT(after, place)) for place, chosen in enumerate(found.accepted)]
+    return [
+        f"In another recording {label} begins {off:.0f} nT astray (one standard deviation) until the field has wiped "
+        "that out: the held-out error does not hold it, u_nT does."
+        for label, off in each
+        if off > found.level.nT
+    ]
 
 
 def as_shipped(
@@ -160,7 +174,7 @@ def _shipped(found: Evidence, after: JointFit, unsupported: Collection[int]) -> 
         return after, None, found.cv_error.after
     kept = [chosen for i, chosen in enumerate(found.accepted) if i not in unsupported]
     rows = found.pool.valid
-    fitted = joint_fit(found.pool.whole, [c.term for c in kept], rows)
+    fitted = with_beginnings(joint_fit(found.pool.whole, [c.term for c in kept], rows))
     left = rms(fitted.problem.length_nT(fitted.problem.residual_nT)[rows])
     held = as_shipped(
         cross_validate(found.pool, found.blocks, fixed_choice(kept)), in_sample_rms(fitted), left, added=True

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.fit import Fit
 from labcal.fit.vector.observations import SCALAR
+from labcal.loop.beginnings import with_beginnings
 from labcal.loop.close import prepare
 from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.outliers import hampel_outliers
@@ -19,7 +20,7 @@ from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.unseen_switching import misses_more, ways_of
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
-from labcal.model.effects import Term, family
+from labcal.model.effects import BEGINNING, BEGINNING_ON, Term, family
 from labcal.record import Run
 
 Mask = NDArray[np.bool_]
@@ -43,6 +44,7 @@ def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda
         found = joint_fit(problem, terms)
     if (outlying := _outliers(found)).any():
         found = joint_fit(problem, terms, ~outlying)
+    found = with_beginnings(found)
     uncertain = uncertainty_of(found)
     parameters = found.parameters(uncertain.covariance)
     of_file = of_the_file(found, uncertain, [effect.belongs_to == "sensor" for effect in effects])
@@ -65,12 +67,22 @@ def _term(run: Run, effect: EffectRecord) -> Term:
         raise InputError(f"the run has no channel {strangers[0]}, which {effect.effect} rests on")
     kind = family(effect.effect)
     stated = kind.restore(effect)
-    names = [shape.name for shape in stated.shape]
-    like = [t for t in kind.candidates(run) if t.channels == stated.channels and [s.name for s in t.shape] == names]
+    like = [t for t in kind.candidates(run) if t.channels == stated.channels and _shapes(t) == _shapes(stated)]
     grids = {shape.name: shape.grid for term in like[:1] for shape in term.shape}
     searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
     shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
-    return replace(stated, shape=tuple(shapes))
+    begun = [p for term in like if _alike(term, stated) for p in term.parameters[term.lasting :]]  # of its own segments
+    return replace(stated, parameters=(*stated.parameters, *begun), shape=tuple(shapes), begins=len(begun))
+
+
+def _shapes(term: Term) -> list[str]:
+    """The names of what it does not depend on linearly; files of before do not say how loops begin."""
+    return [shape.name for shape in term.shape if shape.kind not in (BEGINNING, BEGINNING_ON)]
+
+
+def _alike(term: Term, stated: Term) -> bool:
+    """Whether what it is made of, but for how segments began, is named alike."""
+    return [name for name, _ in term.parameters[: term.lasting]] == [name for name, _ in stated.parameters]
 
 
 def _switched_unseen(found: JointFit) -> Mask:

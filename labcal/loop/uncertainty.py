@@ -48,9 +48,9 @@ def of_the_file(found: JointFit, uncertain: Sources, of_the_sensor: Sequence[boo
     names, places, moments, number = list(MAP_PARAMETERS), list[int](), dict[int, float](), 0
     for term, parameters, sensor in zip(found.terms, stated, of_the_sensor, strict=True):
         u = {one.name: one.u for one in parameters}
-        linear = [(name, start + i) for i, (name, _) in enumerate(term.parameters)]
+        linear = [(name, start + i) for i, (name, _) in enumerate(term.parameters[: term.lasting])]
         searched = [(s.name, shape + i) for i, s in enumerate(s for s in term.shape if s.grid)]
-        start, shape = start + len(linear), shape + len(searched)
+        start, shape = start + len(term.parameters), shape + len(searched)
         if not sensor:
             continue
         for name, place in (*linear, *searched):
@@ -100,12 +100,12 @@ def wald_p_values(found: JointFit) -> list[float]:
     from scipy.special import chdtrc
 
     C, start, out = _of_the_fit(found, *derivatives(found)).covariance, found.problem.T.shape[2], list[float]()
-    for beta in found.beta:
-        part = C[start : start + len(beta), start : start + len(beta)]
+    for term, beta in zip(found.terms, found.beta, strict=True):
+        part = C[start : start + term.lasting, start : start + term.lasting]
         u = np.sqrt(np.maximum(np.diag(part), 1e-300))
         values, vectors = np.linalg.eigh(part / np.outer(u, u))
         known = values > RANK_TOLERANCE * values[-1]
-        along = vectors[:, known].T @ (beta / u)
+        along = vectors[:, known].T @ (beta[: term.lasting] / u)
         out.append(float(chdtrc(max(known.sum(), 1), np.sum(along**2 / values[known]))))
         start += len(beta)
     return out
@@ -131,7 +131,7 @@ def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
     transformed = cosine_transform(np.concatenate([A @ inverse, _shown(A, inverse, D)], axis=2))
     spectra = weighted_spectra(transformed, cosine_transform(found.problem.y[found.used]))
     grams = grams_of_bands(transformed[:, :, : len(inverse)], spectra.bands)
-    before = inverse @ precision(found.terms, found.problem.T.shape[2], len(inverse)) @ inverse
+    before = inverse @ precision(found.terms, found.beta, found.problem.T.shape[2], len(inverse)) @ inverse
     return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1) + before, spectra.dof)
 
 

@@ -45,8 +45,8 @@ def atherton(rng, fields):
                 dH = (H - last) / steps
                 x = (H + alpha * M) / a
                 lacking = langevin(x) - M
-                sign = np.where(dH >= 0, 1.0, -1.0)
-                slope = np.where(lacking * sign > 0, lacking / (sign * pin - alpha * lacking), 0.0)
+                opposed = np.maximum(pin - alpha * np.abs(lacking), 1e-6)  # none left: a jump, as steep as may be
+                slope = np.where(lacking * dH > 0, np.abs(lacking) / opposed, 0.0)
                 bent = 1 / (3 * a) / (1 + x * x / 5)
                 M = M + ((1 - bends) * np.clip(slope, 0, 3 / a) + bends * bent) * dH
             last = H.copy()

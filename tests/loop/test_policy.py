@@ -49,6 +49,7 @@ KINDS = {
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS BELOW_LOWEST IN_A_BAND", "noise.marginal:RATIOS",
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
+        "beginnings:SPREADS ANYWHERE_TOO MOST_SEGMENTS SEEN",
         "noise.periodogram:FINER MEDIAN_WIDTH LONGEST PADDING", "noise.cross_correlation:TAPERED",
         "selection.related:RANDOM_DIRECTIONS DECIMALS", "selection.joint_fit:SLOPE_STEP_nT",
     ),

@@ -75,6 +75,26 @@ def row(named: list[str], **truth: Any) -> dict[str, Any]:
     return {"named": named, "rivals": [[] for _ in named], "channels": [[] for _ in named], "truth": told}
 
 
+class Drawn:
+    """Draws that lie at these parts of their ranges."""
+
+    def __init__(self, *parts: float) -> None:
+        self.parts = iter(parts)
+
+    def uniform(self, low: float, high: float) -> float:
+        return low + next(self.parts) * (high - low)
+
+
+def test_a_core_whose_mean_field_overcomes_its_pins_jumps_and_does_not_stand_still(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(str(BLIND))
+    laws = importlib.import_module("sensor_laws")
+    weak_pins_strong_mean_field = Drawn(0.0, 0.0, 1.0, 0.0)
+    (M,) = laws.atherton(weak_pins_strong_mean_field, [np.linspace(0.0, 60e3, 9)[:, None] * np.ones(3)])
+    assert M[-1, 0] > 0.6
+
+
 def test_what_counts_as_right_and_as_wrong(counted: ModuleType) -> None:
     assert counted.right(row(["lag"]))
     assert not counted.right(row([]))

@@ -36,6 +36,7 @@ FAR_LAG = ("lag", (), {}, {"lag_s": 0.35, "secant_s": 0.35})
 DAHL = ("hysteresis", (), {}, {"c_x": 20.0, "c_y": 30.0, "c_z": 10.0, "w_nT": 4000.0})
 STOPS = ("hysteresis", (), {}, {f"c{r}_{a}": 0.02 for r in (500, 4000) for a in "xyz"})
 KEPT = ("hysteresis", (), {}, {**STOPS[3], "kept": 1.0})
+CORE = ("hysteresis", (), {}, {f"{name}_{a}": 30.0 for name in ("c", "t1") for a in "xyz"} | {"a_nT": 1e4, "k_nT": 4e3})
 ANEW = ("hysteresis", (), {}, {**STOPS[3], "kept": 0.0})
 PLAY = (
     "hysteresis",
@@ -108,12 +109,12 @@ def written(field_nT: np.ndarray, u_nT: np.ndarray) -> list[str]:
     [
         *((), (CURRENT, WARMTH), (DRIFT, MODES, CURRENT), (LAG,), (LOOP, CURRENT), (LATE, LAG)),
         *((DELAYED,), (AHEAD, FAR_LAG), (SEVERAL,), (HEAT, CURVED), (LEADING,), (SLOW_GAIN,)),
-        *((DAHL,), (STOPS,), (KEPT,), (ANEW,), (PLAY,), (BAR,)),
+        *((DAHL,), (STOPS,), (KEPT,), (ANEW,), (PLAY,), (CORE,), (BAR,)),
     ],
     ids=[
         *("map", "channels", "time-and-mode", "lag", "loop", "late"),
         *("delayed", "ahead", "several", "curved", "leading", "slow-gain"),
-        *("dahl", "stops", "kept", "anew", "play", "bar"),
+        *("dahl", "stops", "kept", "anew", "play", "core", "bar"),
     ],
 )
 @settings(max_examples=12)

@@ -8,6 +8,7 @@ typedef struct { double t_s, drive, value; long segment; int begun; } labcal_beh
 typedef struct { double t_s[LABCAL_HISTORY], value[LABCAL_HISTORY]; long segment; int count, last; } labcal_history;
 typedef struct { double drive, value; long segment; int begun; } labcal_dahl;
 typedef struct { labcal_real play; long segment; int begun; } labcal_stop;
+typedef struct { double curve, drive, value; long segment; int begun; } labcal_core;
 """
 
 HELPERS = {
@@ -137,6 +138,44 @@ static labcal_real saturating(labcal_real drive, labcal_real stopped, labcal_rea
 {
     const double play = (double)drive - (double)stopped;
     return (labcal_real)(tanh(play / (double)level) - tanh((double)drive / (double)level));
+}
+""",
+    "langevin": """\
+/* L(u) = coth u - 1/u, and what it lacks of u / 3. */
+static double langevin(double u)
+{
+    return fabs(u) < 1e-2 ? u / 3.0 - u * u * u / 45.0 + 2.0 * u * u * u * u * u / 945.0 : 1.0 / tanh(u) - 1.0 / u;
+}
+""",
+    "bent": """\
+static double bent(double u)
+{
+    return langevin(u) - u / 3.0;
+}
+""",
+    "magnetised": """\
+/* How far a core's magnetisation is from its curve; exact where the curve is straight between readings. */
+static labcal_real magnetised(labcal_core *state, const labcal_now *now, labcal_real drive, labcal_real bend,
+                              labcal_real pin, labcal_real part)
+{
+    const double curve = langevin((double)drive / (double)bend), rise = curve - state->curve;
+    double way = fabs((double)drive - state->drive) / (double)pin;
+    if (!state->begun || state->segment != now->segment) {
+        state->value = (double)part * curve;
+    } else if (rise < 0.0 || rise > 0.0) {
+        const double ahead = (state->value - state->curve) / rise;
+        if (ahead < 1.0) {
+            const double start = ahead <= 0.0 ? state->curve : state->value;
+            way *= 1.0 - fmax(ahead, 0.0);
+            state->value = curve + (state->value - start) * exp(-way)
+                         - (curve - start) * (way > 0.0 ? -expm1(-way) / way : 1.0);
+        }
+    }
+    state->curve = curve;
+    state->drive = (double)drive;
+    state->segment = now->segment;
+    state->begun = 1;
+    return (labcal_real)(state->value - curve);
 }
 """,
     "length_of": """\

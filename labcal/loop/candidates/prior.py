@@ -1,6 +1,7 @@
 """Parameters that are known before the run is seen, as data of their own (Theil & Goldberger, Int. Econ. Rev. 2, 65).
 
-Those of a smooth function have mean zero and one standard deviation; all others are open.
+Those of a smooth function have mean zero and one standard deviation. How a core was magnetised where a segment began
+is anywhere between its two saturations, which its own loop says how large they are. All others are open.
 """
 
 from __future__ import annotations
@@ -11,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.effects import Term
+from labcal.model.effects.past import ANYWHERE
+from labcal.model.effects.regressors import AXES
 
 Array = NDArray[np.float64]
 
@@ -20,7 +23,7 @@ def as_data(terms: Sequence[Term], beta: Sequence[Array] | None, start: int, q: 
 
     Of p parameters the first `start` are the base's. With `beta` None they are taken to be zero.
     """
-    weight = _weights(terms, start, start + sum(len(term.parameters) for term in terms))
+    weight = _weights(terms, beta, start, start + sum(len(term.parameters) for term in terms))
     known = np.flatnonzero(weight)
     rows = np.zeros((len(known), q, len(weight)))
     rows[np.arange(len(known)), 0, known] = weight[known]
@@ -30,16 +33,21 @@ def as_data(terms: Sequence[Term], beta: Sequence[Array] | None, start: int, q: 
     return rows, off
 
 
-def precision(terms: Sequence[Term], start: int, p: int) -> Array:
+def precision(terms: Sequence[Term], beta: Sequence[Array], start: int, p: int) -> Array:
     """What is known of p parameters before the data (p, p): reciprocal variances."""
-    return np.diag(_weights(terms, start, p) ** 2)
+    return np.diag(_weights(terms, beta, start, p) ** 2)
 
 
-def _weights(terms: Sequence[Term], start: int, p: int) -> Array:
+def _weights(terms: Sequence[Term], beta: Sequence[Array] | None, start: int, p: int) -> Array:
     """Reciprocal standard deviations (p,), zero where a parameter is open."""
     out = np.zeros(p)
-    for term in terms:
+    for number, term in enumerate(terms):
+        end = start + len(term.parameters)
         if term.basis is not None:
-            out[start : start + len(term.parameters)] = 1 / term.basis.prior_nT
-        start += len(term.parameters)
+            out[start:end] = 1 / term.basis.prior_nT
+        if term.begins and beta is not None:
+            of_each_axis = ANYWHERE * np.abs(beta[number][: len(AXES)])
+            spread = np.tile(of_each_axis, term.begins // len(AXES))
+            out[end - term.begins : end] = np.where(spread > 0, 1 / np.where(spread > 0, spread, 1.0), 0.0)
+        start = end
     return out

@@ -7,6 +7,7 @@ step times, frequencies). Above zero a candidate is more probable than not.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -254,9 +255,19 @@ class CandidateSet:
         def made() -> Array:
             A, y = self._on_these_rows(accepted)
             taken, start = self._declared(np.flatnonzero(self.rows)), self.problem.T.shape[2]
-            known, none = as_data([c.term for c in accepted], None, start, y.shape[1])
-            own = np.concatenate([taken.whitened(A), known])
-            return ols_with_nuisance(own, np.concatenate([taken.whitened(y[:, :, None])[:, :, 0], none]), start)
+            A, y = taken.whitened(A), taken.whitened(y[:, :, None])[:, :, 0]
+            terms = [c.term for c in accepted]
+
+            def solved(beta: Sequence[Array] | None) -> Array:
+                known, _ = as_data(terms, beta, start, y.shape[1])
+                none = np.zeros((len(known), y.shape[1]))
+                return ols_with_nuisance(np.concatenate([A, known]), np.concatenate([y, none]), start)
+
+            x = solved(None)
+            if any(term.begins for term in terms):  # only then is it known how far off they may have begun
+                ends = np.cumsum([start, *(len(term.parameters) for term in terms)])
+                x = solved([x[a:b] for a, b in itertools.pairwise(ends)])
+            return x
 
         return self.cached("coefficients", accepted, made)
 

@@ -204,7 +204,7 @@ def scene_of(run: Run, seen: Observations, theta: Array, phase: Array, field: Ar
     if vector:
         rig = _rig(run, seen, phase, prediction)
     axes = K / run.dut.nominal_nT_per_unit
-    return Scene(run.t_s, run.segment_index, field, channels, run.mode, axes, rig)
+    return Scene(run.t_s, run.segment_index, field, channels, run.mode, axes, rig, of_the_fit=True)
 
 
 def _rig(run: Run, seen: Observations, phase: Array, prediction: Array) -> Rig:

@@ -9,7 +9,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.selection.misfit import evidence_over_misfit, misfits
-from labcal.loop.selection.related import related_columns, span_of_related
+from labcal.loop.selection.related import beginnings, related_columns, span_of_related
 
 
 def min_material_drop(pool: CandidateSet, accepted: Sequence[Candidate]) -> float:
@@ -52,9 +52,11 @@ def earns_its_extension(pool: CandidateSet, accepted: Sequence[Candidate], found
     """Whether what a cause adds to the ones that it extends has the evidence that a cause of its own would need.
 
     A reference that drifts is a constant field where the drift is zero, a loop a curve where it has no width: the
-    larger model always fits a little better, and that little may be misfit of the smaller one's form.
+    larger model always fits a little better, and that little may be misfit of the smaller one's form. So does one that
+    begins anywhere in each segment: what only differs from segment to segment is no loop.
     """
     smaller = span_of_related(pool, found.candidate, found.candidate.family.extends)
+    smaller += beginnings(pool, found.candidate)
     if not smaller:
         return True
     own, law = pool.score(found.candidate, pool.null_model(accepted, smaller)), policy.POLICY

@@ -12,6 +12,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.parallel import parallel_map
+from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
@@ -148,7 +149,8 @@ def cross_validate(
     """Residuals of every row by fits that did not see its block; `choose` picks the effects on the training rows.
 
     Left out are the rows between the last training row before a step and the first one after it: a fit that did not see
-    them cannot know on which side of the step they lie.
+    them cannot know on which side of the step they lie. So are those of a segment before its first training row, where
+    an effect may begin anywhere in it.
     """
     problem, whole = pool.problem, pool.whole
     block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (blocks.block, blocks.fold))
@@ -158,6 +160,8 @@ def cross_validate(
     for fold, part, chosen in zip(numbers, parts, parallel_map(choose, parts), strict=True):
         seen_s = problem.scene.t_s[part.rows]
         test = (folds == fold) & pool.valid & ~_beside_changepoint(whole.scene.t_s, seen_s, [*before, *chosen])
+        if any(part_of.term.begins for c in (*before, *chosen) for part_of in c.parts):
+            test &= ~_not_begun(problem.scene, part.rows, whole.scene)
         known = [(c, _columns_of(c, known, pool)) for c in (*before, *chosen)]
         for which, effects in enumerate((before, chosen)):
             A = np.concatenate([whole.T[test], *(_columns_of(c, known, pool)[test] for c in effects)], axis=2)
@@ -191,6 +195,13 @@ def _beside_changepoint(t_s: Array, known_s: Array, effects: Sequence[Candidate]
         low, high = np.concatenate([[-np.inf], known_s, [np.inf]])[after : after + 2]
         out |= (t_s > low) & (t_s < high)
     return out
+
+
+def _not_begun(scene: Scene, training: NDArray[np.bool_], whole: Scene) -> NDArray[np.bool_]:
+    """Rows (N,) of the whole that lie before the first training row of their segment."""
+    begun = np.full(int(whole.segment.max()) + 1, np.inf)
+    np.minimum.at(begun, scene.segment[training], scene.t_s[training])
+    return np.asarray(whole.t_s < begun[whole.segment])
 
 
 def _columns_of(candidate: Candidate, known: Sequence[tuple[Candidate, Array]], pool: CandidateSet) -> Array:

@@ -63,7 +63,10 @@ class JointFit:
         return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + effects)
 
     def parameters(self, covariance: Array | None = None) -> tuple[tuple[Parameter, ...], ...]:
-        """The parameters of each effect with their standard uncertainties, by `covariance` or that of the noise."""
+        """The parameters of each effect with their standard uncertainties, by `covariance` or that of the noise.
+
+        Without those that say how the run's segments began.
+        """
         of = self.covariance if covariance is None else covariance
         u = np.sqrt(np.maximum(np.diag(of), 0.0))[self.problem.T.shape[2] :]
         linear = sum(len(b) for b in self.beta)
@@ -73,7 +76,7 @@ class JointFit:
             found = [
                 Parameter(name, float(value), float(spread), unit)
                 for (name, unit), value, spread in zip(term.parameters, beta, u[at : at + len(beta)], strict=True)
-            ]
+            ][: term.lasting]
             at += len(beta)
             for s in term.shape:
                 spread = s.u(t_s, next(by_slope)) if s.grid else 0.0
@@ -246,7 +249,7 @@ def _covariance(
     transformed = cosine_transform(_derivatives(here, terms, beta, used))
     bands, spectrum = noise_spectrum(transformed, here.y[used])
     A = weighted_gram(transformed, bands, np.ones_like(spectrum))
-    known = precision(terms, here.T.shape[2], len(A))
+    known = precision(terms, beta, here.T.shape[2], len(A))
     inverse = inverse_gram(A + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
     return np.asarray(inverse @ (weighted_gram(transformed, bands, spectrum) + known) @ inverse)
 
@@ -259,7 +262,7 @@ def derivatives(found: JointFit) -> tuple[Array, Array]:
     here, terms, beta, used = found.problem, found.terms, found.beta, found.used
     A = _derivatives(here, terms, beta, used)
     flat = A.reshape(-1, A.shape[2])
-    known = precision(terms, here.T.shape[2], flat.shape[1])
+    known = precision(terms, beta, here.T.shape[2], flat.shape[1])
     return A, inverse_gram(flat.T @ flat + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
 
 

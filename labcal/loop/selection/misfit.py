@@ -119,7 +119,7 @@ def _otherwise_driven(scene: Scene, chosen: Candidate) -> Iterator[Array]:
 
     Of a switched load all powers are the same, and a slow response is mostly the load: only what is new counts.
     """
-    own = np.nan_to_num(chosen.term.columns(scene))
+    own = _lasting(scene, chosen)
     bent = [own * drive[:, None, None] for drive in _channels(scene, chosen)]
     yield from bent
     if chosen.belongs_to != "rig" or chosen.term.channels:
@@ -129,13 +129,18 @@ def _otherwise_driven(scene: Scene, chosen: Candidate) -> Iterator[Array]:
 
 def _otherwise_timed(scene: Scene, chosen: Candidate) -> Iterator[Array]:
     """The effect earlier, later and smeared, each (n, 3, p)."""
-    yield from _in_time(scene, np.nan_to_num(chosen.term.columns(scene)))
+    yield from _in_time(scene, _lasting(scene, chosen))
 
 
 def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
     """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p)."""
-    own = np.nan_to_num(chosen.term.columns(scene))
+    own = _lasting(scene, chosen)
     yield from (own * drive[:, None, None] for drive in _surroundings(scene, chosen))
+
+
+def _lasting(scene: Scene, chosen: Candidate) -> Array:
+    """Its columns (n, 3, p) but for those of how the segments began."""
+    return np.nan_to_num(chosen.term.columns(scene)[:, :, : chosen.term.lasting])
 
 
 def _channels(scene: Scene, chosen: Candidate) -> Iterator[Array]:

@@ -47,6 +47,15 @@ def initial_state_columns(pool: CandidateSet, chosen: Candidate) -> list[Span]:
     return [pool.cached(("initial state", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
 
 
+def beginnings(pool: CandidateSet, chosen: Candidate) -> list[Span]:
+    """What a candidate's freedom to begin anywhere in each segment spans; empty where it has none."""
+
+    def made() -> Span:
+        return Span(pool.transformed_columns(chosen)[:, :, chosen.term.lasting :])
+
+    return [pool.cached("beginnings", (chosen,), made)] if chosen.term.begins else []
+
+
 def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:
     """The span of all candidates of these families on the channels of `chosen`; empty where there is none."""
     related = [c for c in pool.candidates if c.family.id in ids and c.term.channels == chosen.term.channels]
@@ -93,6 +102,7 @@ def _distinct_columns(pool: CandidateSet, related: Sequence[Candidate]) -> list[
     _, first, times = np.unique(some, axis=1, return_index=True, return_counts=True)
     order, ends = np.argsort(first), np.cumsum([0, *(len(c.term.parameters) for c in related)])
     first, times = first[order], times[order].astype(float)
-    inside = [(first >= a) & (first < b) for a, b in itertools.pairwise(ends)]
+    lasting = [a + c.term.lasting for a, c in zip(ends[:-1], related, strict=True)]
+    inside = [(first >= a) & (first < b) for a, b in zip(ends[:-1], lasting, strict=True)]
     found = zip(related, ends[:-1].tolist(), inside, strict=True)
     return [(c, first[here] - start, times[here]) for c, start, here in found if here.any()]

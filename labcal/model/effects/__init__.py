@@ -11,6 +11,8 @@ from labcal.model.effects.registry import families, family, find, load, load_shi
 from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import (
     ANGLE,
+    BEGINNING,
+    BEGINNING_ON,
     DELAY,
     FREQUENCY,
     GIVEN,
@@ -27,6 +29,8 @@ from labcal.model.effects.term import Term
 
 __all__ = [
     "ANGLE",
+    "BEGINNING",
+    "BEGINNING_ON",
     "DELAY",
     "FREQUENCY",
     "GIVEN",

@@ -73,5 +73,21 @@ def saturating(s: str, threshold: str, level: str, powers: Sequence[int]) -> CFo
     return CForm(formula, "\n".join(lines), state=_stops(3), helpers=helpers)
 
 
+def core(s: str, bend: str, pin: str, part: str) -> CForm:
+    """A core's magnetisation, less its curve, and the curve's bend."""
+    lines = []
+    for i in range(3):
+        own = f"{s}[{i}]"
+        lines.append(f"along_axis(e[{i}], {i}, magnetised(&state->core[{i}], now, {own}, {bend}, {pin}, {part}));")
+        lines.append(f"along_axis(e[{3 + i}], {i}, (labcal_real)bent((double){own} / (double){bend}));")
+    formula = (
+        "E = c (M - L(s/a_nT)) + t1 (L(u) - u/3) along each of the sensor's axes, L(u) = coth u - 1/u, u = s/a_nT; "
+        "dM/ds = (L(s/a_nT) - M)/k_nT, s rising, or its negative, s falling, where that moves M towards L, else 0; "
+        "s [nT]; c, t1 [nT]; each segment begins at M = begins_on L"
+    )
+    helpers = ("along_axis", "langevin", "bent", "magnetised")
+    return CForm(formula, "\n".join(lines), state="labcal_core core[3];", helpers=helpers)
+
+
 def _stops(count: int) -> str:
     return f"labcal_stop stop[{count}];"

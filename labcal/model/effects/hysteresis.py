@@ -1,10 +1,11 @@
-"""Readings that remember where the field came from: loops of Dahl's, stops, and a saturating loop.
+"""Readings that remember where the field came from: loops of Dahl's, stops, a saturating loop, a core's magnetisation.
 
 A stop of threshold r follows the field until it is r away from where it turned, several of them make a rounded loop
 (Prandtl-Ishlinskii; Visintin, Differential Models of Hysteresis, 1994, ch. III). Dahl's loop (ASME J. Dyn. Syst. 98,
 1976) approaches its branch exponentially over a field w. A magnetic part near saturation is a bounded function of the
 play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of its own: the relays'
-saturation, and powers for what is uneven in it.
+saturation, and powers for what is uneven in it. A core whose walls are pinned follows its curve behind it
+(`labcal.model.effects.magnetised`); how it was magnetised where each segment of the run began is fitted with it.
 Each segment starts at rest in the field it is in; with `kept`, demagnetised before the field came on: each segment
 (0), or the first alone, its memory kept from one to the next (1). The loop follows the field along the sensor's own
 axes, or along those of the body (`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
@@ -21,21 +22,33 @@ import numpy as np
 
 from labcal.model.effects import c_loops
 from labcal.model.effects.c_form import CForm, real
+from labcal.model.effects.magnetised import bent, langevin, magnetised
 from labcal.model.effects.memory import nowhere
 from labcal.model.effects.nonlinearity import SATURATION, SATURATION_nT, bend
 from labcal.model.effects.past import ANYWHERE, Past
 from labcal.model.effects.protocol import Array, Family
 from labcal.model.effects.recursion import affine_recursion, clipped_recursion
-from labcal.model.effects.regressors import BODY, driving, driving_in_c, on_each_axis, per_axis, powered, stretches
+from labcal.model.effects.regressors import (
+    AXES,
+    BODY,
+    driving,
+    driving_in_c,
+    on_each_axis,
+    per_axis,
+    powered,
+    stretches,
+)
 from labcal.model.effects.scene import Scene
-from labcal.model.effects.shape import ANGLE, GIVEN, THRESHOLD, Shape
+from labcal.model.effects.shape import ANGLE, BEGINNING, BEGINNING_ON, GIVEN, SCALE, THRESHOLD, Shape
 from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
-SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
+SEVERAL_nT = ((500.0, 1500.0, 4000.0, 12000.0), (500.0, 1000.0, 2000.0, 4000.0, 8000.0, 16000.0))
 WIDTHS_nT = (1000.0, 4000.0)
 OWN_NOISE = 90.0  # deviations of a reading: a narrower loop, driven by the readings, would take off their noise
+CORES_nT, PINS_nT = (9000.0, 30000.0), (2000.0, 4000.0, 8000.0, 16000.0)
+MOST_BEGINNINGS = 40  # segments: how more began is not fitted
 BAR_nT = (2000.0, 6000.0, 18000.0)
 LON_deg = (30.0, 90.0, 150.0, 210.0, 270.0, 330.0)
 LAT_deg = (20.0, 65.0)  # of half the sphere: nothing is farther than 35 degrees from one of these or its opposite
@@ -44,6 +57,9 @@ BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, 
 STOP, WIDTH = (Shape(name, 0.0, "nT", kind=THRESHOLD) for name in ("r_nT", "w_nT"))
 LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "deg", LAT_deg, ANGLE)
 KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
+CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("k_nT", 0.0, "nT", kind=THRESHOLD)
+ON_CURVE = Shape("begins_on", 1.0, "1", kind=BEGINNING_ON)  # the part of its curve that a core begins with
+BEGINS = Shape("begins", 1.0, "1", kind=BEGINNING)  # how far from rest, or from demagnetised; 1: anywhere
 
 
 Before = tuple[Array, Array]  # drive and state (k,) each, of the row before the first
@@ -61,10 +77,12 @@ def stop(
     """The stop operator along rows of drive (n, k) [nT]: within ± threshold (one, or k).
 
     It starts anew in each row of `starts`, at rest in the field there or at drive 0; the first row goes on from the one
-    `before` it where it is no start. `astray` starts so many standard deviations of anywhere from the middle.
+    `before` it where it is no start. `astray` starts so many standard deviations of anywhere from the middle, by less
+    than one as much nearer to where it would be.
     """
     steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
-    steps[first] = astray * ANYWHERE * threshold if astray or at_rest else drive[first]
+    rest = 0.0 if at_rest else np.clip(drive[first], -np.asarray(threshold), threshold)
+    steps[first] = (1 - abs(astray)) * rest + astray * ANYWHERE * threshold
     if before is None:
         return clipped_recursion(steps, threshold, first)
     steps[0] = before[1] + (drive[0] - before[0])
@@ -95,7 +113,9 @@ def kernel(term: Term, scene: Scene) -> Array:
     stands still be taken off by it.
     """
     s = driving(term, scene if scene.rig is None else replace(scene, denoised_field_nT=scene.rig.prediction_nT))
-    names, off = {shape.name for shape in term.shape}, 0.0 if scene.past is None else scene.past.astray
+    names, off = {shape.name for shape in term.shape}, _astray(term, scene)
+    if "k_nT" in names:
+        return _of_a_core(term, scene, s)
     if "w_nT" in names:
         loops = [_along(scene, s, lambda starts, before: dahl(s, term.at("w_nT"), starts, before, off))]
     elif "s_nT" in names:
@@ -111,10 +131,44 @@ def kernel(term: Term, scene: Scene) -> Array:
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
 
 
+def _astray(term: Term, scene: Scene) -> float:
+    """How far off the loops begin, in deviations of anywhere: other recordings as the run's own segments did."""
+    return 0.0 if scene.past is None else scene.past.astray * _begins(term)
+
+
+def _begins(term: Term) -> float:
+    found = term.of(BEGINNING)
+    return BEGINS.value if found is None else found.value
+
+
+def _part(term: Term) -> float:
+    found = term.of(BEGINNING_ON)
+    return ON_CURVE.value if found is None else found.value
+
+
+def _of_a_core(term: Term, scene: Scene, s: Array) -> Array:
+    """What its magnetisation lags behind its curve, the curve's bend, and what was left of each beginning."""
+    a, k, left = term.at(CORE.name), term.at(PIN.name), np.zeros_like(s)
+
+    def loop(starts: Sequence[int], before: Before | None) -> Array:
+        off, anew = _astray(term, scene) * ANYWHERE, np.asarray(starts, dtype=np.intp)
+        state, left[:] = magnetised(s, a, k, anew, before, off, _part(term))
+        return state
+
+    state = _along(scene, s, loop)
+    drives = [state - langevin(s / a), bent(s / a)]
+    for name, _ in term.parameters[2 * len(AXES) :: len(AXES)]:
+        number = int(name.removeprefix(BODY).split("_")[0].removeprefix("m"))
+        drives.append(left * (scene.of_the_fit & (scene.segment == number))[:, None])
+    return np.concatenate([drive[:, None, :] * scene.axes for drive in drives], axis=2)
+
+
 def in_c(term: Term) -> CForm:
     """The same in C (`labcal.model.effects.c_loops`)."""
     s = driving_in_c(term)
     places = {shape.name: f"R(shape[{place}])" for place, shape in enumerate(term.shape)}
+    if "k_nT" in places:
+        return c_loops.core(s, places["a_nT"], places["k_nT"], places.get(ON_CURVE.name, "R(1.0)"))
     if "w_nT" in places:
         return c_loops.dahl(s, places["w_nT"])
     if "s_nT" in places:
@@ -137,7 +191,7 @@ def _stopped(term: Term, scene: Scene, s: Array) -> list[Array]:
     kept = next((shape.value for shape in term.shape if shape.name == "kept"), None)
     thresholds, k = _thresholds(term), s.shape[1]
     drive, limits = np.tile(s, len(thresholds)), np.repeat(thresholds, k)
-    off = 0.0 if scene.past is None else scene.past.astray
+    off = _astray(term, scene)
 
     def stopped(starts: Sequence[int], before: Before | None) -> Array:
         return stop(drive, limits, starts, at_rest=kept is None, before=before, astray=off)
@@ -167,35 +221,51 @@ def _thresholds(term: Term) -> list[float]:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Dahl's loop, one stop, several, and a saturating loop about a curve, along either axes; and a bar.
+    """Dahl's loop, one stop, several, a saturating loop about a curve, and a core, along either axes; and a bar.
 
     Stops are tried from rest, and demagnetised before the first segment or before each. From rest no loop is seen that
     is wider than the field goes to and fro within a segment: it would take off the reference's own noise.
     """
     least, travel = _narrowest(run), _travel(run)
-    thresholds, several, widths = (
-        tuple(r for r in grid if r >= least) for grid in (THRESHOLDS_nT, SEVERAL_nT, WIDTHS_nT)
-    )
-    found = []
-    for drive in ("", BODY) if travel > THRESHOLDS_nT[0] else ():
-        seen = tuple(r for r in thresholds if r <= travel)
+    thresholds, widths, pins, bars = (_above(least, grid) for grid in (THRESHOLDS_nT, WIDTHS_nT, PINS_nT, BAR_nT))
+    seen, found = tuple(r for r in thresholds if r <= travel), list[Term]()
+    for drive in ("", BODY):
+        several = [part for part in (_stops(f"{drive}c", _above(least, grid)) for grid in SEVERAL_nT) if part]
+        for kept in (KEPT, replace(KEPT, value=1.0)):
+            if thresholds:
+                found.append(Term(kernel, per_axis(f"{drive}c", "1"), shape=(replace(STOP, grid=thresholds), kept)))
+            found += [Term(kernel, part, shape=(kept,)) for part in several]
+        if travel <= THRESHOLDS_nT[0]:
+            continue
+        if pins and len(run.segments) <= MOST_BEGINNINGS:
+            found.append(_core(run, drive, pins))
         units = [("nT", replace(WIDTH, grid=seen)), ("1", replace(STOP, grid=seen))]
         found += [Term(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
-        if several:
-            found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
+        found += [Term(kernel, part) for part in several]
         if widths:
             shapes = (replace(STOP, grid=widths), replace(SATURATION, value=0.0, grid=SATURATION_nT))
             curve = (*per_axis(f"{drive}t1", "nT"), *(p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k))))
             found.append(Term(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
-    bar = tuple(p for r in BAR_nT if r >= least for p in per_axis(f"{BODY}c{r:.0f}", "1"))
-    for kept in (KEPT, replace(KEPT, value=1.0)):
-        if thresholds:
-            found.append(Term(kernel, per_axis("c", "1"), shape=(replace(STOP, grid=thresholds), kept)))
-        if several:
-            found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"c{r:.0f}", "1")), shape=(kept,)))
-        if bar:
-            found.append(Term(kernel, bar, shape=(LON, LAT, kept)))
-    return found
+    if bars:
+        bar = _stops(f"{BODY}c", bars)
+        found += [Term(kernel, bar, shape=(LON, LAT, kept)) for kept in (KEPT, replace(KEPT, value=1.0))]
+    return [replace(term, shape=(*term.shape, BEGINS)) for term in found]
+
+
+def _above(least: float, grid: tuple[float, ...]) -> tuple[float, ...]:
+    return tuple(r for r in grid if r >= least)
+
+
+def _stops(name: str, thresholds: tuple[float, ...]) -> tuple[tuple[str, str], ...]:
+    """The parameters of several stops."""
+    return tuple(p for r in thresholds for p in per_axis(f"{name}{r:.0f}", "1"))
+
+
+def _core(run: Run, drive: str, pins: tuple[float, ...]) -> Term:
+    """A core with its curve, and with how it was magnetised at the beginning of each segment."""
+    begun = tuple(p for number in np.unique(run.segment_index).tolist() for p in per_axis(f"{drive}m{number}", "nT"))
+    curve = (*per_axis(f"{drive}c", "nT"), *per_axis(f"{drive}t1", "nT"))
+    return Term(kernel, (*curve, *begun), shape=(CORE, replace(PIN, grid=pins), ON_CURVE), begins=len(begun))
 
 
 def _travel(run: Run) -> float:
@@ -229,7 +299,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(STOP, WIDTH, SATURATION, LON, LAT, KEPT),
+    shapes=(STOP, WIDTH, SATURATION, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS),
     of_field=True,
     follows_reference=True,
     extends=("nonlinearity",),

@@ -40,6 +40,7 @@ class Scene:
     rig: Rig | None = None
     denoised_field_nT: Array | None = None  # (n, 3) a at the estimated true reading, where a fit knows it
     past: Past | None = None  # where the rows are a piece of a recording (`Family.in_pieces`)
+    of_the_fit: bool = False  # whether they are the fit's own, whose segments its parameters may speak of
 
     def __len__(self) -> int:
         return len(self.t_s)

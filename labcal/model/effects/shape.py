@@ -103,6 +103,8 @@ DELAY = Kind("delay", _one_delay, _of_a_row, "delay scan")
 FREQUENCY = Kind("frequency", _one_line, _of_a_line, "spectral lines")
 MOMENT = Kind("moment", _scale, _of_its_value, "changepoints", _between_two_rows)
 SECANT = Kind("secant", _scale, _of_its_value, "own secant")  # the interval that a derivative in time is taken over
+BEGINNING = Kind("beginning", _scale, _of_its_value)  # how far off its rest a state begins, in its deviations
+BEGINNING_ON = Kind("beginning on", _scale, _of_its_value)  # where a state begins on the whole, by the run's segments
 GIVEN = Kind("given", _scale, _of_its_value)  # by the run, the device or the author: it has no grid
 
 
