@@ -12,7 +12,7 @@ from labcal.fit.vector.system import Noise
 from labcal.loop import policy
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.outliers import hampel_outliers
-from labcal.loop.data.resolution import ROUNDING
+from labcal.loop.data.resolution import ROUNDING, rounding_noise
 from labcal.loop.noise.differences import white_level
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
@@ -42,7 +42,8 @@ def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
     """The problem whitened by the actual noise, and its floor: declared, else static stretches, else differences."""
     level, source = _static_noise(problem), "static"
     if level is None:
-        level, source = white_level(problem.y, problem.scene.segment), "differences"
+        rounding = rounding_noise(problem.run) / problem.noise.reading
+        level, source = white_level(problem.y, problem.scene.segment, rounding), "differences"
     if problem.run.dut.noise_nT:
         ratio = level if source == "static" else None
         return problem, NoiseFloor(_expected_rms(problem), "declared", ratio)
