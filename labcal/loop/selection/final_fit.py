@@ -31,18 +31,19 @@ def final_fit(
 ) -> tuple[Evidence, JointFit]:
     """The fit with the accepted effects; those that it cannot carry are given up, and all is selected anew without.
 
-    So are those that may be zero: `p_values` says how often each term would seem as large (Wald). After MAX_SEARCHES
-    the others alone are proven anew.
+    So are those that are more than half of the field, and those that may be zero: `p_values` says how often each term
+    would seem as large (Wald). After MAX_SEARCHES the others alone are proven anew.
     """
     not_carried, insignificant, beyond_half = dict[Cause, float](), dict[Cause, float](), set[Cause]()
     while found.accepted:
         found, fitted = in_full(problem, found, nearest_fit(problem, found))
         left = in_sample_rms(fitted)
-        if (place := _beyond_half(found, fitted)) is not None:
-            beyond_half.add(found.accepted[place].cause)
-        elif not carries_them(left, found):
+        if not carries_them(left, found):
             place = _least_missed(problem, found)
             not_carried[found.accepted[place].cause] = left
+        elif (large := _beyond_half(found, fitted)) is not None:
+            place = large
+            beyond_half.add(found.accepted[place].cause)
         else:
             place, chance = _least_certain(found, p_values(fitted))
             if chance <= policy.POLICY.significance:
