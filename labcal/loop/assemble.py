@@ -26,6 +26,7 @@ from labcal.loop.narrative import (
     summary,
     tests_text,
     why_accepted,
+    why_beyond_half,
     why_equivalent,
     why_final_fit_differs,
     why_insignificant,
@@ -291,6 +292,8 @@ def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
     term, step = w.candidate.term, found.refused.get(w.candidate.cause)
     before, after, said = (step.before, step.after, why_rejected(w, step)) if step else (None, None, why_rejected(w))
     gain = step.improvement() if step else None
+    if step and w.candidate.cause in found.beyond_half:
+        said = why_beyond_half(step)
     if step and (left := found.not_carried.get(w.candidate.cause)) is not None:
         said = why_final_fit_differs(step, left)
     if step and (chance := found.insignificant.get(w.candidate.cause)) is not None:

@@ -114,6 +114,14 @@ def why_final_fit_differs(step: HeldOutErrors, left_nT: float) -> str:
     )
 
 
+def why_beyond_half(step: HeldOutErrors) -> str:
+    """Why a cause is not named that is too large for a lab."""
+    return (
+        f"taken ({step.before:.1f} to {step.after:.1f} nT held out), and given up: it would be more than half of the "
+        "field, and the others would undo it"
+    )
+
+
 def why_insignificant(step: HeldOutErrors, chance: float) -> str:
     """Why a cause is not named that is no larger than its uncertainty."""
     return (

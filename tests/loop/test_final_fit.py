@@ -12,10 +12,11 @@ import pytest
 
 from labcal import session
 from labcal.fit.vector.ml import ml
+from labcal.geometry import rotate
 from labcal.loop import close_loop
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
-from labcal.loop.data.credible import credible, min_new_share, without_wild_rows
+from labcal.loop.data.credible import credible, is_beyond_half, min_new_share, without_wild_rows
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.policy import POLICY
 from labcal.loop.selection import final_fit as final
@@ -62,6 +63,34 @@ def test_the_share_that_is_new_does_not_depend_on_the_columns_that_a_span_is_giv
         assert np.linalg.matrix_rank(found, tol=1e-6 * np.abs(columns).max()) == 1
         left = nearly.ravel() - found @ np.linalg.lstsq(found, nearly.ravel(), rcond=None)[0]
         assert np.linalg.norm(left) > 0.9 * np.linalg.norm(nearly)
+
+
+@pytest.mark.parametrize(
+    ("of_y", "apart_nT", "beyond"), [(-0.95, 50.0, True), (-0.3, 50.0, False), (-0.95, 6000.0, False)]
+)
+def test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect(
+    of_y: float, apart_nT: float, beyond: bool
+) -> None:
+    """Of a field of 44 000 nT along z in which y alone changes, by 10 000 nT: a fifth of it as a whole."""
+    draw = np.random.default_rng(4)
+    reference = np.array([18000.0, -1500.0, -44000.0]) + draw.normal(0, [20.0, 10000.0, 20.0], (200, 3))
+    effect = reference[:, 1:2] * np.array([0.1, of_y, 0.0]) + draw.normal(0, 30.0, (200, 3))
+    assert is_beyond_half(effect, reference, apart_nT) is beyond
+
+
+def test_an_effect_of_the_rig_beyond_half_of_the_field_is_given_up(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows, segments = making.recorded(seconds=30.0)
+    axis = np.array([s["axis_body"] for s in segments])[np.repeat(np.arange(6), len(rows["t_s"]) // 6)]
+    rows["dut"] = rows["dut"] + 1.05 * rotate(axis, -rows["angle"], np.array([300.0, -200.0, 250.0]))
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    assert [e.effect for e in close_loop(run).accepted] == ["cage-field"]
+    monkeypatch.setattr(final, "is_beyond_half", lambda *_: True)
+    closed = close_loop(replace(run, run_id="again"))
+    assert not {e.belongs_to for e in closed.accepted} & {"rig"}
+    refused = next(e for e in closed.rejected if e.effect == "cage-field")
+    assert "more than half of the field" in refused.why
 
 
 def test_a_loop_as_wide_as_the_field_is_no_field_that_the_map_could_undo(started: Started) -> None:

@@ -66,6 +66,21 @@ def test_the_readings_rounding_is_part_of_the_declared_noise(
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT**2 + step_nT**2 / 12)) / 1.05, rel=0.02)
 
 
+def test_rows_that_round_alike_are_no_measure_of_a_noise_that_is_not_stated(making: ModuleType, tmp_path: Path) -> None:
+    """At rest in fields of many directions, in steps of four times the noise: most rows are as the one before."""
+    rows, segments = making.recorded()
+    for segment in segments:
+        segment["kind"] = "static"
+    rows["angle"] = np.full(len(rows["t_s"]), np.nan)
+    draw = np.random.default_rng(6)
+    rows["ref"] = np.repeat(draw.normal(0, 25000.0, (len(rows["t_s"]) // 10, 3)), 10, axis=0)
+    rows["dut"] = 80.0 * np.round((rows["ref"] + draw.normal(0, 20.0, rows["ref"].shape)) / 80.0)
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments, noise_nT=None))))
+    assert closed.verdict == "clean"
+    assert closed.set_aside["outliers"] == 0
+    assert closed.noise_floor_nT == pytest.approx(np.sqrt(3 * (20.0**2 + 80.0**2 / 12)), rel=0.2)
+
+
 @pytest.mark.parametrize("told", [True, False], ids=["by its current", "by the power mode"])
 def test_a_load_that_is_switched_at_rest_is_no_noise(making: ModuleType, tmp_path: Path, told: bool) -> None:
     rows, segments = making.recorded(seconds=20.0)

@@ -41,6 +41,29 @@ def _wobbling(rows: Rows, segments: Segments) -> None:
         rows["ref"][here], rows["dut"][here] = ref, 1.05 * seen + 800 + draw.normal(0, 20, seen.shape)
 
 
+def _slipped_between_two_segments(rows: Rows, segments: Segments) -> None:
+    """The device sits in its third mounting otherwise after the coils were set anew, all else being as it was."""
+    for segment in segments:
+        segment["mounting"] = segment["id"][0]
+    here = rows["segment"] == segments[-1]["id"]
+    turned = rotation_vector(np.radians([0.1, -0.15, 0.08]))
+    rows["dut"][here] = 800 + (rows["dut"][here] - 800) @ turned.T
+
+
+def _standing_askew_among_coils(rows: Rows, segments: Segments) -> None:
+    """At rest in six attitudes, each missed by a tenth of a degree, in fields of many directions."""
+    draw = np.random.default_rng(8)
+    rows["angle"] = np.full(len(rows["t_s"]), np.nan)
+    for segment in segments:
+        here = rows["segment"] == segment["id"]
+        attitude = rotation_vector(np.pi / 2 * draw.integers(0, 4, 3))
+        segment["kind"], segment["body_from_cage"] = "static", attitude.tolist()
+        segment["axis_body"] = (attitude @ segment["axis_cage"]).tolist()
+        ref = np.repeat(draw.normal(0, 25000.0, (here.sum() // 5, 3)), 5, axis=0)
+        seen = ref @ attitude.T @ rotation_vector(np.radians(0.1) * draw.normal(size=3)).T
+        rows["ref"][here], rows["dut"][here] = ref, 1.05 * seen + 800 + draw.normal(0, 20, seen.shape)
+
+
 def _beside_a_reference(rows: Rows, segments: Segments) -> None:
     """A reference at an unstated place reads the field of a moment that turns with the device."""
     towards = np.array([0.6, -0.64, 0.48])
@@ -64,6 +87,8 @@ def _another_gain_for_each_sign(rows: Rows, segments: Segments) -> None:
     [
         (_each_mounted_askew, "axis-tilt"),
         (_wobbling, "axis-tilt"),
+        (_slipped_between_two_segments, "axis-tilt"),
+        (_standing_askew_among_coils, "axis-tilt"),
         (_beside_a_reference, "dut-dipole-at-reference"),
         (_another_gain_for_each_sign, "nonlinearity"),
     ],

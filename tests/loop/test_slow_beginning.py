@@ -11,6 +11,7 @@ import pytest
 
 from labcal import session
 from labcal.loop import close_loop
+from labcal.model.effects import offset_current
 from labcal.model.effects.regressors import low_passed
 
 TAU_S, OFF_C = 18.0, 4.0
@@ -58,3 +59,12 @@ def test_a_course_that_goes_on_as_a_line_is_followed_as_a_line() -> None:
     t = np.arange(0.0, 20 * TAU_S, 0.5)
     begun = low_passed(t, np.zeros(len(t), dtype=np.intp), 0.3 * t, TAU_S)[0]
     assert begun == pytest.approx(-0.3 * TAU_S)
+
+
+def test_no_sum_of_responses_holds_one_that_is_slower_than_the_run_is_long(making: ModuleType, tmp_path: Path) -> None:
+    """Several of them would be a drift in time, and take a temperature's part beside any current that moves."""
+    run = session.load_run(str(making.written(tmp_path, *making.recorded())))
+    for span_s, sums in ((40.0, [{"0", "3", "12"}]), (2.5, []), (400.0, [{"0", "3", "12", "50"}])):
+        terms = offset_current.candidates(run.select(run.t_s - run.t_s[0] <= span_s))
+        names = [{name[1 : name.index("s_")] for name, _ in t.parameters if "s_" in name} for t in terms]
+        assert [found for found in names if found] == sums

@@ -42,6 +42,20 @@ def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> fl
     return max(MIN_NEW_SHARE, float(APART * np.sum(apart_nT**2) / np.sum(field_nT**2)))
 
 
+def is_beyond_half(effect_nT: Array, reference_nT: Array, apart_nT: float) -> bool:
+    """Whether an effect is more than half of the field that drives it, in a direction in which the field changes.
+
+    Both (n, 3) in C. Two may be, each the other's undoing: iron beside coils that are not alike leaves the reference
+    less what the coils make, so all that the reference drifts. Changes of less than twice what readings and reference
+    are apart say nothing: there an effect may be as large as what drives it.
+    """
+    reference, effect = reference_nT - reference_nT.mean(axis=0), effect_nT - effect_nT.mean(axis=0)
+    squares, directions = np.linalg.eigh(reference.T @ reference / len(reference))
+    large = squares > APART * apart_nT**2
+    along = (reference @ directions[:, large]).T @ effect / len(effect) / squares[large, None]
+    return bool((np.sum(along**2, axis=1) * APART > 1).any())
+
+
 def without_wild_rows(residual_nT: Array) -> Array:
     """A residual (n, 3) whose rows are no longer than ten times their median: outliers are not known yet."""
     length = np.linalg.norm(residual_nT, axis=1)

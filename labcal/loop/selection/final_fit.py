@@ -15,6 +15,7 @@ from labcal.fit.vector.ml import estimate
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
 from labcal.loop.candidates.library import Cause
+from labcal.loop.data.credible import follows_reference, is_beyond_half
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.proof import Evidence, prove, relinearised
@@ -30,16 +31,19 @@ def final_fit(
 ) -> tuple[Evidence, JointFit]:
     """The fit with the accepted effects; those that it cannot carry are given up, and all is selected anew without.
 
-    So are those that may be zero: `p_values` says how often each term would seem as large (Wald). After MAX_SEARCHES
-    the others alone are proven anew.
+    So are those that are more than half of the field, and those that may be zero: `p_values` says how often each term
+    would seem as large (Wald). After MAX_SEARCHES the others alone are proven anew.
     """
-    not_carried, insignificant = dict[Cause, float](), dict[Cause, float]()
+    not_carried, insignificant, beyond_half = dict[Cause, float](), dict[Cause, float](), set[Cause]()
     while found.accepted:
         found, fitted = in_full(problem, found, nearest_fit(problem, found))
         left = in_sample_rms(fitted)
         if not carries_them(left, found):
             place = _least_missed(problem, found)
             not_carried[found.accepted[place].cause] = left
+        elif (large := _beyond_half(found, fitted)) is not None:
+            place = large
+            beyond_half.add(found.accepted[place].cause)
         else:
             place, chance = _least_certain(found, p_values(fitted))
             if chance <= policy.POLICY.significance:
@@ -47,7 +51,21 @@ def final_fit(
             insignificant[found.accepted[place].cause] = chance
         found, selection = _without(found, selection, place)
         found = replace(found, not_carried=dict(not_carried), insignificant=dict(insignificant))
+        found = replace(found, beyond_half=frozenset(beyond_half))
     return found, base_fit(problem, found)
+
+
+def _beyond_half(found: Evidence, fitted: JointFit) -> int | None:
+    """The place of the last accepted effect driven by the reference that is more than half of the field."""
+    scene, apart_nT = fitted.problem.scene, found.contributions[0].before
+    if scene.rig is None or fitted.problem.kind != "vector":
+        return None
+    places, large = [place for place, chosen in enumerate(found.accepted) for _ in chosen.parts], list[int]()
+    for place, term, beta in zip(places, fitted.terms, fitted.beta, strict=True):
+        if follows_reference(term):
+            in_cage = np.einsum("nji,nj->ni", scene.rig.to_body, term.columns(scene) @ beta)
+            large += [place] * is_beyond_half(in_cage[fitted.used], scene.rig.reference_nT[fitted.used], apart_nT)
+    return max(large, default=None)
 
 
 def _least_missed(problem: LinearProblem, found: Evidence) -> int:

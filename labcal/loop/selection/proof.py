@@ -41,6 +41,7 @@ class Evidence:
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
     outlier_distance: float  # of the rows set aside, in standard deviations of the others
     ending: SelectionEnding = "supported"
+    beyond_half: frozenset[Cause] = frozenset()  # that final fits make larger than half of the field
     not_carried: Mapping[Cause, float] = field(default_factory=dict)  # what final fits with these leave [nT]
     insignificant: Mapping[Cause, float] = field(default_factory=dict)  # p-values (Wald)
 

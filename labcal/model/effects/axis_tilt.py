@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.geometry import rotate, skew
+from labcal.model.effects import seat
 from labcal.model.effects.protocol import Array, Confounded, Family
-from labcal.model.effects.regressors import mountings
+from labcal.model.effects.regressors import STEP, mountings, some_moment
 from labcal.model.effects.scene import Rig, Scene
 from labcal.model.effects.term import Term
 from labcal.record import Run, offers
@@ -40,18 +41,15 @@ def kernel(term: Term, scene: Scene) -> Array:
     `spindle_x` turns the axis in C with the device as declared at angle zero. `cage_xy` is of second order, per square
     degree: a lean of two degrees misses the field by a thousandth without it.
     `cage_cos:x` and `cage_sin:x` turn it by the cosine and the sine of the platform angle, `body_m2:x` in the second
-    mounting alone.
+    mounting alone. `cage_rest:x` and `body_rest2:x` are those of a device at rest; `body_slip2:x` from t_step on.
     """
     assert scene.rig is not None
     out = np.zeros((len(scene), 3, len(term.parameters)))
-    turning = np.isfinite(scene.rig.angle_rad)
-    axes, mounting = _mounted(scene.rig.axis_body), scene.rig.mounting + 1
+    axes = _mounted(scene.rig.axis_body)
     for column, (name, _) in enumerate(term.parameters):
         where, _, direction = name.rpartition(":" if ":" in name else "_")
         frame, _, number = where.partition("_")
-        rows = turning
-        if number and number not in WAVES:
-            rows = turning & ((mounting if number[0] == "m" else axes) == int(number.removeprefix("m")))
+        rows = seat.rows_of(number, axes, term, scene)
         along = np.eye(3)["xyz".index(direction[0])]
         turn = skew(along) * DEG
         if frame in ("cage", "spindle"):
@@ -91,11 +89,14 @@ def _mounted(axis_body: Array) -> NDArray[np.intp]:
 def candidates(run: Run) -> list[Term]:
     """A tilt in the cage, common to all, of the spindle alone, wobbling, or for each mounted axis; in the body; both.
 
-    In the body it is one for each mounted axis, or for each mounting.
+    In the body it is one for each mounted axis, or for each mounting. At rest in the cage or in each mounting, and from
+    a moment on where a mounting slips.
     """
+    slips = [Term(kernel, form, shape=(some_moment(run),)) for form in seat.that_slip(run)]
+    standing = [*(Term(kernel, form) for form in seat.in_stated_attitudes(run)), *slips]
     segments = [s for s in run.segments if s.kind == "rotation" and offers(run, s) == "vector"]
     if not segments:
-        return []
+        return standing
     across_cage = _across([s.axis_cage for s in segments if s.axis_cage is not None])
     common, wobble = (tuple((f"cage_{w}{a}", "deg") for w in ws for a in across_cage) for ws in (("",), WOBBLE))
     spindle = tuple((f"spindle_{a}", "deg") for a in across_cage)
@@ -113,7 +114,7 @@ def candidates(run: Run) -> list[Term]:
     if len(each := mountings(run)) > len(mounted):
         names = (f"body_m{i}:{a}" for i, axis in each.items() for a in _across([axis]))
         terms.append(Term(kernel, tuple((name, "deg") for name in names)))
-    return terms
+    return terms + standing
 
 
 def _across(axes: list[Vector]) -> str:
@@ -127,6 +128,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    shapes=(STEP,),
     experiment="mount the device turned by 180° about the platform axis and repeat",
     confounded=(LAG_OR_TILT, TILT_OR_GRADIENT),
     drawn_against="angle",

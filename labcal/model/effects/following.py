@@ -73,11 +73,17 @@ def _delays(t_s: Array) -> tuple[float, ...]:
     return tuple(reach / count * k for k in (*range(-count, 0), *range(1, count + 1)))
 
 
-def multi_tau(channel: Channel, kernel: Kernel, taus_s: Sequence[int]) -> Term:
-    """A sum of responses, each with its own c: `c12s_x` belongs to 12 s, `c0s_x` to none."""
+def multi_tau(channel: Channel, kernel: Kernel, run: Run, taus_s: Sequence[int]) -> list[Term]:
+    """A sum of responses, each with its own c: `c12s_x` belongs to 12 s, `c0s_x` to none.
+
+    One that is slower than the run is long sums the channel up: several such are a drift in time, whatever its cause.
+    """
+    seen = [tau for tau in taus_s if tau < float(np.ptp(run.t_s))]
+    if len(seen) < 2:
+        return []
     term = instantaneous(channel, kernel)
-    parameters = tuple(p for tau in taus_s for p in per_axis(f"c{tau}s", f"nT/{channel.unit}"))
-    return Term(kernel, parameters, term.channels, term.reference_value)
+    parameters = tuple(p for tau in seen for p in per_axis(f"c{tau}s", f"nT/{channel.unit}"))
+    return [Term(kernel, parameters, term.channels, term.reference_value)]
 
 
 def responses(term: Term, scene: Scene) -> Array:

@@ -58,7 +58,7 @@ def candidates(run: Run) -> list[Term]:
             instantaneous(c, kernel),
             first_order(c, kernel, tau),
             begun_elsewhere(first_order(c, kernel, tau), c),
-            multi_tau(c, kernel, SEVERAL_S),
+            *multi_tau(c, kernel, run, SEVERAL_S),
             *delayed_terms(c, kernel, run),
         )
     ]

@@ -111,7 +111,8 @@ def candidates(run: Run) -> list[Term]:
     found = []
     for c in moving(run, ("temperature",)):
         straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
-        found += [straight[0], first_order(c, kernel, either), multi_tau(c, kernel, SEVERAL_S), *map(_curved, straight)]
+        found += [straight[0], first_order(c, kernel, either), *multi_tau(c, kernel, run, SEVERAL_S)]
+        found += map(_curved, straight)
         found += [begun_elsewhere(straight[1], c), *_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
     return found
 
