@@ -64,6 +64,8 @@ FORMS = {
     "leading": (("offset-temperature", *WARM, {**C, "tau_s": -40.0}),),
     "gains": (("gain-temperature", *WARM, {"g_x": 1e-4, "g_y": 2e-4, "g_z": -1e-4, "tau_s": 30.0}),),
     "matrix": (("gain-temperature", *WARM, {f"g_{i}{j}": 1e-5 * k for k, (i, j) in enumerate(NINE, 1)}),),
+    "fed-gains": (("gain-channel", *CURRENT, each(g=1e-3, h=3e-4)),),
+    "fed-matrix": (("gain-channel", *CURRENT, {f"g_{i}{j}": 1e-4 * k for k, (i, j) in enumerate(NINE, 1)}),),
     "mode": (("offset-mode", *NONE, {f"c_{a} full power": 20.0 for a in "xyz"}), ("offset-current", *CURRENT, C)),
     "powers": (("nonlinearity", *NONE, each(c2=1e-7, c3=1e-12, o2=2e-7, k1=1e-3)),),
     "saturates": (("nonlinearity", *NONE, {f"body_t1_{a}": 900.0 for a in "xyz"} | {"s_nT": 20000.0}),),

@@ -331,7 +331,7 @@ def test_the_square_of_a_current_that_stands_takes_no_other_ones_place(searching
     idle = next(c for c in pool.candidates if c.family.id == "offset-drift")
     near = rivals.equally_likely(pool, [current, idle], idle)
     assert len(near) > 1
-    assert all(w.candidate.term.channels != ("i",) for w in near)
+    assert all(w.candidate.cause != (one, ("i",)) for w in near for one in ("offset-current", "offset-current-squared"))
 
 
 def test_a_map_is_shipped_as_it_is_without_the_effects_that_are_not(

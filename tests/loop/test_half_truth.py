@@ -13,6 +13,7 @@ from labcal import session
 from labcal.loop import close_loop
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.selection import discrepancy
 from labcal.loop.selection.discrepancy import stands_beside_discrepancy
 
 Rows = dict[str, np.ndarray]
@@ -38,6 +39,25 @@ def test_a_load_beside_something_nameless_stands_and_a_curve_of_the_field_does_n
     assert stands_beside_discrepancy(pool, [best["offset-current"]], best["offset-current"]) == loaded
     for effect in ("nonlinearity", "offset-drift"):
         assert not stands_beside_discrepancy(pool, [best[effect]], best[effect])
+
+
+def test_a_load_stands_over_a_gain_in_the_same_load_however_much_is_recorded(
+    searching: Callable[..., CandidateSet], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Bent by the field a gain would take the offset, where misfit is projected out: neither of the two is bent."""
+    monkeypatch.setattr(discrepancy, "MOST_DIRECTIONS", 200)  # reached by fewer channels
+    t = searching({}, {}).problem.scene.t_s
+    load = np.where(np.mod(t, 67.0) < 31.0, 0.5 + 0.2 * np.mod(t // 67.0, 3), 0.0)
+    others = {f"q{k}": np.sin(t / (17.0 + 9 * k)) for k in range(4)}
+    channels = {"i": load, "p": np.sin(t / 41.0) + 0.5 * np.sin(t / 13.0), **others}
+    quantities = {"i": "current", "p": "voltage", **dict.fromkeys(others, "power")}
+    knee = np.outer(np.clip(channels["p"] - 0.3, 0, None), [180.0, -140.0, 100.0])
+    pool = searching(channels, quantities, knee + np.outer(load, [450.0, -300.0, 240.0]))
+    bent, current = (
+        next(c for c in pool.candidates if c.cause == cause)
+        for cause in (("offset-channel", ("p",)), ("offset-current", ("i",)))
+    )
+    assert stands_beside_discrepancy(pool, [bent, current], current)
 
 
 def test_a_part_is_told_with_how_much_it_carries(making: ModuleType, tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from labcal.loop.policy import POLICY
 from labcal.loop.selection.admission import evidence_of_its_own
 from labcal.loop.selection.select import likelier_forms
 from labcal.loop.selection.sets import together
+from labcal.loop.selection.stepwise import stepwise_forward
 from labcal.record import Channel
 from labcal.testing.made_up_runs import made_up_run
 
@@ -102,3 +103,30 @@ def test_an_offset_beside_a_gain_in_one_temperature_is_found_in_a_field_of_one_s
     gain = pool.rank([c for c in pool.candidates if c.family.id == "gain-temperature"])[0].candidate
     offset = pool.rank([c for c in pool.candidates if c.family.id == "offset-temperature"], [gain])[0].candidate
     assert evidence_of_its_own(pool, [gain], offset) >= POLICY.min_evidence
+
+
+def _bent_in_a_channel(searching: Callable[..., CandidateSet], seed: int) -> CandidateSet:
+    """A run whose offset follows a channel, which wanders slowly, from a threshold on alone."""
+    t, draw = searching({}, {}).problem.scene.t_s, np.random.default_rng(seed)
+    cycles, phases = draw.uniform(0, 4, 30)[:, None], draw.uniform(0, 2 * np.pi, 30)[:, None]
+    p = np.sum(np.cos(2 * np.pi * cycles * (t - t[0]) / np.ptp(t) + phases), axis=0)
+    p /= p.std()
+    return searching({"p": p}, {"p": "voltage"}, np.outer(np.clip(p - 0.2, 0, None), [400.0, -300.0, 200.0]))
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_what_a_channel_does_from_a_threshold_on_has_no_name_in_time(
+    searching: Callable[..., CandidateSet], seed: int
+) -> None:
+    pool = _bent_in_a_channel(searching, seed)
+    assert not [c.label for c in stepwise_forward(pool)[0] if c.family.bound_to_run]
+
+
+def test_a_drift_stays_one_beside_a_channel_that_only_rises(searching: Callable[..., CandidateSet]) -> None:
+    """Any course in time is a function of it, which is paid for."""
+    t = searching({}, {}).problem.scene.t_s
+    through = (t - t[0]) / np.ptp(t)
+    rises = 1 - np.exp(-2 * through) + np.random.default_rng(4).normal(0, 0.002, len(t))
+    wave = np.outer(np.sin(2 * np.pi * through), [250.0, -120.0, 60.0])
+    pool = searching({"p": rises}, {"p": "voltage"}, wave)
+    assert [c.family.id for c in stepwise_forward(pool)[0]] == ["offset-drift"]

@@ -25,6 +25,7 @@ EFFECTS = {
     "offset-temperature": ("temp", {"c_x": 60.0, "c_y": -45.0, "c_z": 30.0}),
     "offset-channel": ("volts", OFFSET),
     "gain-temperature": ("temp", {"g_x": 1.2e-3, "g_y": -9e-4, "g_z": 1.5e-3}),
+    "gain-channel": ("volts", {"g_x": 1.2e-3, "g_y": -9e-4, "g_z": 1.5e-3}),
     "gain-step": ("", {"g_x": 4e-3, "g_y": -3e-3, "g_z": 2e-3, "t_step_s": 31.0}),
     "offset-step": ("", {**OFFSET, "t_step_s": 31.0}),
     "offset-drift": ("", {"c1_x": 4.0, "c1_y": 2.0, "c1_z": -3.0, "t_ref_s": 10.0}),

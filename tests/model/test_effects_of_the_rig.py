@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from labcal.model.effects import axis_tilt
+from labcal.model.effects import axis_tilt, encoder_error
 from labcal.model.effects.field_gradient import SYMMETRIC, kernel
 from labcal.model.effects.scene import Rig, Scene
 from labcal.model.effects.term import Term
@@ -69,3 +69,16 @@ def test_a_spindle_that_leans_under_a_device_levelled_on_the_cage() -> None:
     assert np.abs(seen).max() > 10.0
     assert np.abs(seen - columns @ [0.02, -0.01]).max() < 0.02
     assert np.allclose((columns @ [0.02, -0.01])[0], 0.0)  # at angle zero
+
+
+def test_an_angle_read_wrong_by_cycles_of_itself_turns_the_field_by_that() -> None:
+    scene, _ = on_a_platform((0.0, 0.0), levelled=False)
+    rig, small = scene.rig, 1e-4
+    assert rig is not None
+    read = rig.angle_rad
+    error_deg = small * (3 * np.cos(read) - np.sin(read) + 2 * np.cos(2 * read) + 5 * np.sin(2 * read))
+    more = Rotation.from_rotvec(-np.radians(error_deg)[:, None] * rig.axis_body)  # the body is that much further round
+    term = encoder_error.of_cycles(2)
+    seen = term.columns(scene) @ (small * np.array([3.0, -1.0, 2.0, 5.0]))
+    assert np.allclose(seen, more.apply(rig.prediction_nT) - rig.prediction_nT, atol=1e-3)
+    assert np.abs(seen).max() > 0.1

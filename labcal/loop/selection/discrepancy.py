@@ -19,7 +19,7 @@ from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
-from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, scaled, whitened
+from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, mistimed, scaled, whitened
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
@@ -51,8 +51,12 @@ def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate],
 
 
 def _leads_beside_both(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, rival: Candidate) -> bool:
-    """Whether `chosen` still leads where neither it nor the rival may explain what the other's form misses."""
-    beside = [discrepancy(pool, chosen), *misfits(pool, [chosen, rival])]
+    """Whether `chosen` still leads where neither it nor the rival may explain what the other's form misses.
+
+    Of two in the same channel neither is bent: a gain bent by the field is an offset, and which it is, is asked.
+    """
+    missed = mistimed if chosen.term.channels and chosen.term.channels == rival.term.channels else misfits
+    beside = [discrepancy(pool, chosen), *missed(pool, [chosen, rival])]
     own, other = (_evidence_beside(pool, others, c, beside) for c in (chosen, rival))
     return own >= max(other, 0.0) + policy.POLICY.equivalent_nats
 

@@ -20,6 +20,7 @@ from labcal.loop.noise.marginal import NullEliminated
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import delayed, low_passed
+from labcal.model.smooth import b_splines
 from labcal.record import period_s
 
 Array = NDArray[np.float64]
@@ -30,6 +31,7 @@ RESPONSES: tuple[tuple[Callable[[Array, NDArray[np.intp], Array, float], Array],
     *((delayed, k) for k in (-LATE_ROWS, LATE_ROWS)),
     *((low_passed, k) for k in SMEARED_ROWS),
 )
+CUBIC, SPLINES = 3, 8  # degree of the splines over a channel's range, and how many
 MOST_DIRECTIONS = 300  # of a misfit that are integrated over: the work grows as their cube
 KEPT = 1e-6  # of the squares of the largest direction: smaller ones are no part of a misfit
 
@@ -53,7 +55,7 @@ def evidence_beside_misfit(
     The prior of that function is as wide as makes the data likeliest: where the form is whole, it costs nothing.
     """
     null = pool.null_model(others)
-    found = _likeliest(pool.null_model([*others, chosen]), missed)
+    found = likeliest(pool.null_model([*others, chosen]), missed)
     return found - null.null.log - pool.penalty(chosen, pool.score(chosen, null).rank)
 
 
@@ -67,11 +69,11 @@ def evidence_over_misfit(
     null = pool.null_model(others)
     if sum(span.columns.shape[2] for span in missed) > MOST_DIRECTIONS:
         return pool.score(chosen, pool.null_model(others, missed)).evidence
-    gain = _likeliest(pool.null_model([*others, chosen]), missed) - _likeliest(null, missed)
+    gain = likeliest(pool.null_model([*others, chosen]), missed) - likeliest(null, missed)
     return gain - pool.penalty(chosen, pool.score(chosen, null).rank)
 
 
-def _likeliest(model: NullModel, missed: Sequence[Span]) -> float:
+def likeliest(model: NullModel, missed: Sequence[Span]) -> float:
     """The log-likelihood [nats] of a model that misses a function of `missed`, or nothing, whichever is likelier."""
     columns = np.concatenate([span.columns for span in missed], axis=2)
     found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
@@ -170,6 +172,14 @@ def _in_time(scene: Scene, columns: Array) -> Iterator[Array]:
         for j in live:
             moved[:, j] = response(scene.t_s, scene.segment, flat[:, j], by_rows * step) - flat[:, j]
         yield moved.reshape(columns.shape)
+
+
+def bends(x: Array) -> Array:
+    """Smooth functions of x (n,) that add up to any other (n, SPLINES): B-splines over its range."""
+    low, high = float(x.min()), float(x.max())
+    step = max(high - low, 1e-300) / (SPLINES - CUBIC)
+    knots = np.asarray(low + step * (np.arange(SPLINES + CUBIC + 1) - CUBIC), dtype=np.float64)
+    return b_splines(knots, CUBIC, x)
 
 
 def scaled(values: Array) -> Array:

@@ -27,6 +27,7 @@ from labcal.loop.selection.admission import (
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
 from labcal.loop.selection.sets import best_set, pruned_beside
+from labcal.loop.selection.time_or_channel import is_of_time
 
 MAX_EFFECTS = 3  # effects accepted at most
 NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has more
@@ -109,7 +110,8 @@ def best_admissible(pool: CandidateSet, accepted: Sequence[Candidate], ranking: 
     """The best that is material and earns its place."""
     least = min_material_drop(pool, accepted)
     fit = [w for w in ranking if w.drop >= least and w.evidence >= policy.POLICY.min_evidence]
-    return next((w for w in fit if earns_its_extension(pool, accepted, w) and is_its_own(pool, accepted, w)), None)
+    own = (w for w in fit if earns_its_extension(pool, accepted, w) and is_its_own(pool, accepted, w))
+    return next((w for w in own if is_of_time(pool, accepted, w.candidate)), None)
 
 
 def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:

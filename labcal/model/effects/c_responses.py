@@ -147,9 +147,9 @@ def responses_in_c(term: Term, formula: str, taus_s: Sequence[float]) -> CForm:
 
 
 def filtered(driven: Driven) -> tuple[str, tuple[Input, ...], str, tuple[str, ...]]:
-    """Statements that set the drive `warm`, through the term's own time constant where it has one."""
+    """Statements that set the drive `followed`, through the term's own time constant where it has one."""
     declared, inputs = at_once(driven)
     tau_s = driven.term.shape[0].value if driven.term.shape else 0.0
     value, helper, more = behind(driven, tau_s, "shape[0]", 0)
-    lines = f"{declared}\nconst labcal_real warm = {value};"
+    lines = f"{declared}\nconst labcal_real followed = {value};"
     return lines, inputs + more, "labcal_behind behind[1];" if helper else "", (helper,) if helper else ()

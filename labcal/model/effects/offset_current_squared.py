@@ -34,7 +34,7 @@ def in_c(term: Term) -> CForm:
     formula = (
         "E = c ((i - i_ref)^2 * h)(t), c [nT/A^2] for each axis of B, h a response of first order of tau_s, if any"
     )
-    return CForm(formula, f"{lines}\non_each_axis(e, warm);", inputs, state, (*helpers, "on_each_axis"))
+    return CForm(formula, f"{lines}\non_each_axis(e, followed);", inputs, state, (*helpers, "on_each_axis"))
 
 
 def candidates(run: Run) -> list[Term]:

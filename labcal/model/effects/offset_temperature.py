@@ -101,7 +101,7 @@ def in_c(term: Term) -> CForm:
     if not any(name.startswith("d_") for name, _ in term.parameters):
         return responses_in_c(term, formula, time_constants(term))
     lines, inputs, state, helpers = filtered(Driven(term))
-    body = f"{lines}\non_each_axis(e, warm);\non_each_axis(e + 3, warm * warm);"
+    body = f"{lines}\non_each_axis(e, followed);\non_each_axis(e + 3, followed * followed);"
     return CForm(formula, body, inputs, state, (*helpers, "on_each_axis"))
 
 
