@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
@@ -224,11 +224,8 @@ class Guardian:
         return Handover(self._exchanges_s, {axis: coil.held for axis, coil in self.coils.items()}, self.way_down_s)
 
     def give_back(self) -> None:
-        """Give every supply that is at zero back to its panel. Never raises InstrumentError."""
-        for coil in self.coils.values():
-            with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is reported to nobody
-                if coil.unresolved is None and not coil.energised:
-                    coil.bare.make_safe()
+        """Give every supply that is at zero back to its panel, all lines at once. Never raises InstrumentError."""
+        list(self._workers.map(_given_back, _by_line(self.coils.values())))
 
     def close(self) -> None:
         """Give every supply that is at zero back to its panel, and let go of every line."""
@@ -281,10 +278,8 @@ class Guardian:
 
     def _down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:
         """Each line its own way, so that a silent instrument delays no other line."""
-        lines = {coil.line.url: coil.line for coil in coils}
-        on_line = [[coil for coil in coils if coil.line is line] for line in lines.values()]
         try:
-            ended = [end for ended in self._workers.map(self._line_down, on_line) for end in ended]
+            ended = [end for ended in self._workers.map(self._line_down, _by_line(coils)) for end in ended]
         except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
             self.broken = error
             raise
@@ -300,6 +295,21 @@ def _ready_threads(number: int) -> ThreadPoolExecutor:
     workers, all_there = ThreadPoolExecutor(number), Barrier(number)
     list(workers.map(lambda _: all_there.wait(), range(number)))
     return workers
+
+
+def _by_line(coils: Iterable[GuardedCoil]) -> list[list[GuardedCoil]]:
+    """The coils of each line."""
+    lines = dict[str, list[GuardedCoil]]()
+    for coil in coils:
+        lines.setdefault(coil.line.url, []).append(coil)
+    return list(lines.values())
+
+
+def _given_back(coils: Sequence[GuardedCoil]) -> None:
+    for coil in coils:
+        with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is reported to nobody
+            if coil.unresolved is None and not coil.energised:
+                coil.bare.make_safe()
 
 
 def _read_back(end: AtZero) -> str:
