@@ -127,7 +127,7 @@ class TtiSupply(CurrentSource):
         if int(events) & 16:
             code = self.query("EER?")
             said.append(EXECUTION.get(int(code) if code.isdigit() else -1, f"execution error {abridged(code)}"))
-        return ", ".join(said)
+        return ", ".join(said) or f"its event register is {events}"
 
 
 def _word(letter: str, reply: str) -> float:

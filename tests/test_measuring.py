@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -73,6 +74,16 @@ def test_what_is_measured_is_added_and_kept_three_rounds_at_most(
     assert closed.run_id == f"{one_axis}+{closed.rounds[0].run_id}"
     assert len(both) == sum(len(session.load_run(run)) for run in (one_axis, closed.rounds[0].run_id))
     assert [s.id[-2:] == "#2" for s in both.segments] == [False, False, True, True]
+
+
+def test_after_a_run_that_recorded_nothing_time_goes_on_from_its_start() -> None:
+    outcome = session.run("degauss", simulated_bench(), seed=SEED)
+    empty = session.load_run(outcome.run_id)
+    assert (len(empty), outcome.fault) == (0, None)
+    start, now_s = measuring.goes_on(outcome.run_id)
+    assert (start, now_s) == (datetime.fromisoformat(empty.started_utc), measuring.GAP_S)
+    with pytest.raises(InputError, match="recorded no samples"):
+        session.close_loop(outcome.run_id)
 
 
 def test_measure_without_a_bench_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

@@ -103,7 +103,7 @@ class Output:
     def _refuse_inputs(self, there: Path) -> None:
         for given in self.inputs:
             for read in (given, *(_files_in(given) if given.is_dir() else ())):
-                if read.exists() and there.exists() and there.samefile(read):
+                if _real(read) == there or (read.exists() and there.exists() and there.samefile(read)):
                     self._refuse("is what this command reads: write the result to another file")
 
     def _refuse(self, what: str) -> NoReturn:

@@ -376,4 +376,8 @@ def _what_else(fault: Exception | None, said: str) -> str:
 
 
 def _sentence(fault: BaseException) -> str:
-    return str(fault) or type(fault).__name__
+    try:
+        words = str(fault)
+    except BaseException:  # of a procedure of one's own, whatever its exceptions do
+        words = ""
+    return words or type(fault).__name__

@@ -20,6 +20,7 @@ from labcal.bench.parameters import settings
 from labcal.bench.stated import refuse_overdue, stated_administrative, stated_environment, stated_reference
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
+from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
@@ -256,7 +257,7 @@ def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
     lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == procedure.source]
     if not lines:
         return ending
-    error = InputError(f"{type(ending.fault).__name__}: {ending.fault}", file=procedure.source, line=lines[-1])
+    error = InputError(said(ending.fault), file=procedure.source, line=lines[-1])
     return Ending(f"failed: {error}", error)
 
 

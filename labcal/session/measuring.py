@@ -122,7 +122,8 @@ def goes_on(run: str) -> tuple[datetime, float]:
     What a simulated DUT does by the time, it goes on doing.
     """
     measured = session.load_run(run)
-    return _start(measured), float(np.ptp(measured.t_s)) + GAP_S
+    lasted_s = float(np.ptp(measured.t_s)) if len(measured) else 0.0
+    return _start(measured), lasted_s + GAP_S
 
 
 def _start(run: Run) -> datetime:

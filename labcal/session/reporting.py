@@ -55,7 +55,7 @@ def report(
     A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
     `on_remark` gets what a DCC lacks, by the clause that asks for it, and what a PDF is not.
     """
-    read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
+    read = [*paths(source), *(file for file in (allowed_signers, before) if file)]
     read += [xml_key.key, xml_key.certificates] if xml_key else []
     if xml_key and not (out.suffix.lower() == ".xml" and certificate.looks_like_calibration(Path(source))):
         raise InputError("a key with a certificate signs the DCC of a calibration alone: name a FILE.xml", file=out)

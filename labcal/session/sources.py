@@ -8,7 +8,7 @@ from pathlib import Path
 from labcal.errors import InputError
 from labcal.model import Calibration
 from labcal.record import Run
-from labcal.store import Bundle, Store, bundle_of, load_bundle
+from labcal.store import Bundle, Store, bundle_files, bundle_of, load_bundle
 
 Source = str | Path | Run  # a run id of the local store or a path to a bundle, a path, or the run itself
 
@@ -43,8 +43,13 @@ def run_bundle(run: Source, *, with_chain: bool = False) -> Bundle:
 
 
 def paths(run: Source) -> list[Path]:
-    """The path that `run` names, where it is none of the store's ids: what a command reads it from."""
-    return [Path(run)] if not isinstance(run, Run) and is_path(run) else []
+    """The files that `run` names, where it is none of the store's ids: what a command reads it from.
+
+    Of a folder those of a bundle, its chain though it may have none: what else lies there is not read.
+    """
+    if isinstance(run, Run) or not is_path(run):
+        return []
+    return bundle_files(Path(run)) if Path(run).is_dir() else [Path(run)]
 
 
 def is_path(run: str | Path) -> bool:

@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
 from labcal.files.text_safety import replace_control
@@ -226,6 +226,12 @@ class ClosurePart(_Part):
         return self
 
 
+def _some(segments: tuple[SegmentPart, ...]) -> tuple[SegmentPart, ...]:
+    if not segments:
+        raise ValueError("expected at least 1 segment, found none: the run recorded no samples")
+    return segments
+
+
 class RunJson(_Part):
     """The whole of run.json."""
 
@@ -236,7 +242,7 @@ class RunJson(_Part):
     operator: Annotated[Text, null_is("")] = ""
     dut: DutPart
     reference: ReferencePart
-    segments: tuple[SegmentPart, ...] = Field(min_length=1)
+    segments: Annotated[tuple[SegmentPart, ...], AfterValidator(_some)]
     channels: dict[Name, ChannelPart] = {}
     specification: Specification | None = None
     environment: EnvironmentPart | None = None

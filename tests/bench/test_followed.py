@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -82,3 +84,13 @@ def test_a_file_that_is_not_there_or_goes_is_a_lost_link(tmp_path: Path, link: L
     (tmp_path / "abc20260301.sec").unlink()
     with pytest.raises(InstrumentError, match="link is lost"):
         link.receive(clock.now() + 1.0)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such files")
+def test_what_is_no_plain_file_is_neither_waited_for_nor_read(tmp_path: Path, come: Come, clock: RealClock) -> None:
+    os.mkfifo(tmp_path / "abc20260302.sec")
+    for name in ("/dev/zero", str(tmp_path), f"{tmp_path}/abc20260302.sec"):
+        with pytest.raises(InstrumentError, match=r"does not open|link is lost"):
+            open_link(f"file://{name}", clock)
+    with pytest.raises(InstrumentError, match="no plain file"):  # it has come after the file that was followed
+        come(b"more than ever comes")

@@ -181,3 +181,15 @@ def test_at_its_end_the_supplies_are_given_back_to_their_panels(pair: Pair, end:
     assert energised._bits[402]
     getattr(guardian, end)()
     assert [emulator._bits[402] for emulator in panels] == [False] * 3
+
+
+def test_a_supply_that_is_slow_to_take_its_panel_back_keeps_no_other_line_waiting(pair: Pair) -> None:
+    text = pair.file.read_text(encoding="utf-8").replace("riden-rd60xx", "ea-9000").replace("//pair", "//")
+    pair.file.write_text(re.sub(r"address = \d", "address = 0", text), encoding="utf-8")
+    guardian, all_asked = pair.guardian(), threading.Barrier(3, timeout=20.0)
+    guardian.zero("a session begins", by_session=True)
+    for emulator in (panels := [link._emulator for link in pair.links.values()]):
+        take = emulator.take
+        emulator.take = lambda t_s, data, take=take: (all_asked.wait(), take(t_s, data))[1]
+    guardian.give_back()
+    assert [emulator._bits[402] for emulator in panels] == [False] * 3

@@ -10,7 +10,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from served_lab import EXAMPLE, LONG_S, Served, at_zero, example, guardians, until
+from served_lab import EXAMPLE, LONG_S, Served, at_zero, example, guardians, log, until
 from test_guardian_ear import Ear
 
 from labcal.bench import open_bench
@@ -68,6 +68,32 @@ def test_neither_ctrl_c_nor_a_closed_terminal_breaks_off_the_way_to_zero(name: s
     told = subprocess.run(words, capture_output=True, text=True, check=False, timeout=LONG_S)
     assert told.returncode == 0, told
     assert told.stdout.count("zero, open") == 3
+
+
+WITH_FEW_THREADS = """
+import sys, threading
+from labcal.start import main
+left, start = [int(sys.argv.pop(1))], threading.Thread.start
+def begin(thread):
+    if not left[0]:
+        raise RuntimeError("can't start new thread")
+    left[0] -= 1
+    start(thread)
+threading.Thread.start = begin
+main()
+"""
+
+
+@POSIX
+@pytest.mark.parametrize("bench_text", [example().replace("interface_lock = true, ", "")], ids=["unlocked"])
+@pytest.mark.parametrize("threads", ["0", "1", "2", "3"])
+def test_a_user_who_may_begin_no_further_process_brings_the_coils_down(lab: Served, threads: str) -> None:
+    left_on(lab)
+    words = [sys.executable, "-c", WITH_FEW_THREADS, threads, "bench", "off", str(lab.file)]
+    told = subprocess.run(words, capture_output=True, text=True, check=False, timeout=LONG_S)
+    assert at_zero(lab), told
+    assert (told.returncode, told.stdout.count("zero, open")) == (0, 3), told
+    assert log().count("read back: coil x") == 1
 
 
 def test_what_is_wrong_with_one_supply_keeps_no_other_from_zero(tmp_path: Path) -> None:

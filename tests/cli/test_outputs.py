@@ -256,6 +256,14 @@ def test_the_same_command_replaces_what_it_wrote_and_nobody_touched(case: str, p
     assert place.ask(other, out) == 2
 
 
+@pytest.mark.parametrize("case", ["fit --out", "fit --json", "show --json", "report --out"])
+def test_a_result_beside_the_bundle_that_it_is_of_is_no_input(case: str, place: Place) -> None:
+    place.named["calibration"] = place.folder / "bundle"  # `report` of the run itself
+    out = place.folder / "bundle" / ASKED[case][1]
+    assert [place.ask(case, out) for _ in range(2)] == [0, 0]
+    assert place.ask(case, place.folder / "bundle" / "chain.jsonl", "--force") == 2  # would be read as its chain
+
+
 def test_a_way_through_a_folder_that_is_not_there_is_no_way_around(place: Place) -> None:
     before = bytes_below(place.folder)
     run = str(place.folder / "bundle")

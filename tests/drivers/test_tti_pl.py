@@ -51,6 +51,7 @@ def test_a_read_back_that_differs_is_a_fault() -> None:
         ([(b"*ESR?\n", b"32\r\n")], "does not know"),
         ([(b"*ESR?\n", b"128\r\n")], "switched off and on"),
         ([(b"*ESR?\n", b"~\x80#\r\n")], "event register"),
+        ([(b"*ESR?\n", b"66\r\n")], "failed: its event register is 66"),
     ],
 )
 def test_what_the_supply_refuses_is_said_in_words(wire: list[tuple[bytes, bytes]], says: str) -> None:

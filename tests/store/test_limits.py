@@ -8,7 +8,7 @@ import sqlite3
 import zipfile
 from collections.abc import Callable
 from contextlib import closing
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 import pytest
@@ -132,7 +132,17 @@ def test_run_ids_that_a_shell_or_an_eye_misreads_are_refused(tmp_path: Path, nam
     assert as_file_name(name) not in (".", "..")
 
 
-@pytest.mark.parametrize("name", ["r1", "20261121T070000-3f9c", "20260302-081500-SN1", "a+b", "r" * 128])
+@pytest.mark.parametrize("name", ["CON", "con.", "nul.txt", "aux.tar.gz", "Com1", "lpt9.x.", "a.", "prn.."])
+def test_a_run_id_is_a_file_on_windows_too(name: str) -> None:
+    with pytest.raises(ValueError, match="on Windows"):
+        checked_run_id(name)
+    assert not PureWindowsPath(as_file_name(name)).is_reserved()
+    assert not as_file_name(name).endswith(".")
+
+
+@pytest.mark.parametrize(
+    "name", ["r1", "20261121T070000-3f9c", "20260302-081500-SN1", "a+b", "console", "com10", "a.con", "r" * 128]
+)
 def test_run_ids_that_are_words_stand_as_they_are(name: str) -> None:
     assert checked_run_id(name) == as_file_name(name) == name
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from threading import Barrier, Event, RLock
+from threading import Event, RLock
 from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.coils.at_zero import BY_WORD, AtZero
@@ -20,6 +19,7 @@ from labcal.bench.guardian.coil import GuardedCoil
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
+from labcal.bench.guardian.line_workers import LineWorkers
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 
@@ -53,7 +53,7 @@ class Guardian:
             if f"coil-{axis}" in names
         }
         self._zeroing = RLock()
-        self._workers = _ready_threads(len({coil.line.url for coil in self.coils.values()}))
+        self._workers = LineWorkers(len({coil.line.url for coil in self.coils.values()}))
         self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
         self.changed = Event()  # what is handed over to a successor
@@ -224,18 +224,15 @@ class Guardian:
         return Handover(self._exchanges_s, {axis: coil.held for axis, coil in self.coils.items()}, self.way_down_s)
 
     def give_back(self) -> None:
-        """Give every supply that is at zero back to its panel. Never raises InstrumentError."""
-        for coil in self.coils.values():
-            with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is reported to nobody
-                if coil.unresolved is None and not coil.energised:
-                    coil.bare.make_safe()
+        """Give every supply that is at zero back to its panel, all lines at once. Never raises InstrumentError."""
+        self._workers.each(_given_back, _by_line(self.coils.values()))
 
     def close(self) -> None:
         """Give every supply that is at zero back to its panel, and let go of every line."""
         self.give_back()
         for line in self._lines.values():
             line.close()
-        self._workers.shutdown(wait=False)
+        self._workers.let_go()
 
     @property
     def energised(self) -> bool:
@@ -281,10 +278,8 @@ class Guardian:
 
     def _down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:
         """Each line its own way, so that a silent instrument delays no other line."""
-        lines = {coil.line.url: coil.line for coil in coils}
-        on_line = [[coil for coil in coils if coil.line is line] for line in lines.values()]
         try:
-            ended = [end for ended in self._workers.map(self._line_down, on_line) for end in ended]
+            ended = [end for ended in self._workers.each(self._line_down, _by_line(coils)) for end in ended]
         except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
             self.broken = error
             raise
@@ -295,11 +290,19 @@ class Guardian:
         return line_down(coils, others, self.notify)
 
 
-def _ready_threads(number: int) -> ThreadPoolExecutor:
-    """One thread for each line, begun now: when it counts there may be no memory for a new one."""
-    workers, all_there = ThreadPoolExecutor(number), Barrier(number)
-    list(workers.map(lambda _: all_there.wait(), range(number)))
-    return workers
+def _by_line(coils: Iterable[GuardedCoil]) -> list[list[GuardedCoil]]:
+    """The coils of each line."""
+    lines = dict[str, list[GuardedCoil]]()
+    for coil in coils:
+        lines.setdefault(coil.line.url, []).append(coil)
+    return list(lines.values())
+
+
+def _given_back(coils: Sequence[GuardedCoil]) -> None:
+    for coil in coils:
+        with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is reported to nobody
+            if coil.unresolved is None and not coil.energised:
+                coil.bare.make_safe()
 
 
 def _read_back(end: AtZero) -> str:

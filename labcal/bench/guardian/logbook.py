@@ -26,15 +26,21 @@ def note(text: str) -> None:
 
 
 def later(write: Callable[[], None]) -> None:
-    """Have something written when the disk allows it, in turn."""
+    """Have something written when the disk allows it, in turn; where there is room for no thread, by `written`."""
     _jobs.put(write)
-    _start_writer()
+    with suppress(RuntimeError):
+        _start_writer()
 
 
 def written(at_most_s: float) -> bool:
     """Wait until all that was noted so far is written; False where it took longer than `at_most_s`."""
     done = threading.Event()
     later(done.set)
+    try:
+        _start_writer()
+    except RuntimeError:  # no room for a thread: from here
+        while not done.is_set():
+            _write_next()
     return done.wait(at_most_s)
 
 
@@ -45,8 +51,12 @@ def _start_writer() -> None:
 
 def _write() -> None:
     while True:
-        with suppress(OSError, InputError):
-            _jobs.get()()
+        _write_next()
+
+
+def _write_next() -> None:
+    with suppress(OSError, InputError):
+        _jobs.get()()
 
 
 def _append(line: str) -> None:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 import time
 from glob import glob
+from typing import BinaryIO
 
 LOOK_S, PIECE_BYTES = 0.05, 1 << 16
 
@@ -22,7 +24,7 @@ class FollowedFile:
     def __init__(self, pattern: str) -> None:
         self._pattern, self._next_s = pattern, 0.0
         self._path = self._newest()
-        with open(self._path, "rb") as file:  # whether it may be read is known now
+        with _plain(self._path) as file:  # whether it may be read is known now
             self._at = file.seek(0, os.SEEK_END)
 
     def read(self) -> bytes:
@@ -56,7 +58,7 @@ class FollowedFile:
     def _piece(self) -> bytes:
         """What follows what was read; b"" of a file that has just made way for the next."""
         try:
-            with open(self._path, "rb") as file:
+            with _plain(self._path) as file:
                 if file.seek(0, os.SEEK_END) < self._at:
                     self._at = 0
                 file.seek(self._at)
@@ -65,3 +67,12 @@ class FollowedFile:
             return b""
         self._at += len(data)
         return data
+
+
+def _plain(path: str) -> BinaryIO:
+    """The file, opened for reading. Raises OSError where it is none: a pipe is waited for, a device has no end."""
+    handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    if not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
+        raise OSError(errno.EINVAL, "is no plain file", path)
+    return os.fdopen(handle, "rb")
