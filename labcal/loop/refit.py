@@ -72,7 +72,7 @@ def _term(run: Run, effect: EffectRecord) -> Term:
     searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
     shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
     begun = [p for term in like if _alike(term, stated) for p in term.parameters[term.lasting :]]  # of its own segments
-    return replace(stated, parameters=(*stated.parameters, *begun), shape=tuple(shapes), begins=len(begun))
+    return replace(stated, parameters=(*stated.parameters, *begun), shape=tuple(shapes), of_beginnings=len(begun))
 
 
 def _shapes(term: Term) -> list[str]:

@@ -116,10 +116,12 @@ def _pieces(walks: list[Walk], n: int, most: int) -> list[slice]:
 def _corrected(calibration: Calibration, recording: Recording, pieces: list[slice]) -> Iterator[_Corrected]:
     """Each piece with the effects taken off, which walk along the recording."""
     walks = _walks(calibration, recording)
-    either = [EitherLevel(calibration, record, recording) for record in calibration.effects]
+    either = [] if recording.begins_known else [EitherLevel(calibration, one, recording) for one in calibration.effects]
     for rows in pieces:
         taken = (walk.take(rows) for walk in walks)
-        found = tuple(levels.with_variance(rows, one) for levels, one in zip(either, taken, strict=True))
+        found = (
+            tuple(one.with_variance(rows, e) for one, e in zip(either, taken, strict=True)) if either else tuple(taken)
+        )
         field_nT = calibration.affine.apply(recording.readings.reading[rows])
         for one in found:
             field_nT -= one.value

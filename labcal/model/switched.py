@@ -23,6 +23,7 @@ Mask = NDArray[np.bool_]
 HELD = 0.02  # of the span: a smaller step from row to row is none
 ALIKE = 0.1  # of a step: as near the next one is on a straight way; a step alone may be a mean over the switching
 SHORTEST = 3  # steps of a way, the first and the last shorter than it is steep
+LEVEL = 0.1  # of the span: what holds its levels stays as near between two ways, what bends back and forth does not
 MOSTLY = 0.5  # of the steps of a load that is switched are none, and of those of a way that is drawn alike
 
 
@@ -80,12 +81,20 @@ def _ways(values: Array, edges: NDArray[np.intp]) -> Iterator[slice]:
     step = np.diff(values) / float(np.ptp(values[known]))
     moves = np.abs(step) > HELD
     moves[edges[1:-1] - 1] = False
-    if np.mean(moves) > 1 - MOSTLY:
+    if np.mean(moves) > 1 - MOSTLY or not _holds_levels(values, moves, edges):
         return
     begins = np.diff(np.concatenate([[0], moves.astype(np.int8), [0]]))
     for start, stop in zip(np.flatnonzero(begins > 0).tolist(), np.flatnonzero(begins < 0).tolist(), strict=True):
         if _straight_on(step[start:stop]):
             yield slice(start, stop + 1)
+
+
+def _holds_levels(values: Array, moves: Mask, edges: NDArray[np.intp]) -> bool:
+    """Whether it is as good as constant from way to way, in most of the stretches between."""
+    firsts = np.unique(np.concatenate([np.flatnonzero(moves) + 1, edges[:-1]]))
+    stretches = [part for part in np.split(values, firsts) if len(part) > 1 and np.isfinite(part).any()]
+    ranges = [float(np.nanmax(part) - np.nanmin(part)) for part in stretches]
+    return bool(ranges) and float(np.median(ranges)) <= LEVEL * float(np.ptp(values[np.isfinite(values)]))
 
 
 def _straight_on(step: Array) -> bool:

@@ -38,7 +38,7 @@ C = {"c_x": 50.0, "c_y": -3.0, "c_z": 10.0}
 CURRENT, WARM = (("i",), {"i": 0.2}), (("temp",), {"temp": 20.0})
 NONE = ((), {})
 NINE = tuple(product("xyz", "xyz"))
-PINNED = {"a_nT": 12000.0, "k_nT": 5000.0}
+PINNED = {"a_nT": 12000.0, "pinning_nT": 5000.0}
 BAR = {"lon_deg": 30.0, "lat_deg": 20.0, "kept": 1.0}
 KNOWN = ("secant_s", "kept", "begins_on", "begins", "t_ref_s")  # exactly
 

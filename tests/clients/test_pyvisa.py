@@ -196,7 +196,7 @@ def test_hmc804x(line: Line, channel: int) -> None:
 def test_kikusui(line: Line) -> None:
     with opened(line) as supply:
         supply.write("*RST;*CLS")
-        supply.write("VOLT:PROT:OVER 15;:OUTP 1")
+        supply.write("VOLT:LIM:UPP 15;:VOLT:LIM:LOW -15;:OUTP 1")
         for amps in (0.4, -0.4, 0.0):
             supply.write(f"CURR {amps}")
             assert settled(lambda: float(supply.query("MEAS:CURR?")), amps)

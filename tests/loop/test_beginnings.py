@@ -77,7 +77,7 @@ def record(values: dict[str, float]) -> EffectRecord:
 
 CORE = record(
     {f"body_{n}_{a}": 1.0 for n in ("c", "t1") for a in "xyz"}
-    | {"a_nT": A_nT, "k_nT": K_nT, "begins_on": 1.0, "begins": 1.0}
+    | {"a_nT": A_nT, "pinning_nT": K_nT, "begins_on": 1.0, "begins": 1.0}
 )
 STOP = record({f"body_c_{a}": 0.01 for a in "xyz"} | {"r_nT": LOOP_r, "kept": 0.0, "begins": 1.0})
 MAKERS = {"core": (CORE, of_a_core), "stop": (STOP, of_a_stop)}
@@ -130,8 +130,8 @@ def test_a_demagnetised_stop_that_begins_a_little_astray_begins_nearly_there() -
 def problem_of(run: Run) -> tuple[CandidateSet, Candidate]:
     """A core at the true parameters, as the only candidate."""
     problem, *_ = prepare(run)
-    term = next(t for t in candidates(run) if t.begins and t.parameters[0][0].startswith("body"))
-    chosen = Candidate(FAMILY, term.with_values(a_nT=A_nT, k_nT=K_nT))
+    term = next(t for t in candidates(run) if t.of_beginnings and t.parameters[0][0].startswith("body"))
+    chosen = Candidate(FAMILY, term.with_values(a_nT=A_nT, pinning_nT=K_nT))
     rows = np.ones(len(problem), dtype=bool)
     with_curves = [chosen, *(Candidate(CURVES, t) for t in CURVES.candidates(run) if not t.shape)]
     return CandidateSet(problem, with_curves, rows, 0.87, rows), chosen

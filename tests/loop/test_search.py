@@ -267,7 +267,9 @@ def test_the_unknown_start_of_a_slow_response_is_no_drift(searching: Callable[..
     t = searching({}, {}).problem.scene.t_s
     pool = searching({"T": 20 + 6 * np.sin(t / 40.0)}, {"T": "temperature"})
     slow = next(c for c in pool.candidates if c.family.id == "offset-temperature" and c.term.shape)
-    settling = next(c for c in pool.candidates if c.family.id == "offset-drift" and len(c.term.shape) == 2)
+    settling = next(
+        c for c in pool.candidates if c.family.id == "offset-drift" and any(s.name == "tau_s" for s in c.term.shape)
+    )
     for tau_s, new in ((40.0, 0), (150.0, 3)):
         warm, dying = (replace(c, term=c.term.with_values(tau_s=at)) for c, at in ((slow, 40.0), (settling, tau_s)))
         null_model = pool.null_model([warm], initial_state_columns(pool, warm))

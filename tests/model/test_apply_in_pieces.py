@@ -36,7 +36,12 @@ FAR_LAG = ("lag", (), {}, {"lag_s": 0.35, "secant_s": 0.35})
 DAHL = ("hysteresis", (), {}, {"c_x": 20.0, "c_y": 30.0, "c_z": 10.0, "w_nT": 4000.0})
 STOPS = ("hysteresis", (), {}, {f"c{r}_{a}": 0.02 for r in (500, 4000) for a in "xyz"})
 KEPT = ("hysteresis", (), {}, {**STOPS[3], "kept": 1.0})
-CORE = ("hysteresis", (), {}, {f"{name}_{a}": 30.0 for name in ("c", "t1") for a in "xyz"} | {"a_nT": 1e4, "k_nT": 4e3})
+CORE = (
+    "hysteresis",
+    (),
+    {},
+    {f"{name}_{a}": 30.0 for name in ("c", "t1") for a in "xyz"} | {"a_nT": 1e4, "pinning_nT": 4e3},
+)
 ANEW = ("hysteresis", (), {}, {**STOPS[3], "kept": 0.0})
 PLAY = (
     "hysteresis",

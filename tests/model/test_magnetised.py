@@ -55,8 +55,10 @@ def test_a_core_goes_on_from_a_piece_as_if_it_had_not_been_cut() -> None:
 def test_how_a_segment_began_is_a_column_of_the_fit_alone() -> None:
     t = np.arange(80.0)
     field = FAR_nT * np.sin(t / 7.0)[:, None] * [1.0, 0.5, 0.2]
-    shape = (Shape("a_nT", A_nT, "nT"), Shape("k_nT", K_nT, "nT"))
-    term = Term(kernel, (*per_axis("c", "nT"), *per_axis("t1", "nT"), *per_axis("m1", "nT")), shape=shape, begins=3)
+    shape = (Shape("a_nT", A_nT, "nT"), Shape("pinning_nT", K_nT, "nT"))
+    term = Term(
+        kernel, (*per_axis("c", "nT"), *per_axis("t1", "nT"), *per_axis("m1", "nT")), shape=shape, of_beginnings=3
+    )
     fit, other = (
         term.columns(Scene(t, np.repeat([0, 1], 40), field, of_the_fit=own))[:, :, 6:] for own in (True, False)
     )

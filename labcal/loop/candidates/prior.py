@@ -45,9 +45,9 @@ def _weights(terms: Sequence[Term], beta: Sequence[Array] | None, start: int, p:
         end = start + len(term.parameters)
         if term.basis is not None:
             out[start:end] = 1 / term.basis.prior_nT
-        if term.begins and beta is not None:
+        if term.of_beginnings and beta is not None:
             of_each_axis = ANYWHERE * np.abs(beta[number][: len(AXES)])
-            spread = np.tile(of_each_axis, term.begins // len(AXES))
-            out[end - term.begins : end] = np.where(spread > 0, 1 / np.where(spread > 0, spread, 1.0), 0.0)
+            spread = np.tile(of_each_axis, term.of_beginnings // len(AXES))
+            out[end - term.of_beginnings : end] = np.where(spread > 0, 1 / np.where(spread > 0, spread, 1.0), 0.0)
         start = end
     return out

@@ -264,7 +264,7 @@ class CandidateSet:
                 return ols_with_nuisance(np.concatenate([A, known]), np.concatenate([y, none]), start)
 
             x = solved(None)
-            if any(term.begins for term in terms):  # only then is it known how far off they may have begun
+            if any(term.of_beginnings for term in terms):  # only then is it known how far off they may have begun
                 ends = np.cumsum([start, *(len(term.parameters) for term in terms)])
                 x = solved([x[a:b] for a, b in itertools.pairwise(ends)])
             return x

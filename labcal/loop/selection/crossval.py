@@ -160,7 +160,7 @@ def cross_validate(
     for fold, part, chosen in zip(numbers, parts, parallel_map(choose, parts), strict=True):
         seen_s = problem.scene.t_s[part.rows]
         test = (folds == fold) & pool.valid & ~_beside_changepoint(whole.scene.t_s, seen_s, [*before, *chosen])
-        if any(part_of.term.begins for c in (*before, *chosen) for part_of in c.parts):
+        if any(part_of.term.of_beginnings for c in (*before, *chosen) for part_of in c.parts):
             test &= ~_not_begun(problem.scene, part.rows, whole.scene)
         known = [(c, _columns_of(c, known, pool)) for c in (*before, *chosen)]
         for which, effects in enumerate((before, chosen)):

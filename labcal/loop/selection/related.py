@@ -53,7 +53,7 @@ def beginnings(pool: CandidateSet, chosen: Candidate) -> list[Span]:
     def made() -> Span:
         return Span(pool.transformed_columns(chosen)[:, :, chosen.term.lasting :])
 
-    return [pool.cached("beginnings", (chosen,), made)] if chosen.term.begins else []
+    return [pool.cached("beginnings", (chosen,), made)] if chosen.term.of_beginnings else []
 
 
 def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:

@@ -82,7 +82,7 @@ def core(s: str, bend: str, pin: str, part: str) -> CForm:
         lines.append(f"along_axis(e[{3 + i}], {i}, (labcal_real)bent((double){own} / (double){bend}));")
     formula = (
         "E = c (M - L(s/a_nT)) + t1 (L(u) - u/3) along each of the sensor's axes, L(u) = coth u - 1/u, u = s/a_nT; "
-        "dM/ds = (L(s/a_nT) - M)/k_nT, s rising, or its negative, s falling, where that moves M towards L, else 0; "
+        "dM/ds = (L(s/a_nT) - M)/pinning_nT, s rising, or its negative, s falling, where that moves M to L, else 0; "
         "s [nT]; c, t1 [nT]; each segment begins at M = begins_on L"
     )
     helpers = ("along_axis", "langevin", "bent", "magnetised")

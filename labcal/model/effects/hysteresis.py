@@ -57,7 +57,7 @@ BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, 
 STOP, WIDTH = (Shape(name, 0.0, "nT", kind=THRESHOLD) for name in ("r_nT", "w_nT"))
 LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "deg", LAT_deg, ANGLE)
 KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
-CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("k_nT", 0.0, "nT", kind=THRESHOLD)
+CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("pinning_nT", 0.0, "nT", kind=THRESHOLD)
 ON_CURVE = Shape("begins_on", 1.0, "1", kind=BEGINNING_ON)  # the part of its curve that a core begins with
 BEGINS = Shape("begins", 1.0, "1", kind=BEGINNING)  # how far from rest, or from demagnetised; 1: anywhere
 
@@ -114,7 +114,7 @@ def kernel(term: Term, scene: Scene) -> Array:
     """
     s = driving(term, scene if scene.rig is None else replace(scene, denoised_field_nT=scene.rig.prediction_nT))
     names, off = {shape.name for shape in term.shape}, _astray(term, scene)
-    if "k_nT" in names:
+    if "pinning_nT" in names:
         return _of_a_core(term, scene, s)
     if "w_nT" in names:
         loops = [_along(scene, s, lambda starts, before: dahl(s, term.at("w_nT"), starts, before, off))]
@@ -167,8 +167,8 @@ def in_c(term: Term) -> CForm:
     """The same in C (`labcal.model.effects.c_loops`)."""
     s = driving_in_c(term)
     places = {shape.name: f"R(shape[{place}])" for place, shape in enumerate(term.shape)}
-    if "k_nT" in places:
-        return c_loops.core(s, places["a_nT"], places["k_nT"], places.get(ON_CURVE.name, "R(1.0)"))
+    if "pinning_nT" in places:
+        return c_loops.core(s, places["a_nT"], places["pinning_nT"], places.get(ON_CURVE.name, "R(1.0)"))
     if "w_nT" in places:
         return c_loops.dahl(s, places["w_nT"])
     if "s_nT" in places:
@@ -265,7 +265,7 @@ def _core(run: Run, drive: str, pins: tuple[float, ...]) -> Term:
     """A core with its curve, and with how it was magnetised at the beginning of each segment."""
     begun = tuple(p for number in np.unique(run.segment_index).tolist() for p in per_axis(f"{drive}m{number}", "nT"))
     curve = (*per_axis(f"{drive}c", "nT"), *per_axis(f"{drive}t1", "nT"))
-    return Term(kernel, (*curve, *begun), shape=(CORE, replace(PIN, grid=pins), ON_CURVE), begins=len(begun))
+    return Term(kernel, (*curve, *begun), shape=(CORE, replace(PIN, grid=pins), ON_CURVE), of_beginnings=len(begun))
 
 
 def _travel(run: Run) -> float:

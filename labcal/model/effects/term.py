@@ -32,7 +32,7 @@ class Term:
     shape: tuple[Shape, ...] = ()
     inputs: tuple[str, ...] = ()  # of a smooth function (`effects.inputs`)
     basis: Basis | None = None  # of the same
-    begins: int = 0  # the last parameters, which say how segments of the fit's run began: they hold nowhere else
+    of_beginnings: int = 0  # the last parameters, which say how segments of the fit's run began: they hold nowhere else
 
     def columns(self, scene: Scene) -> Array:
         """The derivative of e by each linear parameter (n, 3, p)."""
@@ -41,7 +41,7 @@ class Term:
     @property
     def lasting(self) -> int:
         """How many of the parameters, the first ones, hold in other recordings too."""
-        return len(self.parameters) - self.begins
+        return len(self.parameters) - self.of_beginnings
 
     def at(self, name: str) -> float:
         """The value of a shape parameter. Raises InputError where the form lacks it."""
