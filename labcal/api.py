@@ -180,7 +180,7 @@ def close_loop(
     >>> [(cause.effect, cause.channels) for cause in closed.accepted]
     [('offset-current', ('i_radio',))]
     >>> print(f"{closed.before.holdout_rms_nT:.0f} nT -> {closed.after.holdout_rms_nT:.0f} nT")
-    126 nT -> 37 nT
+    125 nT -> 36 nT
     """
     return session.close_loop(run, _path(out), progress, report=_path(report), empirical=empirical, force=force)
 
