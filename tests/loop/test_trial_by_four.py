@@ -24,7 +24,7 @@ FILES = {
     "spacecraft.py": ["spacecraft.py", "spacecraft_flight.py"],
 }
 SEED = 818
-# Faults of today, counted in docs/closed-loop.md; these lists only shrink.
+# Faults of today, counted in docs/closed-loop-trials.md; these lists only shrink.
 WRONG_TODAY: dict[tuple[str, int], list[str]] = {}
 MISSED_TODAY = {("magnets.py", 1)}
 
