@@ -29,7 +29,7 @@ from labcal.bench.driver_kit.roles import (
     Magnetometer,
     RotationPlatform,
 )
-from labcal.bench.guarded_greeting import all_greeted
+from labcal.bench.guarded_identification import all_identified
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.listening import Listening
 from labcal.bench.named_links import named_links
@@ -136,7 +136,7 @@ class Bench:
 
         A supply that answers at the links of two coils is another for both.
         """
-        self._known = all_greeted(self._instruments, self.config, self.clock)
+        self._known = all_identified(self._instruments, self.config, self.clock)
         links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
         refuse_one_at_two_links({name: self._known[name] for name in links}, links)
         return dict(self._known)
