@@ -38,7 +38,7 @@ from labcal.bench.simulated_operator import SimulatedOperator
 from labcal.bench.streams.reconnect import AWAY, bring_back
 from labcal.bench.streams.reference import blind
 from labcal.bench.streams.samples import block_of
-from labcal.bench.streams.watch import Look
+from labcal.bench.streams.watch import RestPoll
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream
 
@@ -105,7 +105,7 @@ class Bench:
         self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
         self._heard_s: dict[str, float] = {}  # what is polled, by name
-        self._look = Look(self._at_rest_only(), self._ask_again)
+        self._look = RestPoll(self._at_rest_only(), self._ask_again)
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
 
     def state(self) -> LabState:
