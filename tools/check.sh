@@ -34,10 +34,12 @@ processes = int(os.environ["PROCESSES"] or min(2, os.cpu_count() or 1))
 print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
 
 # The others wait a quarter of their time for a line or a guardian: these rooms only compute, and get the time that is left.
-# At the lowest priority they keep no other test waiting, nor the checks that use one core.
+# At the lowest priority they keep no other test waiting, nor the checks that use one core. Not where a quota rations the
+# processor, as in some containers: what they used up the others would lack, whatever the priority.
 COMPUTING=(tests/fit tests/loop tests/model tests/papers tests/quality tests/record tests/twin tests/uncertainty)
 BESIDE=
-if [ -n "$SHARED" ] && [ $# = 0 ]; then
+QUOTA=$(cat /sys/fs/cgroup/cpu.max /sys/fs/cgroup/cpu/cpu.cfs_quota_us 2>/dev/null || true)
+if [ -n "$SHARED" ] && [ $# = 0 ] && [[ $QUOTA =~ ^(max|-1|$) ]]; then
     COMPUTED=$(mktemp)
     # shellcheck disable=SC2086  # several words
     nice -n 19 "$BIN/pytest" $SHARED -m "not slow" -p no:cacheprovider "${COMPUTING[@]}" >"$COMPUTED" 2>&1 &
