@@ -38,6 +38,7 @@ class SharedWire:
 
     def __init__(self, ends: Sequence[Emulator]) -> None:
         self._ends = ends
+        self._foreseeing = [end for end in ends if isinstance(end, Foresees)]
 
     def take(self, t_s: float, data: bytes) -> None:
         """Bytes from the host arrive at `t_s`."""
@@ -50,7 +51,9 @@ class SharedWire:
 
     def due_s(self) -> float:
         """When the first of them is heard."""
-        return min(end.due_s() if isinstance(end, Foresees) else -math.inf for end in self._ends)
+        if len(self._foreseeing) < len(self._ends):
+            return -math.inf
+        return min(end.due_s() for end in self._foreseeing)
 
 
 class EmulatedLink:

@@ -60,6 +60,8 @@ class Reconnecting:
     ) -> None:
         self.name, self.wrong = sensor.name, ""  # `wrong`: the fault that keeps it from sending, until it sends again
         self._sensor, self._reopen, self._patience_s = sensor, reopen, patience_s
+        self._polled = sensor if isinstance(sensor, Pollable) else None  # asked once: that walks all its methods
+        self._steady = sensor if isinstance(sensor, Steady) else None
         self._left_s, self._tried, self._waited_for = left_s, tried, waited_for
         self._lost: InstrumentError | None = None
         self._since_s = self._missed_s = self._next_s = 0.0  # it is missed from when nobody was asked any more
@@ -86,17 +88,17 @@ class Reconnecting:
         """When it is to be read next; inf where it sends by itself."""
         if self._lost is not None:
             return min(self._next_s, self._given_up_s())
-        return self._sensor.due_s() if isinstance(self._sensor, Pollable) else math.inf
+        return math.inf if self._polled is None else self._polled.due_s()
 
     @property
     def period_s(self) -> float | None:
         """Between two of its messages, as its maker states it; None where it sends as it is set or asked."""
-        return self._sensor.period_s if isinstance(self._sensor, Steady) else None
+        return None if self._steady is None else self._steady.period_s
 
     @property
     def spoilt(self) -> int:
         """How many messages came that were no good, as far as it counts them."""
-        return self._sensor.spoilt if isinstance(self._sensor, Steady) else 0
+        return 0 if self._steady is None else self._steady.spoilt
 
     def events(self) -> list[Event]:
         """What the sensor lost since this was asked last: frames, samples."""

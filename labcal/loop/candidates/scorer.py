@@ -143,7 +143,10 @@ class CandidateSet:
 
         In white noise the errors that the run declares are no evidence: they are integrated over their prior.
         """
-        return cosine_transform(self._declared(self.transformed_rows).whitened(columns[self.transformed_rows]))
+        rows: NDArray[np.intp] | slice = self.transformed_rows
+        if rows[-1] - rows[0] == len(rows) - 1:
+            rows = slice(rows[0], rows[-1] + 1)  # a view, where no row is left out between them
+        return cosine_transform(self._declared(self.transformed_rows).whitened(columns[rows]))
 
     def _declared(self, rows: NDArray[np.intp]) -> DeclaredDirections:
         """What errors that the run declares move on some rows."""

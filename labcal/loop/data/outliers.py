@@ -83,7 +83,7 @@ def _neighbourhood(
 ) -> tuple[Array, Array]:
     """Distance of each row from the median of its neighbours (n, q), and their own median distance from it."""
     away, around = np.zeros_like(neighbours), np.zeros_like(neighbours)
-    rows, median = (neighbours, np.median) if residual is None else (residual, np.nanmedian)
+    rows, median = (neighbours, np.median) if residual is None else (residual, _median_of_known)
     for part in stretches(segment):
         y = neighbours[part]
         if len(y) < 2 * window + 1:
@@ -93,6 +93,14 @@ def _neighbourhood(
         middle = median(near, axis=0)
         away[part], around[part] = rows[part] - middle, median(np.abs(near - middle), axis=0)
     return away, around
+
+
+def _median_of_known(values: Array, axis: int) -> Array:
+    """The median along an axis without what is nan (nan where all is): `np.nanmedian` masks, at six times the time."""
+    in_order = np.sort(values, axis=axis)  # nan goes last
+    count = np.sum(~np.isnan(values), axis=axis, keepdims=True)
+    low, high = (np.take_along_axis(in_order, np.maximum(k, 0), axis) for k in ((count - 1) // 2, count // 2))
+    return np.asarray(np.where(count > 0, (low + high) / 2, np.nan).squeeze(axis))
 
 
 def _in_long_runs(mask: Mask, longest: int) -> Mask:

@@ -38,8 +38,9 @@ class DeclaredDirections:
         if not len(self.size):
             return columns
         flat = columns.reshape(len(self.along), -1)
-        less = 1 - 1 / np.sqrt(1 + self.size**2)
-        return np.asarray((flat - self.along @ (less[:, None] * (self.along.T @ flat))).reshape(columns.shape))
+        less = self.along @ ((1 / np.sqrt(1 + self.size**2) - 1)[:, None] * (self.along.T @ flat))
+        less += flat
+        return np.asarray(less.reshape(columns.shape))
 
     def likeliest(self, left: Array, most: float = LARGEST) -> Array:
         """The errors (e,) that a residual (n, q) is likeliest to have, in standard deviations of each.

@@ -81,8 +81,10 @@ def _mounted(axis_body: Array) -> NDArray[np.intp]:
     known = np.isfinite(axis_body).all(axis=1)
     number = np.zeros(len(axis_body), dtype=np.intp)
     if known.any():
-        _, index = np.unique(np.round(axis_body[known], 6), axis=0, return_inverse=True)
-        number[known] = index.ravel() + 1
+        axes = np.round(axis_body[known], 6)
+        anew = np.r_[True, (axes[1:] != axes[:-1]).any(axis=1)]  # of the many rows few differ from the one before
+        _, index = np.unique(axes[anew], axis=0, return_inverse=True)
+        number[known] = index.ravel()[np.cumsum(anew) - 1] + 1
     return number
 
 
