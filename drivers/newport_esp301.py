@@ -8,7 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from drivers.framing.newport import Axis
+from drivers.framing.newport import NewportAxis
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
@@ -50,7 +50,7 @@ class Esp301Stage:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
-        self._axis, self._homed = Axis(name, self._command, self._ask_axis, settings.tolerance_deg), False
+        self._axis, self._homed = NewportAxis(name, self._command, self._ask_axis, settings.tolerance_deg), False
 
     def identify(self) -> Identity:
         """Ask controller and stage who they are. Raises InstrumentError where the axis does not count degrees."""

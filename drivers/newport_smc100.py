@@ -9,7 +9,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from drivers.framing.newport import Axis
+from drivers.framing.newport import NewportAxis
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_fast_homing
 from labcal.bench.driver_kit.roles import Identity
@@ -59,7 +59,7 @@ class Smc100Stage:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
-        self._axis, self._free_s = Axis(name, self._command, self._ask, settings.tolerance_deg), 0.0
+        self._axis, self._free_s = NewportAxis(name, self._command, self._ask, settings.tolerance_deg), 0.0
 
     def identify(self) -> Identity:
         """Ask for the controller's version and its stage. Raises InstrumentError for another controller."""

@@ -16,10 +16,10 @@ TWICE = {
         "Bench Cage Doubt Identified Instrument LabState Loci Reference Signature Trend"
     ),
     "another thing in the window, whose messages and translations hold the name": (
-        "Axis Caller Change Channel Event Fitted Look Page Place Standing Wanted"
+        "Caller Change Channel Event Fitted Page Place Standing"
     ),
     "the emulators' view of the other side": "Lab Replies",
-    "a word that means the same in two fields": "Address Connection Probe Table",
+    "a word that means the same in two fields": "Connection Table",
 }
 THRICE = {"Table"}  # of a report, of the window, and of the supplies' commands or a stream's columns
 

@@ -12,7 +12,7 @@ from labcal.errors import InstrumentError
 
 
 @dataclass
-class Axis:
+class NewportAxis:
     """`command` and `ask` are how its controller is spoken to; `command` raises where it did not take the words."""
 
     name: str

@@ -86,7 +86,7 @@ class Table:
     give it back. `set_lower`, `ask_lower`: the limit of negative voltage, of a supply that has one. `errors` asks for
     the oldest error, "" where it tells none; `no_error` is how an empty queue reads.
     `trips`: by name, the question that is answered by a 1, or, with `trip_bit`, by a number that has this bit.
-    `expects`: questions, and what each must be answered when it is greeted: a mode that is set at its panel.
+    `expects`: questions, and what each must be answered when it is identified: a mode that is set at its panel.
     `output_bit`, one a channel: the bit of the answer to `ask_output`. `most_A`, `most_V`: what a channel can deliver.
     `least_A`: what it is told where zero is meant, of one that takes no less.
     """

@@ -15,7 +15,7 @@ SECRET = ("password", "sslpassword", "passfile", "sslkey")  # settings of libpq 
 
 
 @dataclass(frozen=True, slots=True)
-class Address:
+class ServerAddress:
     """An archive's place. `shown` is for people; `password` and `settings` (for libpq) stand in no text."""
 
     shown: str
@@ -41,7 +41,7 @@ class Address:
         return text
 
 
-def parse_address(url: str) -> Address:
+def parse_address(url: str) -> ServerAddress:
     """The address that `url` states. Raises InputError, which repeats nothing of a URL that cannot be read."""
     try:
         parts = urlsplit(url)
@@ -54,7 +54,7 @@ def parse_address(url: str) -> Address:
     stated = dict(query)
     user = unquote(parts.username) if parts.username else None
     database = unquote(parts.path.removeprefix("/"))
-    return Address(
+    return ServerAddress(
         shown=_shown(user, parts.hostname or stated.get("host", ""), port, database),
         user=user,
         host=parts.hostname,

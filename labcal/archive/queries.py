@@ -34,7 +34,7 @@ MEASURED = (  # when its run began, as far as that is there
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class CalibrationQuery:
     """Which calibrations: all conditions that are stated hold together. Times bound when their runs began.
 
     `instrument` is a serial, the reference's or another's; `effect` an effect that was found, `above` (value, unit):
@@ -97,7 +97,7 @@ def superseding(archive: Archive, sha256: str) -> list[tuple[bytes, list[bytes]]
         return each
 
 
-def calibrations(archive: Archive, wanted: Wanted) -> list[dict[str, Any]]:
+def calibrations(archive: Archive, wanted: CalibrationQuery) -> list[dict[str, Any]]:
     """The calibrations that are wanted, the oldest first, each with its reference, signers, and what fits (`why`)."""
     if wanted.above is not None and wanted.effect is None:
         raise InputError("a size is that of an effect's parameter: say which effect")
@@ -122,7 +122,7 @@ def _largest_of(found: Subquery) -> Condition:
     return and_(*mine, found.c.place == 1)
 
 
-def _conditions(wanted: Wanted) -> list[Condition]:
+def _conditions(wanted: CalibrationQuery) -> list[Condition]:
     c = MEASURED.c
     found = [c.dut_model == wanted.model] if wanted.model is not None else []
     found += [c.dut_serial == wanted.dut] if wanted.dut is not None else []
@@ -215,7 +215,7 @@ def _json_value(value: Any) -> Any:
     return value.isoformat(timespec="milliseconds").replace("+00:00", "Z") if isinstance(value, datetime) else value
 
 
-def parameters(archive: Archive, wanted: Wanted) -> list[dict[str, Any]]:
+def parameters(archive: Archive, wanted: CalibrationQuery) -> list[dict[str, Any]]:
     """The figures, and the parameters of effects, of the calibrations that are wanted, the oldest first."""
     c, p, e = MEASURED.c, PARAMETER.c, EFFECT.c
     mine = and_(p.site == c.site, p.calibration == c.sha256, p["of"] != "map")

@@ -10,7 +10,7 @@ from sqlalchemy import Connection, Engine, create_engine
 from sqlalchemy.engine import URL
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
-from labcal.archive.address import Address
+from labcal.archive.address import ServerAddress
 from labcal.errors import InputError
 
 CONNECT_S, STATEMENT_S, SILENT_S = 5, 60, 20
@@ -28,7 +28,7 @@ class AwayError(InputError):
 class Archive:
     """An archive's server. Every use of it is one transaction: whole, or not there."""
 
-    address: Address
+    address: ServerAddress
     engine: Engine
 
     @contextmanager
@@ -39,7 +39,7 @@ class Archive:
 
 
 @contextmanager
-def opened(address: Address) -> Iterator[Archive]:
+def opened(address: ServerAddress) -> Iterator[Archive]:
     """The archive at `address`; nothing is asked of the server yet."""
     keep = {"connect_timeout": CONNECT_S, "tcp_user_timeout": SILENT_S * 1000, "application_name": "labcal"}
     keep["options"] = f"-c statement_timeout={STATEMENT_S}s -c TimeZone=UTC"
@@ -52,7 +52,7 @@ def opened(address: Address) -> Iterator[Archive]:
 
 
 @contextmanager
-def _named_faults(address: Address) -> Iterator[None]:
+def _named_faults(address: ServerAddress) -> Iterator[None]:
     try:
         yield
     except DBAPIError as error:
@@ -62,7 +62,7 @@ def _named_faults(address: Address) -> Iterator[None]:
         raise InputError(f"{address.shown}: {message}") from None
 
 
-def _fault(error: DBAPIError, address: Address) -> InputError:
+def _fault(error: DBAPIError, address: ServerAddress) -> InputError:
     state = getattr(error.orig, "sqlstate", None)
     message = " ".join(address.without_secrets(str(error.orig)).split())
     if state in NO_RIGHT:

@@ -29,7 +29,7 @@ from labcal.bench.driver_kit.roles import (
     Magnetometer,
     RotationPlatform,
 )
-from labcal.bench.guarded_greeting import all_greeted
+from labcal.bench.guarded_identification import all_identified
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.listening import Listening
 from labcal.bench.named_links import named_links
@@ -38,7 +38,7 @@ from labcal.bench.simulated_operator import SimulatedOperator
 from labcal.bench.streams.reconnect import AWAY, bring_back
 from labcal.bench.streams.reference import blind
 from labcal.bench.streams.samples import block_of
-from labcal.bench.streams.watch import Look
+from labcal.bench.streams.watch import RestPoll
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream
 
@@ -105,7 +105,7 @@ class Bench:
         self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
         self._heard_s: dict[str, float] = {}  # what is polled, by name
-        self._look = Look(self._at_rest_only(), self._ask_again)
+        self._look = RestPoll(self._at_rest_only(), self._ask_again)
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
 
     def state(self) -> LabState:
@@ -136,7 +136,7 @@ class Bench:
 
         A supply that answers at the links of two coils is another for both.
         """
-        self._known = all_greeted(self._instruments, self.config, self.clock)
+        self._known = all_identified(self._instruments, self.config, self.clock)
         links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
         refuse_one_at_two_links({name: self._known[name] for name in links}, links)
         return dict(self._known)

@@ -30,14 +30,14 @@ def check(
     from rich.table import Table
     from rich.text import Text
 
-    from labcal.session import cage_remark, greetings, look_again
+    from labcal.session import cage_remark, identify_instruments, look_again
 
     table = Table("instrument", "role", "link", "answers as")
     silent = 0
-    for greeting in greetings(file):
-        silent += greeting.fault is not None
-        said = Text(f"✕ {greeting.fault}", "red") if greeting.fault else Text(f"✓ {greeting.identity}")
-        table.add_row(greeting.name, greeting.role, greeting.link, said)
+    for one in identify_instruments(file):
+        silent += one.fault is not None
+        said = Text(f"✕ {one.fault}", "red") if one.fault else Text(f"✓ {one.identity}")
+        table.add_row(one.name, one.role, one.link, said)
     console().print(table)
     looked = look_again(file, clear_as)
     if looked is not None:

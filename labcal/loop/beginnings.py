@@ -39,7 +39,7 @@ def _spread(found: JointFit, place: int) -> JointFit:
 
 
 def _on_the_whole(found: JointFit, place: int) -> JointFit:
-    """The part of its curve that a core began with, by least squares; each beginning is told from there."""
+    """The part of its curve that a core began with, by least squares; each beginning is counted from there."""
     term, beta = found.terms[place], found.beta[place]
     if (shape := term.of(BEGINNING_ON)) is None or not term.of_beginnings:
         return found

@@ -80,5 +80,5 @@ def _as_large_as_found(taken: Array, beta: Array, units: Sequence[str]) -> tuple
         return np.zeros((len(beta), 0)), np.inf
     precision = np.where(known, np.maximum(free, 0.5) / np.maximum(squares, 1e-12 * squares.max()), 0.0)
     values, vectors = np.linalg.eigh(taken.T @ (precision[:, None] * taken))
-    told = values > 0
-    return taken @ vectors[:, told] / np.sqrt(values[told]), float(np.trace(beside))
+    found = values > 0
+    return taken @ vectors[:, found] / np.sqrt(values[found]), float(np.trace(beside))

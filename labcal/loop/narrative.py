@@ -143,8 +143,8 @@ def _why_refused(step: HeldOutErrors) -> str:
     return f"{change}, but it is a detail beside others, or too much is left for its name to be sure"
 
 
-def _nats(weight: float) -> str:
-    return f"{_signed(weight)} nats, {policy.POLICY.min_evidence:.0f} needed"
+def _nats(evidence: float) -> str:
+    return f"{_signed(evidence)} nats, {policy.POLICY.min_evidence:.0f} needed"
 
 
 def _signed(value: float) -> str:

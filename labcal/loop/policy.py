@@ -81,16 +81,18 @@ class Policy:
         "derived", "most of it: no unnamed process resembles a switched load",
         "loop/test_judgements.py::test_effects_together_take_most_of_the_excess",
     )  # fmt: skip
-    max_misfit_of_a_line: float = _judged(
-        0.1, "of what it took off", "a line with its harmonics that leaves more is another process", "derived",
-        "the share of a rectangular wave beyond its third harmonic is 1 − (8 / π²) (1 + 1 / 9)",
-        "loop/test_decision.py::test_the_harmonics_of_one_wave_are_judged_by_what_they_take_together",
-    )  # fmt: skip
     max_misfit_of_later: float = _judged(
         1 / 3, "of what it took off",
         "a later cause that leaves more took misfit of an earlier one's form",
         "measured", "blind runs whose strong cause has a form that the library lacks",
         "loop/test_decision.py::test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_first",
+    )  # fmt: skip
+
+    max_share_of_field: float = _judged(
+        0.5, "of the field",
+        "an effect that follows the reference and is larger, or would have to be to take the residual off, is none",
+        "derived", "no iron, tilt or gradient of a lab makes half of the field that drives it",
+        "loop/test_final_fit.py::test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect",
     )  # fmt: skip
 
     # equivalent models
@@ -194,6 +196,11 @@ class Policy:
     def min_white_level(self) -> float:
         """The white noise is taken to be no smaller, of the declared one: as far below as the floor may be missed."""
         return 1 / self.floor_ratio
+
+    @property
+    def max_misfit_of_a_line(self) -> float:
+        """Of what it took off, what a line with its harmonics may leave: a square wave's share beyond its third."""
+        return 1 - 8 / math.pi**2 * (1 + 1 / 9)
 
     @property
     def saturation_significance(self) -> float:

@@ -1,4 +1,4 @@
-"""Smooth functions of one or two inputs in a finite basis: B-splines, weighed so that their prior is one number.
+"""Smooth functions of one or two inputs in a finite basis: B-splines, weighted so that their prior is one number.
 
 A function is f(x) = Σ_j s_j φ_j(x) with φ = B(x) · `functions`; B are B-splines (de Boor, A Practical Guide to Splines,
 chapter 9), for two inputs their products. Where it has been seen is a `Domain`: an interval, or a joint convex hull.

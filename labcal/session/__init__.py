@@ -41,7 +41,7 @@ from labcal.session.check_standard import Override, admitted
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import ImportRequest, ImportResult, import_foreign
-from labcal.session.instruments import coils_off, find_instruments, greetings, look_again, serve_bench
+from labcal.session.instruments import coils_off, find_instruments, identify_instruments, look_again, serve_bench
 from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
     check_store,
@@ -92,8 +92,8 @@ __all__ = [
     "filter_history",
     "find_instruments",
     "fit_run",
-    "greetings",
     "hand_out",
+    "identify_instruments",
     "import_bundle",
     "import_calibration",
     "import_foreign",

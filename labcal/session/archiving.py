@@ -48,19 +48,19 @@ def archived_runs(given: str | None) -> list[dict[str, Any]]:
 
 
 def archived_calibrations(given: str | None, **wanted: Any) -> list[dict[str, Any]]:
-    """The calibrations of the archive that are `wanted` (labcal.archive.queries.Wanted), the oldest first."""
+    """The calibrations of the archive that are `wanted` (labcal.archive.queries.CalibrationQuery), the oldest first."""
     with opened(given) as archive:
-        from labcal.archive.queries import Wanted, calibrations
+        from labcal.archive.queries import CalibrationQuery, calibrations
 
-        return calibrations(archive, Wanted(**wanted))
+        return calibrations(archive, CalibrationQuery(**wanted))
 
 
 def archived_parameters(given: str | None, **wanted: Any) -> list[dict[str, Any]]:
     """Figures and effects' parameters of the calibrations of the archive that are `wanted`, the oldest first."""
     with opened(given) as archive:
-        from labcal.archive.queries import Wanted, parameters
+        from labcal.archive.queries import CalibrationQuery, parameters
 
-        return parameters(archive, Wanted(**wanted))
+        return parameters(archive, CalibrationQuery(**wanted))
 
 
 def fetch_from_archive(given: str | None, run: str, site: str | None, out: Path, *, force: bool = False) -> None:

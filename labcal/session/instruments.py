@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from labcal.bench.look_again import Looked
 
 
-def greetings(bench: Path) -> list[Identified]:
+def identify_instruments(bench: Path) -> list[Identified]:
     """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
     return identify_all(bench)
 

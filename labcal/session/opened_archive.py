@@ -16,7 +16,7 @@ from labcal.files.home import ARCHIVE, home
 from labcal.system.private_memory import kept_private
 
 if TYPE_CHECKING:
-    from labcal.archive.address import Address
+    from labcal.archive.address import ServerAddress
     from labcal.archive.server import Archive
 
 MISSING = "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"
@@ -24,7 +24,7 @@ LIBRARIES = ("sqlalchemy", "alembic", "psycopg")
 BUNDLES = "bundles"  # in labcal's folder, where nobody says another place
 
 
-def archive_address(given: str | None) -> Address:
+def archive_address(given: str | None) -> ServerAddress:
     """What `--archive`, else LABCAL_ARCHIVE, names. Raises InputError: neither is there, or a password on view."""
     from labcal.archive.address import parse_address
 

@@ -45,7 +45,7 @@ def served(tmp_path: Path) -> Iterator[Path]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
-def test_a_served_bench_is_greeted_driven_streamed_and_switched_off_over_real_lines(served: Path) -> None:
+def test_a_served_bench_is_identified_driven_streamed_and_switched_off_over_real_lines(served: Path) -> None:
     text = served.read_text()
     assert "tcp://127.0.0.1" in text
     assert "modbus-rtu:///dev/pts" in text

@@ -98,7 +98,7 @@ def streamed_until(bench: Bench, fault: str) -> list[Block]:
     raise AssertionError(f"{fault} did not come")
 
 
-def test_a_sensor_that_was_pulled_is_greeted_and_started_again_and_another_one_is_refused(tmp_path: Path) -> None:
+def test_a_sensor_that_was_pulled_is_identified_and_started_again_and_another_one_is_refused(tmp_path: Path) -> None:
     plug = Plug(tmp_path / "ttyUSB0")
     plug.put_in(sensor())
     with bench_with(plug, "reference") as bench:

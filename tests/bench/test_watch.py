@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from labcal.bench.coils.windings import Windings
-from labcal.bench.streams.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
+from labcal.bench.streams.watch import FieldLimit, RestPoll, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import Block
 
@@ -184,7 +184,7 @@ def test_what_rests_is_looked_at_every_second_and_its_loss_is_told_once() -> Non
         if len(asked) > 1 and faults:
             raise faults.pop()
 
-    look, told = Look(["reversers"], ask), list[tuple[float, str]]()
+    look, told = RestPoll(["reversers"], ask), list[tuple[float, str]]()
     for t in np.arange(0.0, 9.0, 0.5).tolist():
         look.at(t)
         told += [(event.t_s, event.data["fault"]) for event in look.news()]
@@ -198,12 +198,12 @@ def test_another_instrument_in_its_place_is_refused() -> None:
         raise InstrumentError("reversers: another.", fault="another instrument")
 
     with pytest.raises(InstrumentError, match="another"):
-        Look(["reversers"], another).at(0.0)
+        RestPoll(["reversers"], another).at(0.0)
 
 
 def test_what_is_gone_is_asked_until_it_answers_and_no_longer() -> None:
     asked = list[str]()
-    look = Look([], asked.append)
+    look = RestPoll([], asked.append)
     look.gone("stage", InstrumentError("the link is lost.", fault="link lost"), 0.0)
     assert look.wrong("stage") == "link lost"
     for t in (0.0, 0.5, 2.0, 4.0):

@@ -16,7 +16,7 @@ from labcal.cli import execute
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
 
-def test_check_greets_every_instrument_by_name(capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_identifies_every_instrument_by_name(capsys: pytest.CaptureFixture[str]) -> None:
     assert execute(["bench", "check", str(EXAMPLE)]) == 0
     said = capsys.readouterr().out
     for name in ("supply_x", "supply_y", "supply_z", "reversers", "stage", "reference", "dut"):

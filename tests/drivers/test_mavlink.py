@@ -161,8 +161,8 @@ def test_a_ground_station_and_a_gimbal_are_no_second_vehicle() -> None:
     assert lost == {}
 
 
-def greeted(**edits: float) -> tuple[Any, MavlinkEmulator, list[bytes]]:
-    """A driver that has greeted the emulator, and what it sent."""
+def identified(**edits: float) -> tuple[Any, MavlinkEmulator, list[bytes]]:
+    """A driver that has identified the emulator, and what it sent."""
     clock, settings = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), Settings()
     emulator, sent = MavlinkEmulator(open_twin({}, 1), {"dut": {}}, settings), list[bytes]()
     emulator.parameters.update(edits)
@@ -176,7 +176,7 @@ def greeted(**edits: float) -> tuple[Any, MavlinkEmulator, list[bytes]]:
 
 
 def test_the_calibration_on_board_is_read_and_recorded() -> None:
-    driver, _, sent = greeted(CAL_MAG0_XOFF=0.0125, CAL_MAG0_ID=396_825)
+    driver, _, sent = identified(CAL_MAG0_XOFF=0.0125, CAL_MAG0_ID=396_825)
     driver.start()
     (event,) = driver.events()
     assert event.kind == "on-board-calibration"

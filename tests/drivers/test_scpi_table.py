@@ -134,9 +134,9 @@ PBZ = b"KIKUSUI,PBZ40-10,AB000001,IFC02.00.0011 IOC02.00.0015\n"
 
 def test_a_pbz_has_both_signs_once_it_says_that_it_is_in_constant_current() -> None:
     fine = (b"SYST:ERR?\n", b'0,"No error"\n')
-    greeting: list[Exchange] = [(b"*IDN?\n", PBZ), fine, (b"FUNC:MODE?\n", b"CC\n"), (b"FUNC:POL?\n", b"BIP\n"),
+    identification: list[Exchange] = [(b"*IDN?\n", PBZ), fine, (b"FUNC:MODE?\n", b"CC\n"), (b"FUNC:POL?\n", b"BIP\n"),
                                 (b"VOLT:PROT:STAT?\n", b"LIM\n")]  # fmt: skip
-    wire = [*greeting, (b"CURR -1.5000\n", SILENT), fine, (b"CURR?\n", b"-1.5000\n")]
+    wire = [*identification, (b"CURR -1.5000\n", SILENT), fine, (b"CURR?\n", b"-1.5000\n")]
     with scripted(TableSupply, wire, model="kikusui-pbz", max_current_A=5.0) as supply:
         assert supply.identify().serial == "AB000001"
         supply.set_current(-1.5)

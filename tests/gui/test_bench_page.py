@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel
 
 from labcal.bench.coils.state import FieldReading, Heard, LabState, unread
-from labcal.gui.ipc.answers import CoilEnd, Doubt, Greeting, Identified, SwitchedOff
+from labcal.gui.ipc.answers import CoilEnd, Doubt, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
@@ -80,15 +80,15 @@ def test_reconnect_lets_go_reads_the_file_again_and_asks_everybody(qtbot, still,
     assert isinstance(still.app_state.off_worker.asked[-1].command, Identify)
     silent = Fault("instrument", "supply_x does not answer.", "Switch it on.")
     names = still.app_state.facts.instruments
-    greetings = tuple(Greeting(n, "", "", "", silent if n == "supply_x" else None) for n in names)
-    still.app_state.off_worker.answer(Identify, Identified(greetings))
+    answers = tuple(InstrumentAnswer(n, "", "", "", silent if n == "supply_x" else None) for n in names)
+    still.app_state.off_worker.answer(Identify, Identified(answers))
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
     assert said["supply_x"] == "✕ supply_x does not answer. Switch it on."
     assert said["stage"] == "✓ answers"
 
 
 def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench):
-    answers = (Greeting("supply_x", "coil-x", "tcp://x", "a supply"),)
+    answers = (InstrumentAnswer("supply_x", "coil-x", "tcp://x", "a supply"),)
     bench.check_all()
     doubt = Doubt("NOT at zero by the reference", lifted=False)
     still.app_state.off_worker.answer(Identify, Identified(answers, doubt))

@@ -31,29 +31,32 @@ def langevin(u: Array) -> Array:
     return 1 / np.tanh(u) - 1 / u
 
 
+def together(values: Array, segment: Array) -> Array:
+    """Rows (n, 3) of segments that are equally long, side by side (rows, segments, 3)."""
+    return values.reshape(segment[-1] + 1, -1, 3).swapaxes(0, 1)
+
+
 def core(field: Array, segment: Array, begin: Array) -> Array:
     """What a core adds (n, 3): small steps of the equation, from M = `begin` (segments, 3) in each first row."""
-    out, M = np.zeros_like(field), np.zeros(3)
-    for row, s in enumerate(field):
-        if row == 0 or segment[row] != segment[row - 1]:
-            M = begin[segment[row]]
-        else:
-            step = (s - field[row - 1]) / FINE
-            for part in range(FINE):
-                lacking = langevin((field[row - 1] + (part + 0.5) * step) / A_nT) - M
-                M = M + np.where(lacking * step > 0, lacking * np.abs(step) / K_nT, 0.0)
-        out[row] = C_nT * (M - langevin(s / A_nT))
-    return out
+    rows, M = together(field, segment), begin
+    out = np.empty_like(rows)
+    for k, s in enumerate(rows):
+        step = (s - rows[max(k - 1, 0)]) / FINE
+        for part in range(FINE if k else 0):
+            lacking = langevin((rows[k - 1] + (part + 0.5) * step) / A_nT) - M
+            M = M + np.where(lacking * step > 0, lacking * np.abs(step) / K_nT, 0.0)
+        out[k] = C_nT * (M - langevin(s / A_nT))
+    return out.swapaxes(0, 1).reshape(field.shape)
 
 
 def stopped(field: Array, segment: Array, begin: Array) -> Array:
     """What a stop adds (n, 3), from `begin` (segments, 3) within ± r where each segment begins."""
-    out, z = np.zeros_like(field), np.zeros(3)
-    for row, s in enumerate(field):
-        first = row == 0 or segment[row] != segment[row - 1]
-        z = np.clip(begin[segment[row]] if first else z + s - field[row - 1], -LOOP_r, LOOP_r)
-        out[row] = LOOP_c * z
-    return out
+    rows, z = together(field, segment), begin
+    out = np.empty_like(rows)
+    for k, s in enumerate(rows):
+        z = np.clip(z + s - rows[max(k - 1, 0)], -LOOP_r, LOOP_r)
+        out[k] = LOOP_c * z
+    return out.swapaxes(0, 1).reshape(field.shape)
 
 
 def firsts(made: MadeUp) -> Array:

@@ -66,7 +66,8 @@ def test_the_share_that_is_new_does_not_depend_on_the_columns_that_a_span_is_giv
 
 
 @pytest.mark.parametrize(
-    ("of_y", "apart_nT", "beyond"), [(-0.95, 50.0, True), (-0.3, 50.0, False), (-0.95, 6000.0, False)]
+    ("of_y", "apart_nT", "beyond"),
+    [(-0.95, 50.0, True), (-0.52, 50.0, True), (-0.46, 50.0, False), (-0.3, 50.0, False), (-0.95, 6000.0, False)],
 )
 def test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect(
     of_y: float, apart_nT: float, beyond: bool

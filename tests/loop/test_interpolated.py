@@ -7,9 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from labcal.loop import policy
 from labcal.loop.candidates.interpolated import interpolated
 from labcal.loop.candidates.library import Candidate, expand_library
-from labcal.loop.data import credible
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import grams_by_band
@@ -45,7 +45,9 @@ def test_directions_that_are_not_credible_are_left_out_of_the_combinations(
 ) -> None:
     problem = started()
     grid = grid_of(problem, "field-gradient", 9)
-    monkeypatch.setattr(credible, "APART", 1e6)  # so much has to be new that some directions are not
+    monkeypatch.setattr(
+        policy, "POLICY", policy.Policy(max_share_of_field=1e-3)
+    )  # so much has to be new that some directions are not
     found = interpolated(problem, grid)
     assert found is not None
     less = 0

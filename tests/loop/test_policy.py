@@ -61,7 +61,7 @@ KINDS = {
         "progress_report:SILENT_s",
         "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
-        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:APART WILD", "data.base_model:ITERATIONS",
+        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "data.base_model:ITERATIONS",
         "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
         "noise.declared_directions:SHOWS",
@@ -193,6 +193,7 @@ def test_the_policy_is_frozen_and_what_is_derived_follows() -> None:
     with pytest.raises(FrozenInstanceError):
         policy.POLICY.min_evidence = 1.0  # type: ignore[misc]
     assert policy.Policy(floor_ratio=1.25).min_white_level == 0.8
+    assert policy.POLICY.max_misfit_of_a_line == pytest.approx(0.0994, abs=1e-4)
     assert policy.Policy(min_evidence=20.0).saturation_significance == pytest.approx(math.exp(-20.0))
     assert len(fields(policy.Policy)) == len(policy.judgements()) <= 25
 

@@ -81,7 +81,7 @@ def test_lab_time_of_all_rotations_is_that_of_the_run_and_the_hands(recorded: Si
 
 
 def recorded_before(recorded: SimulatedRun) -> float:
-    """Lab time before the first step: instruments are greeted."""
+    """Lab time before the first step: instruments are identified."""
     return recorded.lab_s - sum(seconds for _, seconds in recorded.steps)
 
 

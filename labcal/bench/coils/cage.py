@@ -17,7 +17,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.coils.advice import as_if, by_hand
 from labcal.bench.coils.agreement import FieldCheck
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
-from labcal.bench.coils.sign import Probe, SignCheck
+from labcal.bench.coils.sign import SignCheck, SignProbe
 from labcal.bench.coils.state import NOT_BY_REFERENCE, CoilReading, Witness
 from labcal.bench.coils.windings import Windings
 from labcal.bench.coils.zero import RAMP_STEP_S, AtZero, to_zero
@@ -287,7 +287,7 @@ class Cage:
                 self.zero()
                 raise
 
-    def _judge(self, probe: Probe, before: Array, after: Array) -> None:
+    def _judge(self, probe: SignProbe, before: Array, after: Array) -> None:
         """Look again, and later, where the step is not seen: readings may come late, contacts do not."""
         for later_s in LOOK_AGAIN_S:
             with suppress(InstrumentError):

@@ -17,7 +17,7 @@ AGREES = 0.5  # of the step must be seen, with its sign; a contact that hangs sh
 
 
 @dataclass(frozen=True, slots=True)
-class Probe:
+class SignProbe:
     """A stretch of the way to a set-point, from `before` to `after` (3,) [A], that tells the sign of `axes`."""
 
     before: Array
@@ -46,7 +46,7 @@ class SignCheck:
         """The outputs are open: what the contacts do meanwhile is not known."""
         self._seen.clear()
 
-    def probes(self, start_A: Array, target_A: Array) -> Iterator[Probe]:
+    def probes(self, start_A: Array, target_A: Array) -> Iterator[SignProbe]:
         """Where to stop on the straight way from `start_A` to `target_A` (3,), in order.
 
         Axes that cross zero at about the same point share a probe. A current too small to be measured is left alone,
@@ -63,9 +63,9 @@ class SignCheck:
             end = max(last for first, last in waiting.values() if first == begin)
             axes = tuple(axis for axis, (first, _) in waiting.items() if first <= end)
             end = max(waiting.pop(axis)[1] for axis in axes)
-            yield Probe(start_A + begin * change, start_A + end * change, axes)
+            yield SignProbe(start_A + begin * change, start_A + end * change, axes)
 
-    def judge(self, probe: Probe, before_nT: Array, after_nT: Array) -> None:
+    def judge(self, probe: SignProbe, before_nT: Array, after_nT: Array) -> None:
         """Raise InstrumentError (polarity not confirmed) where the reference saw something else than the step."""
         wanted = probe.after - probe.before
         seen = np.linalg.solve(self._matrix, after_nT - before_nT)

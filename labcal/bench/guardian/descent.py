@@ -30,7 +30,7 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], notify: Calla
         notify()
         for coil in coils:
             if coil.doubt is None:
-                _greet(coil, ANSWER_S if all(other.doubt is None for other in coils) else SHORT_S)
+                _identify(coil, ANSWER_S if all(other.doubt is None for other in coils) else SHORT_S)
         doubted = [coil for coil in coils if coil.doubt is not None]
         _write_zeros(doubted, others)
         ended = dict(_ramped([coil for coil in coils if coil.doubt is None], lossy=bool(doubted)))
@@ -44,7 +44,7 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], notify: Calla
         return list(ended.values())
 
 
-def _greet(coil: GuardedCoil, within_s: float) -> None:
+def _identify(coil: GuardedCoil, within_s: float) -> None:
     """See that the right instrument is at the end of the link, where that is not known yet or nothing flows.
 
     One that may carry current has so long to answer. Over a TCP connection it is asked for its set-point in any case:
@@ -54,7 +54,7 @@ def _greet(coil: GuardedCoil, within_s: float) -> None:
     hurry_s = line.clock.now() + within_s if coil.energised else float("inf")
     try:
         with line.gate.asking_until(hurry_s):
-            if not coil.energised or not line.greeted(coil.name):
+            if not coil.energised or not line.identified(coil.name):
                 line.identify(coil.name)
             if coil.energised and (coil.held_A is None or line.is_connection):
                 held_A = coil.bare.set_point()
@@ -83,7 +83,7 @@ def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> bool | None:
     None where there is nothing to write to.
     """
     assert coil.doubt is not None
-    forgotten = coil.line.is_connection and coil.line.greeted(coil.name) and coil.doubt.fault in REOPENED
+    forgotten = coil.line.is_connection and coil.line.identified(coil.name) and coil.doubt.fault in REOPENED
     took = _takes_zero(coil, others)
     if took is None or (took and not forgotten):
         return took
@@ -99,7 +99,7 @@ def _takes_zero(coil: GuardedCoil, others: Sequence[str]) -> bool | None:
     file does not say where the supply is: others on the line need their link.
     """
     try:
-        if not coil.line.greeted(coil.name) and not _may_be_written(coil, others):
+        if not coil.line.identified(coil.name) and not _may_be_written(coil, others):
             return None
         coil.bare.write_current(0.0)
     except InstrumentError as fault:
@@ -110,7 +110,7 @@ def _takes_zero(coil: GuardedCoil, others: Sequence[str]) -> bool | None:
 def _write_again(coils: Sequence[GuardedCoil]) -> None:
     """Zero once more, where it is known who is there: such a line loses messages, and who is asked next takes long."""
     for coil in coils:
-        if coil.line.greeted(coil.name):
+        if coil.line.identified(coil.name):
             write_zero({coil.axis: coil.bare})
 
 

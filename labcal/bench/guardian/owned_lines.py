@@ -32,7 +32,7 @@ class OwnedLine:
     lock: RLock = field(default_factory=RLock)
     _open: dict[str, Instrument] = field(default_factory=dict)
     _known: dict[str, Identity] = field(default_factory=dict)
-    _greeted: set[str] = field(default_factory=set)
+    _identified: set[str] = field(default_factory=set)
     _shared: dict[str, ModbusLink] = field(default_factory=dict)
 
     @property
@@ -67,7 +67,7 @@ class OwnedLine:
             who = self.instrument(name).identify()
             before = self._known.setdefault(name, who)
         refuse_other(name, who, before)
-        self._greeted.add(name)
+        self._identified.add(name)
         return who
 
     def strangers(self, names: Iterable[str]) -> list[Instrument]:
@@ -90,9 +90,9 @@ class OwnedLine:
         """Who answered at first; None before anybody has."""
         return self._known.get(name)
 
-    def greeted(self, name: str) -> bool:
+    def identified(self, name: str) -> bool:
         """Whether this process has heard from it."""
-        return name in self._greeted
+        return name in self._identified
 
     def modbus(self, name: str, call: str, args: list[Any]) -> Any:
         """One exchange for an instrument that shares this line but belongs to the session; with no other on it."""
@@ -110,7 +110,7 @@ class OwnedLine:
     def reopen(self) -> None:
         """Open the link again after it was lost. Raises InstrumentError (link lost)."""
         with self.lock:
-            self._greeted.clear()
+            self._identified.clear()
             for link in self.loader.links.values():
                 link.reopen()
 

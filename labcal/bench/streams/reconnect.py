@@ -1,4 +1,4 @@
-"""A line that was lost and comes back: its instrument is greeted again, and refused where it is another one."""
+"""A line that was lost and comes back: its instrument is identified again, and refused where it is another one."""
 
 from __future__ import annotations
 

@@ -141,7 +141,7 @@ class StreamWatch:
             self._same += len(block)
 
 
-class Look:
+class RestPoll:
     """Asks what is not heard otherwise, and what is `gone`, whether it answers; what has gone, or is back, is reported.
 
     `ask` raises InstrumentError where it does not answer.

@@ -79,7 +79,7 @@ def about_mean(reading: Array, magnitude: Array) -> tuple[Array, Array]:
 
 
 def rough(rows: Array, covariance: Array, noise: Array, bias: Array) -> tuple[Array, Array]:
-    """(c, M) (9,) near enough to weigh the rows by, from about `bias` (3,) with all weights alike, and its `slopes`.
+    """(c, M) (9,) near enough to weight the rows by, from about `bias` (3,) with all weights alike, and its `slopes`.
 
     One step is enough unless it leaves of |b|² what counts beside |H|². Raises ArithmeticError as `descend` does.
     """

@@ -204,7 +204,7 @@ def _information(rows: _Rows, free: Array) -> Array:
 def _covariance(loci: Loci, full: Array, unknown: Array, free: Array, noise: _Noise) -> Array:
     """A⁻¹ B A⁻¹: A from differences of the score, B the score's variance under the noise as it is.
 
-    The fit weighs all directions alike; B says what noise K Σ Kᵀ + Σ_ref really does to it.
+    The fit weights all directions alike; B says what noise K Σ Kᵀ + Σ_ref really does to it.
     """
     width = np.concatenate([np.full(9, 1e-6), np.full(len(full) - 9, 1e-6 * np.mean(loci.magnitude))])
     A = np.stack([_slope_of_score(loci, full, unknown, noise.sigma, d) for d in np.diag(width)]) / (2 * width[:, None])

@@ -145,9 +145,9 @@ def _declared(run: Run, found: MaximumLikelihood) -> tuple[Contribution, ...]:
 
 
 def _free(found: MaximumLikelihood) -> float:
-    """Residual components, as they weigh, less the parameters fitted to them."""
-    weighed = float(np.sum(found.solution.weight * found.observations.kind))
-    return float(weighed - found.parameterisation.basis.shape[1] - len(found.solution.phase))
+    """Residual components by their weights, less the parameters fitted to them."""
+    components = float(np.sum(found.solution.weight * found.observations.kind))
+    return float(components - found.parameterisation.basis.shape[1] - len(found.solution.phase))
 
 
 def _beside_declared(run: Run, found: MaximumLikelihood) -> tuple[float, float]:

@@ -80,7 +80,7 @@ class RecordingMapped:
 
 
 @dataclass(frozen=True, slots=True)
-class Greeting:
+class InstrumentAnswer:
     """Who an instrument says it is, or why it does not."""
 
     name: str
@@ -103,7 +103,7 @@ class Doubt:
 class Identified:
     """Every instrument's answer, and what became of the doubt about zero where there was one."""
 
-    greetings: tuple[Greeting, ...]
+    instruments: tuple[InstrumentAnswer, ...]
     doubt: Doubt | None = None
 
 

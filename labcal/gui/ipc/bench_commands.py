@@ -1,4 +1,4 @@
-"""What the worker does with a bench: look at it, greet it, run a procedure on it, switch it off."""
+"""What the worker does with a bench: look at it, identify its instruments, run a procedure on it, switch it off."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from labcal.gui.ipc.answers import (
     Doubt,
     Earth,
     Ended,
-    Greeting,
     Identified,
     Instrument,
+    InstrumentAnswer,
     Procedure,
     Procedures,
     Reference,
@@ -105,16 +105,16 @@ def identify(channel: Channel, asked: Identify) -> Identified:
     """Ask every instrument who it is; where the reference did not see a zero, measure that again and say so."""
     from labcal import session
 
-    greetings = tuple(_greeting(one) for one in session.greetings(Path(asked.bench)))
+    answers = tuple(_instrument_answer(one) for one in session.identify_instruments(Path(asked.bench)))
     looked = session.look_again(Path(asked.bench))
     if looked is None:
-        return Identified(greetings, None)
-    return Identified(greetings, Doubt(looked.words, looked.lifted, tuple(map(_coil_end, looked.ended))))
+        return Identified(answers, None)
+    return Identified(answers, Doubt(looked.words, looked.lifted, tuple(map(_coil_end, looked.ended))))
 
 
-def _greeting(one: Answered) -> Greeting:
+def _instrument_answer(one: Answered) -> InstrumentAnswer:
     fault = None if one.fault is None else fault_of(one.fault)
-    return Greeting(one.name, one.role, one.link, one.identity, fault)
+    return InstrumentAnswer(one.name, one.role, one.link, one.identity, fault)
 
 
 def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:

@@ -182,7 +182,9 @@ class BenchPage(QWidget):
             )
         self.check.setEnabled(False)
         self.check.setText(self.tr("Asking …"))
-        return self._app_state.off_worker.request(Identify(self._app_state.bench), self._greeted, self._not_greeted)
+        return self._app_state.off_worker.request(
+            Identify(self._app_state.bench), self._identified, self._not_identified
+        )
 
     def _reconnect(self) -> None:
         if not self._app_state.run.alive:
@@ -191,8 +193,8 @@ class BenchPage(QWidget):
             self._app_state.open_bench(self._app_state.bench)
         self.check_all()
 
-    def _greeted(self, said: Identified) -> None:
-        self._app_state.take_greetings(said)
+    def _identified(self, said: Identified) -> None:
+        self._app_state.take_identified(said)
         if said.doubt is not None:
             self._show_doubt(said.doubt)
         self._checked()
@@ -204,7 +206,7 @@ class BenchPage(QWidget):
         remedy = self.tr("Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME")
         return self.fault.show_fault(Fault("instrument", doubt.words, remedy.format(Path(self._app_state.bench).name)))
 
-    def _not_greeted(self, fault: Fault) -> None:
+    def _not_identified(self, fault: Fault) -> None:
         self.fault.show_fault(fault)
         self._checked()
 

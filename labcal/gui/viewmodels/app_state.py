@@ -19,7 +19,7 @@ from labcal.bench.coils import state
 from labcal.errors import InputError
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
-from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
+from labcal.gui.ipc.answers import Bench, CoilEnd, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
@@ -75,7 +75,7 @@ class AppState(QObject):
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
-        self.answered: dict[str, Greeting] = {}  # by instrument, when they were last asked
+        self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
@@ -139,12 +139,12 @@ class AppState(QObject):
         self.known = self._taken = self._unconfirmed = None
         self._asked_off = False
 
-    def take_greetings(self, said: Identified) -> None:
+    def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered, now = {one.name: one for one in said.greetings}, time.monotonic()
+        self.answered, now = {one.name: one for one in said.instruments}, time.monotonic()
         heard = tuple(
             state.Heard(one.name, None if one.fault else now, one.fault.text if one.fault else "")
-            for one in said.greetings
+            for one in said.instruments
         )
         before = replace(self.known or state.LabState(state.unread()), instruments=heard, guardian=None)
         if said.doubt is not None and said.doubt.lifted:  # by the reference, which was looked at after the coils

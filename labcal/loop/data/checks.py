@@ -317,4 +317,6 @@ def _incoherent(left: float, field: float) -> Finding | None:
     if left * policy.POLICY.gross_factor < field:
         return None
     text = f"The readings do not follow the reference: the base model leaves {left:.0f} of {field:.0f} nT"
-    return Finding("reference", "data", f"{text}, and no flip or exchange of axes and no offset of a clock mends it.")
+    return Finding(
+        "reference", "data", f"{text}, and no flip or exchange of axes and no offset of a clock explains it."
+    )

@@ -4,7 +4,7 @@ The map is driven by readings, the rig's effects and a few of the sensor's by th
 or a stretch of the whole field differs from the same turn of the map by the residual itself, turned or stretched: made
 as large as the field, it takes any residual off, whatever its cause. A direction of which the share s of the square is
 new to the base, and which takes off a residual of rms r, has the rms r / √s itself; what would be more than half of the
-field is left out.
+field (`max_share_of_field`) is left out.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.loop.noise.nuisance import MIN_NEW_SHARE, Reduced
 from labcal.model.effects import Term, families
 
 Array = NDArray[np.float64]
-APART = 4.0  # a column is new where it is twice as long as readings and reference are apart: squares
 WILD = 10.0  # times the median: longer residuals are cut before anything is known of them
 
 
@@ -39,7 +39,8 @@ def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> fl
     """
     if not any(map(follows_reference, terms)):
         return MIN_NEW_SHARE
-    return max(MIN_NEW_SHARE, float(APART * np.sum(apart_nT**2) / np.sum(field_nT**2)))
+    part = float(np.sum(apart_nT**2) / np.sum(field_nT**2))
+    return max(MIN_NEW_SHARE, part / policy.POLICY.max_share_of_field**2)
 
 
 def is_beyond_half(effect_nT: Array, reference_nT: Array, apart_nT: float) -> bool:
@@ -51,9 +52,10 @@ def is_beyond_half(effect_nT: Array, reference_nT: Array, apart_nT: float) -> bo
     """
     reference, effect = reference_nT - reference_nT.mean(axis=0), effect_nT - effect_nT.mean(axis=0)
     squares, directions = np.linalg.eigh(reference.T @ reference / len(reference))
-    large = squares > APART * apart_nT**2
+    most = policy.POLICY.max_share_of_field**2
+    large = squares * most > apart_nT**2
     along = (reference @ directions[:, large]).T @ effect / len(effect) / squares[large, None]
-    return bool((np.sum(along**2, axis=1) * APART > 1).any())
+    return bool((np.sum(along**2, axis=1) > most).any())
 
 
 def without_wild_rows(residual_nT: Array) -> Array:

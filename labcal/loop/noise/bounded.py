@@ -2,7 +2,7 @@
 
 The spectrum that fits the whole band best says little about its lowest frequencies, which weigh most in the uncertainty
 of a constant: a random walk that follows a short correlation is infinite at zero. So white noise plus a slow process of
-any correlation time up to the run's length, exponential or flicker, is weighed by its restricted likelihood (Patterson
+any correlation time up to the run's length, exponential or flicker, is weighted by its restricted likelihood (Patterson
 & Thompson, Biometrika 58, 545, 1971: what the fitted columns took up tells nothing of the noise), and the spectra are
 averaged with these weights (Hoeting et al., Statist. Sci. 14, 382, 1999). They stand nearer to one another than the
 residual tells them apart: by how much they differ in a variance is how well it is known, and where one alone is likely

@@ -30,7 +30,7 @@ class BlockFolds:
     """Which block and which fold each row belongs to, and how far training keeps away."""
 
     block: NDArray[np.intp]  # (n,)
-    fold: NDArray[np.intp]  # (n,) NOWHERE where a row is never held out
+    fold: NDArray[np.intp]  # (n,) NEVER where a row is never held out
     guard_s: float
 
     def training(self, t_s: Array, fold: int) -> NDArray[np.bool_]:

@@ -213,7 +213,7 @@ def _relinearised(bare: LinearProblem, terms: tuple[Term, ...], beta: tuple[Arra
 
 
 def _self_consistent(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array | float:
-    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose quiet field lacks them.
+    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose denoised field lacks them.
 
     Parameters so large that no field holds its own effect are as far off as their first round says.
     """

@@ -1,6 +1,6 @@
 """Forms that hold a strong effect of the field whole: it acts on the field that contains the effect itself.
 
-The search weighs a form on the field without it, to first order. What a core that bends by a tenth does to the field
+The search scores a form on the field without it, to first order. What a core that bends by a tenth does to the field
 that `apply` works from needs the next powers as well: they are of the same cause, and nothing new is named.
 """
 

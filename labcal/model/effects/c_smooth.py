@@ -84,7 +84,7 @@ def _within(place: int, values: Sequence[str], domain: Domain) -> list[str]:
 
 
 def _summed(splines: Sequence[int]) -> list[str]:
-    """The statements that add the splines, weighed, to phi."""
+    """The statements that add the weighted splines to phi."""
     if len(splines) == 1:
         return [f"    for (int s = 0; s < {splines[0]}; ++s)", "        phi += b_0[s] * FUNCTIONS[s][j];"]
     return [

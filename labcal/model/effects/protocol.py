@@ -70,7 +70,7 @@ class Family:
     from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
     repeats: bool = False  # may act more than once, each time at another moment or frequency
     harmonics: bool = False  # what is left of it may be its own overtones
-    adds_up: bool = False  # several channels may act at once: they are weighed as a set too
+    adds_up: bool = False  # several channels may act at once: they are scored as a set too
     generic: bool = False  # follows whatever a channel measures: an equivalent cause with a mechanism goes first
     rig_form: Callable[[Term], bool] = no_form  # forms of a sensor's family that are the rig's
     second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first

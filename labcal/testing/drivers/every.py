@@ -35,7 +35,7 @@ OUTSIDE = {"os", "socket", "serial", "subprocess", "pymodbus", "ctypes"}  # ways
 
 
 def it_says_who_it_is(case: DriverCase) -> None:
-    """The emulator's unit is greeted, and says its model."""
+    """The emulator's unit is identified, and says its model."""
     rig = case.rig()
     found = rig.driver.identify()
     require(isinstance(found, Identity), f"{rig.name}.identify() returned {found!r}: return an Identity.")

@@ -32,7 +32,7 @@ STEPS: tuple[Callable[[Any], object], ...] = (
 
 
 def whatever_it_is_sent_its_emulator_goes_on(case: DriverCase) -> None:
-    """Every message it knows with other numbers, cut, and with a byte turned; then the driver greets it again."""
+    """Every message it knows with other numbers, cut, and with a byte turned; then the driver identifies it again."""
     rig = case.rig()
     _use(rig)
     chance, heard = random.Random(1), rig.sent or [b"hello\r\n"]

@@ -19,7 +19,7 @@ WATCHED_S = 4
 RAMPS_IN_S = 1.5  # from full current to zero
 
 
-def greeted(case: DriverCase, **stated: Any) -> DriverRig:
+def identified(case: DriverCase, **stated: Any) -> DriverRig:
     """A supply that has said who it is."""
     rig = case.rig(**stated)
     require(hasattr(rig.settings, "max_current_A"), f"The Settings of {rig.name} lack max_current_A: a supply has one.")
@@ -46,7 +46,7 @@ def on_at(rig: DriverRig, current_A: float) -> None:
 
 def it_sets_reads_back_and_measures(case: DriverCase) -> None:
     """What is set is what it holds, what it measures, and what flows in the coil."""
-    rig = greeted(case)
+    rig = identified(case)
     wanted = some_A(rig, 0.5)
     rig.driver.set_current(0.0)
     on_at(rig, wanted)
@@ -63,7 +63,7 @@ def it_sets_reads_back_and_measures(case: DriverCase) -> None:
 
 def with_all_its_answers_lost_it_hears_zero_and_off_at_once(case: DriverCase) -> None:
     """The orders of zero and off wait for no answer."""
-    rig = greeted(case)
+    rig = identified(case)
     wanted = some_A(rig, 0.5)
     on_at(rig, wanted)
     text = f"{rig.name} lacks write_current or write_off (Unacknowledged in labcal/bench/driver_kit/roles.py)."
@@ -100,7 +100,7 @@ def answers_lost(rig: DriverRig) -> Iterator[None]:
 
 def after_orders_that_waited_for_nothing_it_confirms_zero(case: DriverCase) -> None:
     """A late answer to an order of zero or off is no answer to the next command or question."""
-    rig = greeted(case)
+    rig = identified(case)
     on_at(rig, some_A(rig, 0.5))
     text = f"{rig.name} lost its place after write_current(0) and write_off()"
     todo = "write() must take its own answer off the line, or the next query() and command() must wait for quiet first."
@@ -120,7 +120,7 @@ def after_orders_that_waited_for_nothing_it_confirms_zero(case: DriverCase) -> N
 
 def it_refuses_what_is_too_much_and_sends_nothing(case: DriverCase) -> None:
     """A set-point beyond its limits is an error with the number in it, and no byte."""
-    rig = greeted(case)
+    rig = identified(case)
     before, much = len(rig.sent), too_much_A(rig)
     text = f"{rig.name}.set_current({much:g}) must raise LimitError that says '{much:g} A' and 'nothing was sent'."
     with refused(LimitError, text, words=rf"{much:g} A.*nothing was sent"):
@@ -133,7 +133,7 @@ def it_refuses_what_is_too_much_and_sends_nothing(case: DriverCase) -> None:
 
 def made_safe_it_has_no_current_and_its_panel_back(case: DriverCase) -> None:
     """`make_safe` sets zero, opens the output, and only then gives the panel back."""
-    rig = greeted(case)
+    rig = identified(case)
     on_at(rig, some_A(rig, 1.0))
     rig.driver.make_safe()
     if case.to_panel:
@@ -149,7 +149,7 @@ def made_safe_it_has_no_current_and_its_panel_back(case: DriverCase) -> None:
 
 def it_ramps_its_full_current_in_time(case: DriverCase) -> None:
     """A coil is at zero soon, and "zero" is small."""
-    rig = greeted(case)
+    rig = identified(case)
     ramp, most, zero = rig.driver.ramp_A_per_s, rig.settings.max_current_A, rig.driver.zero_current_A
     text = f"{rig.name} ramps {ramp:g} A/s, so {most:g} A take {most / ramp:.1f} s: at most {RAMPS_IN_S} s"
     require(most / ramp <= RAMPS_IN_S, f"{text}; raise ramp_A_per_s or lower max_current_A.")
@@ -165,7 +165,7 @@ def a_watchdog_takes_it_to_zero_when_it_is_not_heard(case: DriverCase) -> None:
     if not watched:
         return
     require(case.rig().driver.watchdog_s == 0, f"watchdog_s of {case.driver.__name__} is 0 unless it is stated.")
-    rig = greeted(case, watchdog_s=WATCHED_S)
+    rig = identified(case, watchdog_s=WATCHED_S)
     wanted = some_A(rig, 1.0)
     rig.driver.set_current(0.0)
     on_at(rig, wanted)

@@ -1,8 +1,8 @@
-"""How long a session takes to begin where each reply of seven instruments is 200 ms late: `greeting.py [TIMES]`.
+"""How long a session takes to begin where each reply of seven instruments is 200 ms late: `session_start.py [TIMES]`.
 
 The example's lab on ports and ptys of this computer, served by a process of its own; every reply is on the line 200 ms
-later than its emulator has it. Three supplies and their relay board are greeted by the guardian, a process that begins
-with the session; a stage, a reference and the DUT beside it.
+later than its emulator has it. Three supplies and their relay board are identified by the guardian, a process that
+begins with the session; a stage, a reference and the DUT beside it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Instruments are greeted at the same time where their lines are apart, and a line is looked at by one at a time."""
+"""Instruments are identified at the same time where their lines are apart, and a line is looked at by one at a time."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.greeting import greeted
+from labcal.bench.identification import identified
 from labcal.bench.links import open_link
 from labcal.errors import InstrumentError
 
@@ -36,7 +36,7 @@ class Waits:
 def test_those_on_lines_apart_are_asked_at_the_same_time_and_the_rest_here() -> None:
     barrier, clock, names = threading.Barrier(4), RealClock(), "abcd"
     there: dict[str, Any] = {name: Waits(name, barrier) for name in names}
-    who = greeted(there, {name: f"tcp://{name}" for name in "abd"}, clock)
+    who = identified(there, {name: f"tcp://{name}" for name in "abd"}, clock)
     assert list(who) == list(names)
     assert there["c"].thread == threading.get_ident()
     assert len({one.thread for one in there.values()}) == 4
@@ -44,13 +44,13 @@ def test_those_on_lines_apart_are_asked_at_the_same_time_and_the_rest_here() -> 
 
 def test_those_on_one_line_are_asked_one_after_another() -> None:
     there: dict[str, Any] = {name: Waits(name) for name in "abc"}
-    greeted(there, {"a": "tcp://1", "b": "tcp://1", "c": "tcp://2"}, RealClock())
+    identified(there, {"a": "tcp://1", "b": "tcp://1", "c": "tcp://2"}, RealClock())
     assert there["a"].thread == there["b"].thread != threading.get_ident()
 
 
 def test_in_simulated_time_all_are_asked_here() -> None:
     there: dict[str, Any] = {name: Waits(name) for name in "ab"}
-    greeted(there, {"a": "tcp://1", "b": "tcp://2"}, VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)))
+    identified(there, {"a": "tcp://1", "b": "tcp://2"}, VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)))
     assert {one.thread for one in there.values()} == {threading.get_ident()}
 
 
@@ -58,7 +58,7 @@ def test_in_simulated_time_all_are_asked_here() -> None:
 def test_the_first_of_the_file_that_is_at_fault_is_told(apart: str) -> None:
     there: dict[str, Any] = {name: Waits(name, fault="silent" if name in "bd" else "") for name in "abcd"}
     with pytest.raises(InstrumentError, match="b: nothing came"):
-        greeted(there, dict.fromkeys(apart, "tcp://1"), RealClock())
+        identified(there, dict.fromkeys(apart, "tcp://1"), RealClock())
 
 
 def test_while_others_are_asked_waiting_here_looks_at_every_line_and_waiting_there_at_none() -> None:
@@ -75,7 +75,7 @@ def test_while_others_are_asked_waiting_here_looks_at_every_line_and_waiting_the
             return super().identify()
 
     clock.while_waiting(look)
-    greeted({"a": WaitsOnTheClock("a")}, {"a": "tcp://1"}, clock)
+    identified({"a": WaitsOnTheClock("a")}, {"a": "tcp://1"}, clock)
     assert seen == {threading.get_ident()}
     clock.wait_until(clock.now() + 0.01)
 

@@ -8,9 +8,9 @@ from contextlib import ExitStack
 from labcal.bench.clock import Clock
 from labcal.bench.config import BenchConfig
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.greeting import Greets, greeted, lines_apart
 from labcal.bench.guardian.client import Connection, ask_once, found
 from labcal.bench.guardian.proxies import GuardedInstrument
+from labcal.bench.identification import Identifies, identified, lines_apart
 from labcal.errors import InstrumentError
 
 
@@ -32,19 +32,19 @@ class AskedSupply:
             ) from error
 
 
-def all_greeted(instruments: Mapping[str, Greets], config: BenchConfig, clock: Clock) -> dict[str, Identity]:
+def all_identified(instruments: Mapping[str, Identifies], config: BenchConfig, clock: Clock) -> dict[str, Identity]:
     """Each one's identity by name. Raises the InstrumentError of the first, in their order, that is silent or another.
 
     What shares a line is asked one after another; a guardian that is met by no second connection, in turn.
     """
-    there, apart = dict[str, Greets](instruments), lines_apart(config)
+    there, apart = dict[str, Identifies](instruments), lines_apart(config)
     with ExitStack() as afterwards:
         for name, one in instruments.items():
             link = config.instruments[name].link
             if isinstance(one, GuardedInstrument) and (connection := _another(link)) is not None:
                 afterwards.callback(connection.close)
                 there[name], apart[name] = AskedSupply(name, connection), link
-        return greeted(there, apart, clock)
+        return identified(there, apart, clock)
 
 
 def _another(link: str) -> Connection | None:

@@ -1,4 +1,4 @@
-"""Seven instruments on real lines are greeted at once, the guardian's supplies too."""
+"""Seven instruments on real lines are identified at once, the guardian's supplies too."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from served_lab import Served, all_gone
 
 from labcal.bench import open_bench
-from labcal.bench.guarded_greeting import AskedSupply
+from labcal.bench.guarded_identification import AskedSupply
 from labcal.errors import InstrumentError
 
 SUPPLIES = {"supply_x", "supply_y", "supply_z"}

@@ -15,7 +15,7 @@ LOOK_S = 0.005  # how often it is seen whether the others have answered
 Answers = dict[str, Identity | InstrumentError]
 
 
-class Greets(Protocol):
+class Identifies(Protocol):
     """What can be asked who it is."""
 
     def identify(self) -> Identity:
@@ -23,7 +23,7 @@ class Greets(Protocol):
         ...
 
 
-def greeted(instruments: Mapping[str, Greets], apart: Mapping[str, str], clock: Clock) -> dict[str, Identity]:
+def identified(instruments: Mapping[str, Identifies], apart: Mapping[str, str], clock: Clock) -> dict[str, Identity]:
     """Each one's identity by name. Raises the InstrumentError of the first, in their order, that is silent or another.
 
     `apart`: the lines of those that may be asked in a thread of their own. All others are asked here, one after
@@ -33,7 +33,7 @@ def greeted(instruments: Mapping[str, Greets], apart: Mapping[str, str], clock: 
     for name, line in apart.items() if isinstance(clock, RealClock) else ():
         lines.setdefault(line, []).append(name)
     elsewhere = {name for names in lines.values() for name in names}
-    with ThreadPoolExecutor(max(len(lines), 1), "greeting") as pool:
+    with ThreadPoolExecutor(max(len(lines), 1), "identify") as pool:
         begun = [pool.submit(_apart, clock, instruments, names) for names in lines.values()]
         answers = _asked(instruments, (name for name in instruments if name not in elsewhere))
         while not all(one.done() for one in begun):
@@ -49,13 +49,13 @@ def lines_apart(config: BenchConfig) -> dict[str, str]:
     return {name: link for name, link in ours if not link.startswith(("emulated://", "manual://"))}
 
 
-def _apart(clock: Clock, instruments: Mapping[str, Greets], names: Iterable[str]) -> Answers:
+def _apart(clock: Clock, instruments: Mapping[str, Identifies], names: Iterable[str]) -> Answers:
     assert isinstance(clock, RealClock)
     with clock.apart():
         return _asked(instruments, names)
 
 
-def _asked(instruments: Mapping[str, Greets], names: Iterable[str]) -> Answers:
+def _asked(instruments: Mapping[str, Identifies], names: Iterable[str]) -> Answers:
     """Their answers, up to the first that is none."""
     answers = Answers()
     for name in names:
