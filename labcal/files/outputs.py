@@ -73,7 +73,7 @@ class Output:
         if name.is_symlink() and not name.exists():
             self._refuse("is a link to a file that is not there")
         if _is_own(name):
-            self._refuse("is in labcal's own folder, where only drafts are written, --force or not: name another place")
+            self._refuse("would lie among what is labcal's own; name another folder")
         if _is_store(name):
             self._refuse("belongs to a store of runs: nothing replaces it, --force neither")
         if name.name.lower().endswith(".sshsig"):
@@ -127,8 +127,7 @@ def _real(path: Path) -> Path:
 def _is_own(path: Path) -> bool:
     """Whether `path` is labcal's folder or lies there; a draft in `calibrations` is a draft."""
     own, here = _real(home()), _real(path.parent) / path.name
-    within = here.is_relative_to(own) and here.relative_to(own).parts
-    return within == () or (bool(within) and (within[0] != DRAFTS or len(within) == 1))
+    return here == own or (own in here.parents and (own / DRAFTS) not in here.parents)
 
 
 def _is_store(path: Path) -> bool:
