@@ -76,7 +76,7 @@ class Output:
             self._refuse("would lie among what is labcal's own; name another folder")
         if _is_store(name):
             self._refuse("belongs to a store of runs: nothing replaces it, --force neither")
-        if name.name.lower().endswith(".sshsig"):
+        if any(part.lower().endswith(".sshsig") for part in (name.name, name.parent.name)):
             self._refuse("is the name of a signature, which only `labcal sign` writes")
         if signature := _signature_beside(name):
             self._refuse(f"is signed ({signature}): nothing replaces it, --force neither")

@@ -275,6 +275,13 @@ def test_a_bundle_lies_in_no_folder_of_labcal_s_own(place: Place, home_of_its_ow
     assert not list(home_of_its_own.iterdir())
 
 
+def test_a_folder_of_results_takes_no_signature_s_name(place: Place) -> None:
+    words = ["export", str(place.folder / "calibration-1.json"), "--format", "json", "--out"]
+    assert labcal([*words, str(place.folder / "calibration-1.json.2.sshsig")]) == 2
+    assert not (place.folder / "calibration-1.json.2.sshsig").exists()
+    assert labcal([*words, str(place.folder / "exported")]) == 0
+
+
 @pytest.mark.parametrize("name", ["approved/1.json", "runs-going-on/1.json", "logo.svg", "new.json", "New/new.json"])
 def test_in_labcal_s_folder_only_drafts_are_written(place: Place, home_of_its_own: Path, name: str) -> None:
     out = home_of_its_own / name
