@@ -15,7 +15,10 @@ LINKS = {"stage": "serial:///dev/ttyS1", "supply_x": "tcp://a:1", "supply_y": "p
         ("tcp://a:1: no reply.", "supply_x (tcp://a:1): no reply."),
         ("supply_x: tcp://a:1: no reply.", "supply_x (tcp://a:1): no reply."),
         ("pair: no reply.", "supply_y, supply_z (pair): no reply."),
-        ("open the output of supply_x (PL303 12 at tcp://a:1).", "open the output of supply_x (PL303 12 at tcp://a:1)."),
+        (
+            "open the output of supply_x (PL303 12 at tcp://a:1).",
+            "open the output of supply_x (PL303 12 at tcp://a:1).",
+        ),
         ("open the output of supply_y (RD6006 at pair).", "open the output of supply_y (RD6006 at pair)."),
         ("nothing of a line", "nothing of a line"),
     ],
