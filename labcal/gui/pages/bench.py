@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Earth, Identified, Instrument
-from labcal.gui.ipc.messages import FindOnLines, FindSimulatedBench, Identify
+from labcal.gui.ipc.messages import FindOnLines, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
@@ -19,6 +19,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
 from labcal.gui.widgets.common import Card, button, label, set_primary, shrinkable
@@ -313,11 +314,6 @@ class BenchPage(QWidget):
         most = " / ".join(f"{one:g}" for one in dict.fromkeys(cage.limit_A))
         field = format_number(cage.limit_nT, 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
-
-
-def open_simulated_bench(app_state: AppState) -> None:
-    """Take the simulated lab."""
-    app_state.request(FindSimulatedBench(), app_state.open_bench)
 
 
 def reading_text(role: str, values: Any) -> str:

@@ -8,6 +8,10 @@
         <translation>Eine Messung läuft; einen anderen Messplatz danach öffnen.</translation>
     </message>
     <message>
+        <source>Opening {0} …</source>
+        <translation>{0} wird geöffnet …</translation>
+    </message>
+    <message>
         <source>Scanned {0}; a run goes on, its DUT stays.</source>
         <translation>{0} gescannt; eine Messung läuft, ihr Prüfling bleibt.</translation>
     </message>
@@ -20,8 +24,8 @@
         <translation>{0} gescannt: Das ist der Prüfling oben.</translation>
     </message>
     <message>
-        <source>Choose a bench on the Bench page first.</source>
-        <translation>Zuerst auf der Seite Messplatz einen Messplatz wählen.</translation>
+        <source>Open a bench first: yours, or the simulated lab.</source>
+        <translation>Zuerst einen Messplatz öffnen: den eigenen oder das simulierte Labor.</translation>
     </message>
     <message>
         <source>Scan or type the DUT&apos;s serial at the top.</source>
@@ -4810,16 +4814,16 @@
         <translation>Nicht verwenden: auf der Seite Fit einen neuen Entwurf machen.</translation>
     </message>
     <message>
-        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
-        <translation>Eine andere Person als {0} genehmigt, dann unterschreiben beide. Niemand da? Allein unterschreiben: dann VORLÄUFIG.</translation>
+        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation>Eine andere Person als {0} genehmigt und unterschreibt; hat sie keinen Schlüssel, macht der Knopf Neu unten einen. Niemand da? Allein unterschreiben: dann VORLÄUFIG.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
+        <translation>Genehmigt von {0}; diese Person muss jetzt unterschreiben. Der Bediener darf es auch.</translation>
     </message>
     <message>
         <source>the operator</source>
         <translation>der Bediener</translation>
-    </message>
-    <message>
-        <source>Approved by {0}. Now both sign, each under their own name.</source>
-        <translation>Genehmigt von {0}. Jetzt unterschreiben beide, jeder unter eigenem Namen.</translation>
     </message>
     <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
@@ -5012,6 +5016,10 @@
     <message>
         <source>This run states no specification to judge it by.</source>
         <translation>Dieser Lauf gibt keine Spezifikation an, an der es zu messen wäre.</translation>
+    </message>
+    <message>
+        <source>Opening the simulated lab …</source>
+        <translation>Das simulierte Labor wird geöffnet …</translation>
     </message>
 </context>
 <context>

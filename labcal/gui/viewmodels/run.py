@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from datetime import datetime
+from datetime import UTC, datetime
 from typing import Literal
 
 import numpy as np
@@ -69,6 +69,15 @@ def asked_text(prompt: Prompt) -> str:
     return str(prompt.drawing.get(FAULT, prompt.text))
 
 
+def began_at(run_id: str) -> str:
+    """When a run of this id began by the clock of this place, as its row in the lists says it; "" where it does not."""
+    try:
+        utc = datetime.strptime(run_id.partition("-")[0], "%Y%m%dT%H%M%S").replace(tzinfo=UTC)
+    except ValueError:
+        return ""
+    return f"{utc.astimezone():%Y-%m-%d %H:%M}"
+
+
 class RunViewModel(QObject):
     """Drives one worker. `changed`: anything but samples; `item`: each item that is not samples, as it comes."""
 
@@ -85,7 +94,7 @@ class RunViewModel(QObject):
         self.virtual_time = False  # of the bench: it passes at the pace of the order
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: RunProcedure | None = None
-        self.began = ""  # the time on the wall when it was ordered
+        self.began = ""  # the time on the wall when it was ordered; once it has an id, what that says
         self.dut, self.reference = RingBuffer(3), RingBuffer(3)
         self.forget()
 
@@ -133,6 +142,7 @@ class RunViewModel(QObject):
         words = order.pace, order.seed, order.procedure, order.operator
         self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
         self.run_id, self._goes_on = run_id, True
+        self.began = began_at(run_id) or self.began
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -348,6 +358,7 @@ class RunViewModel(QObject):
 
     def _done(self, result: Ended) -> None:
         self.run_id, self.status, self._ending = result.run_id, result.status, result.ending
+        self.began = began_at(self.run_id) or self.began
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
 

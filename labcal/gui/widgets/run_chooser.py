@@ -19,9 +19,11 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 
 def run_title(one: RunLine) -> str:
-    """A run in one line: when, which DUT, what, how it ended."""
+    """A run in one line: when, which DUT, what, whether SIMULATED, how it ended."""
     when = f"{local_time(one.started_utc):%Y-%m-%d %H:%M}"
-    return " · ".join((when, one.dut_serial, one.procedure or "bundle", translated(one.status.partition(":")[0])))
+    what, ended = one.procedure or "bundle", translated(one.status.partition(":")[0])
+    simulated = translated("SIMULATED") if one.simulated else ""
+    return " · ".join(filter(None, (when, one.dut_serial, what, simulated, ended)))
 
 
 class RunChooser(QComboBox):
