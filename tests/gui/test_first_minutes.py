@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QRect, QSize, Qt
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from labcal.gui.ipc.answers import Ended, RunLine
 from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, ResumeRun, RunProcedure
@@ -91,3 +91,30 @@ def test_no_edge_of_the_window_lies_beyond_the_screen(qtbot, monkeypatch, high, 
     window.resize(1360, 860)
     show_whole(window)
     assert bool(window.windowState() & Qt.WindowState.WindowMaximized) is whole
+
+
+def test_begin_again_leaves_the_focus_on_the_page(still, qtbot, patience):
+    """In the DUT's serial, selected, the next key would replace it."""
+    still.open_page("Run")
+    page, run = still.page("Run"), still.app_state.run
+    run.start(ORDER)
+    still.app_state.bench_worker.answer(RunProcedure, Ended(RUN_ID, "failed: no"))
+    qtbot.waitUntil(page.live.close_run.isVisible, timeout=patience)
+    page.live.close_run.setFocus()
+    page.live.close_run.click()
+    assert page.choose.isAncestorOf(QApplication.focusWidget())
+    page.choose.list.setFocus()
+    run.start(ORDER)
+    assert page.live.isAncestorOf(QApplication.focusWidget())
+    still.app_state.bench_worker.answer(RunProcedure, Ended(RUN_ID, "finished"))
+
+
+def test_a_list_of_values_is_seen_from_its_beginning_to_its_end(still):
+    page = still.page("Run")
+    still.open_page("Run")
+    page.open_procedure("field-sphere")
+    QApplication.processEvents()
+    field = page.choose.form.fields["magnitudes_nT"]
+    assert field.text() == "20000, 35000, 50000"
+    assert field.fontMetrics().horizontalAdvance(field.text()) < field.width() - 16
+    assert field.cursorPosition() == 0
