@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
-from labcal.gui.ipc.answers import Ended, RunLine
+from labcal.gui.ipc.answers import Ended, Greeting, Identified, RunLine
 from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
@@ -14,6 +14,7 @@ from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.plots import Traces, spread
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.window import show_whole
+from labcal.record.stream import Block
 
 ORDER = RunProcedure("preflight", "bench.toml")
 RUN_ID, BEGAN_UTC = "20261128T011111-d087", "2026-11-28T01:11:11Z"
@@ -118,3 +119,22 @@ def test_a_list_of_values_is_seen_from_its_beginning_to_its_end(still):
     assert field.text() == "20000, 35000, 50000"
     assert field.fontMetrics().horizontalAdvance(field.text()) < field.width() - 16
     assert field.cursorPosition() == 0
+
+
+def test_a_reading_on_the_bench_page_is_the_sensors_own_and_as_old_as_it_is(still):
+    """Temperatures that a DUT sends with its field are no field; that it answers makes no old reading new."""
+    app_state = still.app_state
+    page = still.page("Bench")
+    name = next(n for n, one in app_state.facts.instruments.items() if one.role == "dut")
+    axes, more = np.array([[1.0, 2.0, 3.0]]), np.array([[23.2, 24.0]])
+    app_state.run.start(ORDER)
+    app_state.bench_worker.items.emit((Block("dut", name, ("x", "y", "z"), np.array([1.0]), axes),))
+    app_state.bench_worker.items.emit((Block("channel", name, ("temp_dut", "temp_board"), np.array([1.0]), more),))
+    row = next(n for n in range(page.table.rowCount()) if page.table.text(n, 1) == name)
+    page.show_readings()
+    assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count"
+    app_state.run.read_s[name] -= 51.0
+    app_state.take_greetings(Identified((Greeting(name, "dut", "emulated://", "CSV lines"),)))
+    page.show_readings()
+    assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count   51 s ago"
+    app_state.bench_worker.answer(RunProcedure, Ended(RUN_ID, "finished"))

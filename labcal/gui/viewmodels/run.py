@@ -69,6 +69,10 @@ def asked_text(prompt: Prompt) -> str:
     return str(prompt.drawing.get(FAULT, prompt.text))
 
 
+def _now() -> str:
+    return f"{datetime.now():%Y-%m-%d %H:%M}"
+
+
 def began_at(run_id: str) -> str:
     """When a run of this id began by the clock of this place, as its row in the lists says it; "" where it does not."""
     try:
@@ -120,6 +124,8 @@ class RunViewModel(QObject):
         self.coils_at_zero: bool | None = None  # when that was read
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
         self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
+        self.read_s: dict[str, float] = {}  # by source: when that came, by the computer's monotonic clock
+        self._sends_more: set[str] = set()  # sources of which channels are not the main thing
         self.dut.clear()
         self.reference.clear()
 
@@ -156,7 +162,7 @@ class RunViewModel(QObject):
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.began = f"{datetime.now():%Y-%m-%d %H:%M}"
+        self.began = _now()
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -272,6 +278,8 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _take(self, items: tuple[Item, ...]) -> None:
+        if self.state == "starting" and not self._goes_on:  # here its record begins; who was slow to answer is known
+            self.began = _now()
         for item in items:
             self._one(item)
         if not all(isinstance(item, Block) for item in items):
@@ -339,7 +347,10 @@ class RunViewModel(QObject):
             return
         self._seen_s = max(self._seen_s, float(block.t_s[-1]))
         self.heard_s[block.source] = float(block.t_s[-1])
-        self.reading[block.source] = block.columns, block.values[-1]
+        if block.stream != "channel":
+            self._sends_more.add(block.source)
+        if block.stream != "channel" or block.source not in self._sends_more:
+            self.reading[block.source], self.read_s[block.source] = (block.columns, block.values[-1]), time.monotonic()
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
