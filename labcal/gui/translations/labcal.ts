@@ -4910,7 +4910,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: Fit.</source>
+        <source>Fit, Loop, Certificate: Next leads there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4910,8 +4910,8 @@
         <translation>Andere</translation>
     </message>
     <message>
-        <source>Next: Fit.</source>
-        <translation>Weiter: Fit.</translation>
+        <source>Fit, Loop, Certificate: Next leads there.</source>
+        <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>

@@ -4910,8 +4910,8 @@
         <translation>Autres</translation>
     </message>
     <message>
-        <source>Next: Fit.</source>
-        <translation>Suite : Ajuster.</translation>
+        <source>Fit, Loop, Certificate: Next leads there.</source>
+        <translation>Ajuster, Causes, Certificat : Suite y mène.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>

@@ -15,7 +15,7 @@ from labcal.record.stream import Measurement
 
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
 NEXT = {
-    "PASS": QT_TRANSLATE_NOOP("Words", "Next: Fit."),
+    "PASS": QT_TRANSLATE_NOOP("Words", "Fit, Loop, Certificate: Next leads there."),
     "MARGINAL": QT_TRANSLATE_NOOP("Words", "Within U of its limit: measure that part again, or Fit and see."),
     "CANNOT DECIDE": QT_TRANSLATE_NOOP(
         "Words", "Fit, and trace what is left over. Still open then? Measure longer, or with less noise."
