@@ -6,7 +6,7 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from labcal.gui.ipc.answers import Ended, Greeting, Identified, RunLine
-from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, ResumeRun, RunProcedure
+from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rejoin, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.run import began_at
@@ -14,7 +14,7 @@ from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.plots import Traces, spread
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.window import show_whole
-from labcal.record.stream import Block
+from labcal.record.stream import Block, Step
 
 ORDER = RunProcedure("preflight", "bench.toml")
 RUN_ID, BEGAN_UTC = "20261128T011111-d087", "2026-11-28T01:11:11Z"
@@ -138,3 +138,19 @@ def test_a_reading_on_the_bench_page_is_the_sensors_own_and_as_old_as_it_is(stil
     page.show_readings()
     assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count   51 s ago"
     app_state.bench_worker.answer(RunProcedure, Ended(RUN_ID, "finished"))
+
+
+def test_a_run_begins_when_its_record_does_and_a_window_that_comes_back_does_not_change_that(still, monkeypatch):
+    times = iter(["2026-11-28 01:53", "2026-11-28 01:54"])
+    monkeypatch.setattr("labcal.gui.viewmodels.run._now", lambda: next(times))
+    run, worker = still.app_state.run, still.app_state.bench_worker
+    run.start(ORDER)
+    worker.items.emit((Step(0.0, 1, 1, "zero", 60.0, ("zero",)),))
+    worker.items.emit((Step(1.0, 1, 1, "zero", 60.0, ("zero",)),))
+    assert run.began == "2026-11-28 01:54"
+    worker.answer(RunProcedure, Ended("r1", "finished"))
+    run.come_back()
+    run.began = "2026-11-28 01:54"
+    worker.items.emit((Step(1.0, 1, 1, "zero", 60.0, ("zero",)),))
+    assert run.began == "2026-11-28 01:54"
+    worker.answer(Rejoin, Ended("r1", "finished"))

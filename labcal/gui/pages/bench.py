@@ -19,7 +19,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, old_s
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
@@ -313,7 +313,7 @@ class BenchPage(QWidget):
         return self.tr("<br>{0} here, outdoors: {1} ± {2} nT").format(earth.model, size, U)
 
     def _limits(self, cage: Cage) -> str:
-        most = " / ".join(f"{one:g}" for one in dict.fromkeys(cage.limit_A))
+        most = " / ".join(map(short_number, dict.fromkeys(cage.limit_A)))
         field = format_number(cage.limit_nT, 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
 

@@ -41,6 +41,7 @@ from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, label, plain, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.stated_fields import StatedFields
 
@@ -306,7 +307,8 @@ class CertificatePage(QWidget):
         def known() -> None:
             if self.signer.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive) < 0:
                 self.signer.addItem(name)  # nobody waits for the new list
-            self._enable()
+            with focus_kept_in(self, self.approver, self.signer):
+                self._enable()
             self.said.setText(made)
 
         self._ask(NewKey(name, self.passphrase.text()), self.signer, known)

@@ -14,9 +14,10 @@ from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.run_chooser import run_title
 
@@ -132,11 +133,12 @@ class StartPage(QWidget):
         )
         self._point()
         known = facts is not None
-        for widget in (self.simulated, self.open):
-            widget.setVisible(not known)
-        for widget in (self.morning, self.calibrate):
-            widget.setVisible(known)
-            widget.setEnabled(not self._app_state.run.alive)
+        with focus_kept_in(self, self.calibrate):
+            for widget in (self.morning, self.calibrate):
+                widget.setVisible(known)
+                widget.setEnabled(not self._app_state.run.alive)
+            for widget in (self.simulated, self.open):
+                widget.setVisible(not known)
 
     def _not_ready(self) -> str:
         """What the lab itself has against a run, as the side panel shows it; "" where nothing."""
@@ -190,7 +192,7 @@ class StartPage(QWidget):
         days = days_since(said.run.started_utc)
         words = self.tr("Checked {0}, {1} days ago.").format(said.run.started_utc[:10], days)
         if (worst := said.measurement) is not None:
-            words += f"\n{worst.name}: {format_number(worst.value)} {worst.unit} ({worst.limit:g})"
+            words += f"\n{worst.name}: {format_number(worst.value)} {worst.unit} ({short_number(worst.limit)})"
         self._say_cage(words, days, said.verdict)
 
     def _say_cage(self, words: str, days: int, verdict: str) -> None:

@@ -1017,6 +1017,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the earlier corrects {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the later corrects {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
         <translation type="unfinished"></translation>
     </message>

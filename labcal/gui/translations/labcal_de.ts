@@ -1017,6 +1017,26 @@
         <translation>Jede Last wird nacheinander geschaltet, die anderen bleiben aus. Hände weg?</translation>
     </message>
     <message>
+        <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
+        <translation>{0} von {1} Größen haben sich um mehr als ihre Unsicherheit geändert; am meisten E_n = {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
+        <translation>Keine Größe hat sich um mehr als ihre Unsicherheit geändert; am meisten E_n = {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
+        <translation>Ob sich der Sensor geändert hat, lässt sich nicht sagen: Eine Kalibrierung nennt keine Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Only the earlier corrects {0}.</source>
+        <translation>Nur die frühere korrigiert {0}.</translation>
+    </message>
+    <message>
+        <source>Only the later corrects {0}.</source>
+        <translation>Nur die spätere korrigiert {0}.</translation>
+    </message>
+    <message>
         <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
         <translation>»{0}« ist keine Seriennummer: Buchstaben und Ziffern, dazwischen . : / + # ( ) - oder Leerzeichen</translation>
     </message>

@@ -1017,6 +1017,26 @@
         <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains éloignées ?</translation>
     </message>
     <message>
+        <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
+        <translation>{0} grandeurs sur {1} ont changé de plus que leur incertitude ; la plus forte est E_n = {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
+        <translation>Aucune grandeur n&apos;a changé de plus que son incertitude ; la plus forte est E_n = {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
+        <translation>On ne peut dire si le capteur a changé : un étalonnage n&apos;indique pas d&apos;incertitude.</translation>
+    </message>
+    <message>
+        <source>Only the earlier corrects {0}.</source>
+        <translation>Seul l&apos;ancien corrige {0}.</translation>
+    </message>
+    <message>
+        <source>Only the later corrects {0}.</source>
+        <translation>Seul le nouveau corrige {0}.</translation>
+    </message>
+    <message>
         <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
         <translation>« {0} » n&apos;est pas un numéro de série : lettres et chiffres, entre eux . : / + # ( ) - ou des espaces</translation>
     </message>

@@ -116,6 +116,7 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self.sectors: set[int] = set()
         self._goes_on = False  # a run that was interrupted
+        self._begins = False  # a new one, of which nothing has come yet
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -142,6 +143,7 @@ class RunViewModel(QObject):
     def start(self, order: RunProcedure) -> None:
         """Begin. One run at a time."""
         self._begin(order, order)
+        self._begins = True
 
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
@@ -278,8 +280,8 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _take(self, items: tuple[Item, ...]) -> None:
-        if self.state == "starting" and not self._goes_on:  # here its record begins; who was slow to answer is known
-            self.began = _now()
+        if self._begins:  # here its record does; until now it was asked who answers
+            self._begins, self.began = False, _now()
         for item in items:
             self._one(item)
         if not all(isinstance(item, Block) for item in items):

@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import decimals_for, format_number, step_title
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.viewmodels.run import WORST, RunViewModel
 from labcal.record.stream import Measurement
 
@@ -89,6 +89,6 @@ def _listed(measured: Iterable[Measurement], most: int = 2) -> str:
     for one in measured:
         decimals = decimals_for(2 * one.u, one.value)
         value, U = format_number(one.value, decimals), format_number(2 * one.u, decimals, signed=False)
-        words.append(f"{step_title(one.name)} {value} ± {U} {one.unit} ({one.limit:g})")
+        words.append(f"{step_title(one.name)} {value} ± {U} {one.unit} ({short_number(one.limit)})")
     more = f" (+ {len(words) - most})" if len(words) > most else ""
     return "; ".join(words[:most]) + more
