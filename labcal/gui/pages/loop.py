@@ -22,6 +22,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.whole_text import WholeText
 from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.records import EffectRecord, Rival
 
@@ -144,6 +145,7 @@ class LoopPage(QWidget):
         self.others = QListWidget()
         self.others.setWordWrap(True)
         self.others.setTextElideMode(Qt.TextElideMode.ElideNone)  # Qt would cut what is of several lines
+        self.others.setItemDelegate(WholeText(self.others))
         self.others.setResizeMode(QListWidget.ResizeMode.Adjust)
         self.others.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.others.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
