@@ -25,7 +25,7 @@ from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
-from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, RESUMED, Event, Item, Measurement, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import CLOCK_BACK, Drive, Ending, OnItem, Show
@@ -34,7 +34,7 @@ from labcal.store import RunWriter, Store
 from labcal.store.writer import SAY_S, iso
 from labcal.version import __version__
 
-RESUMED, INTERRUPTED = "resumed", "interrupted"
+INTERRUPTED = "interrupted"
 BY_STORE = "interrupted by its store"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
 LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
