@@ -12,32 +12,20 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
-
-import numpy as np
-from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "archive"))
 
+from made_lab import signed_calibrations, stored_runs  # noqa: E402
 from made_up import Years, fill  # noqa: E402
 from postgres import Server, server  # noqa: E402
 from test_queries import ASKED, processor_s  # noqa: E402
 
-from labcal import audit, certificate  # noqa: E402
-from labcal.certificate import sshsig  # noqa: E402
-from labcal.files.home import home  # noqa: E402
-from labcal.record import Dut, Reference, RunHeader, Segment  # noqa: E402
-from labcal.record.stream import Block, SegmentClosed, SegmentOpened  # noqa: E402
 from labcal.session import archiving  # noqa: E402
-from labcal.store import Store  # noqa: E402
 
 AT_ONCE = 250  # runs between two pushes: does the pace fall as store, log and archive grow?
-BLOCK = 1000  # rows
-RECORDINGS = 50  # that differ: more would only make the benchmark longer, for each run is compressed by itself
 YEARS = Years(500, 10)
 
 
@@ -62,9 +50,7 @@ def main() -> None:
 def push_runs(running: Server, url: str, bundles: Path, runs: int, samples: int) -> None:
     for first in range(0, runs, AT_ONCE):
         batch = range(first, min(first + AT_ONCE, runs))
-        with Store.open() as store:
-            for number in batch:
-                record(store, number, samples)
+        stored_runs(batch, samples)
         with timed(running) as took:
             assert archiving.push(url).runs == len(batch)
         busy, served, wall = took()
@@ -82,16 +68,7 @@ def push_runs(running: Server, url: str, bundles: Path, runs: int, samples: int)
 
 def push_calibrations(running: Server, url: str, number: int) -> None:
     """All at once: the first push of a lab that has signed for years, each signature with its entry in the log."""
-    key, folder = Ed25519PrivateKey.generate(), home() / "calibrations"
-    folder.mkdir(parents=True, exist_ok=True)
-    made = certificate.read_calibration(ROOT / "tests" / "golden" / "calibration-2.json")
-    for one in range(number):
-        content = certificate.calibration_bytes(replace(made, run_id=f"years-{one}"))
-        signature = sshsig.sign(content, key).encode()
-        path = folder / f"years-{one}.json"
-        path.write_bytes(content)
-        path.with_name(f"{path.name}.sshsig").write_bytes(signature)
-        audit.append(home(), "sign", "ada", {"file": path.name, "signature": audit.link_of(signature)})
+    signed_calibrations(number)
     with timed(running) as took:
         assert archiving.push(url).calibrations == number
     busy, served, _ = took()
@@ -116,33 +93,6 @@ def timed(running: Server) -> Iterator[Callable[[], tuple[float, float, float]]]
     yield lambda: (taken[0], taken[1], taken[2])
     busy, wall = time.process_time(), time.perf_counter()
     taken[:] = [busy - begun[0], running.busy_s() - begun[1], wall - begun[2]]
-
-
-@cache
-def recording(number: int, samples: int) -> dict[str, list[Block]]:
-    """What DUT and reference sent, raw lines included."""
-    draw, t_s = np.random.default_rng(number), np.arange(samples) / 40
-    found = dict[str, list[Block]]()
-    for role in ("dut", "reference"):
-        columns = tuple(f"{role[:3]}_{axis}" for axis in "xyz")
-        values = draw.normal(0, 3e4, (samples, 3)).round(1)
-        lines = [f"{t:.3f},{x},{y},{z}\r\n".encode() for t, (x, y, z) in zip(t_s, values.tolist(), strict=True)]
-        pieces = [slice(first, first + BLOCK) for first in range(0, samples, BLOCK)]
-        found[role] = [Block(role, role, columns, t_s[r], values[r], b"".join(lines[r])) for r in pieces]
-    return found
-
-
-def record(store: Store, number: int, samples: int) -> None:
-    """A run with a reference, as a preflight writes it."""
-    dut = Dut(f"S{number % 500:04}", "M3")
-    header = RunHeader(f"size-{number}", "2026-05-01T10:00:00Z", True, "ada", dut, Reference("vector", "R7"))
-    with store.begin(header) as writer:
-        writer.write(SegmentOpened(0.0, Segment("all", "free")))
-        for blocks in zip(*recording(number % RECORDINGS, samples).values(), strict=True):
-            for block in blocks:
-                writer.write(block)
-        writer.write(SegmentClosed((samples - 1) / 40))
-        writer.finish("finished")
 
 
 def disk_pace(folder: Path, size: int = 2**28) -> float:
