@@ -39,6 +39,7 @@ from labcal.study.run import run_study
 
 FORK = multiprocessing.get_context("fork")
 RUNS, SAMPLES, SIGNED, JOBS = 12, 400, 4, 6
+WITHIN_S = 1800  # for a push that hangs, not for a busy machine
 COMPARED = ("run", "kept_head", "instrument", "calibration", "effect", "parameter", "document")
 WHEN = {"pushed_utc"}  # differs by itself
 Said = dict[str, Any]
@@ -122,7 +123,7 @@ class Pushing:
 
     def wait(self) -> tuple[int | None, str]:
         """How it ended, and what it said then."""
-        self.process.join(300)
+        self.process.join(WITHIN_S)
         return self.process.exitcode, (self.heard.recv() if self.heard.poll() else "")
 
 
@@ -166,7 +167,7 @@ def cut_push(place: Place, draw: random.Random, cut: Callable[[Place, Pushing], 
 
 def kill_server(place: Place, pushing: Pushing) -> None:
     place.server.kill()
-    pushing.process.join(60)
+    pushing.process.join(1.0)  # some notice at once, some when it is back
     place.server.start()
 
 

@@ -37,7 +37,7 @@ def test_what_was_cut_is_there_as_if_nothing_had_been(kind: str, place: Place) -
 
 def test_the_judge_sees_a_row_and_a_bundle_that_are_gone(place: Place) -> None:
     def damage(place: Place, pushing: Pushing) -> None:
-        pushing.process.join(60)
+        pushing.process.join(1800)
         lost = sorted(Path(place.folder, f"trial-{place.used}", "bundles").rglob("*.zip"))[0]
         lost.unlink()
         with place.server.connect(f"lab{len(databases(place)) - 1}") as connection:
