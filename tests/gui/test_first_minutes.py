@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
-from labcal.gui.ipc.answers import Ended, Greeting, Identified, RunLine
+from labcal.gui.ipc.answers import Ended, Identified, InstrumentAnswer, RunLine
 from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rejoin, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
@@ -134,7 +134,7 @@ def test_a_reading_on_the_bench_page_is_the_sensors_own_and_as_old_as_it_is(stil
     page.show_readings()
     assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count"
     app_state.run.read_s[name] -= 51.0
-    app_state.take_greetings(Identified((Greeting(name, "dut", "emulated://", "CSV lines"),)))
+    app_state.take_identified(Identified((InstrumentAnswer(name, "dut", "emulated://", "CSV lines"),)))
     page.show_readings()
     assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count   51 s ago"
     app_state.bench_worker.answer(RunProcedure, Ended(RUN_ID, "finished"))
