@@ -143,10 +143,10 @@ class CandidateSet:
 
         In white noise the errors that the run declares are no evidence: they are integrated over their prior.
         """
-        rows: NDArray[np.intp] | slice = self.transformed_rows
-        if rows[-1] - rows[0] == len(rows) - 1:
-            rows = slice(rows[0], rows[-1] + 1)  # a view, where no row is left out between them
-        return cosine_transform(self._declared(self.transformed_rows).whitened(columns[rows]))
+        rows = self.transformed_rows
+        whole = int(rows[-1] - rows[0]) == len(rows) - 1  # no row is left out between them: a view
+        part = columns[rows[0] : rows[-1] + 1] if whole else columns[rows]
+        return cosine_transform(self._declared(rows).whitened(part))
 
     def _declared(self, rows: NDArray[np.intp]) -> DeclaredDirections:
         """What errors that the run declares move on some rows."""
