@@ -60,6 +60,8 @@ BENCHES ?= 2
 campaign: $(VENV)/.dev
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/campaign.py --out campaign-out --number $(FAULTS) --benches $(BENCHES)
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/reliability.py table campaign-out docs/reliability.md
+	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/archive:tests/study $(BIN)/python tests/campaign/pushes_and_studies.py \
+	    --out campaign-out --number $(FAULTS)
 
 CLIENTS := .venv-clients
 $(CLIENTS)/.made: pyproject.toml tests/clients/requirements.txt

@@ -12,30 +12,20 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-
-import numpy as np
-from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "archive"))
 
+from made_lab import signed_calibrations, stored_runs  # noqa: E402
 from made_up import Years, fill  # noqa: E402
 from postgres import Server, server  # noqa: E402
 from test_queries import ASKED, processor_s  # noqa: E402
 
-from labcal import audit, certificate  # noqa: E402
-from labcal.certificate import sshsig  # noqa: E402
-from labcal.files.home import home  # noqa: E402
-from labcal.record import Dut, Reference, RunHeader, Segment  # noqa: E402
-from labcal.record.stream import Block, SegmentClosed, SegmentOpened  # noqa: E402
 from labcal.session import archiving  # noqa: E402
-from labcal.store import Store  # noqa: E402
 
 AT_ONCE = 250  # runs between two pushes: does the pace fall as store, log and archive grow?
-BLOCK = 1000  # rows
 YEARS = Years(500, 10)
 
 
@@ -50,7 +40,6 @@ def main() -> None:
         bundles = Path(folder, "bundles")
         url = f"{running.url(database := running.database())}&bundles={bundles}"
         archiving.init_archive(url, None)
-        print(f"the disk: {disk_pace(Path(folder)) / 1e6:.0f} MB/s, written and flushed")
         fill(running, database, YEARS)
         push_runs(running, url, bundles, given.runs, given.samples)
         push_calibrations(running, url, given.calibrations)
@@ -61,18 +50,17 @@ def main() -> None:
 def push_runs(running: Server, url: str, bundles: Path, runs: int, samples: int) -> None:
     for first in range(0, runs, AT_ONCE):
         batch = range(first, min(first + AT_ONCE, runs))
-        with Store.open() as store:
-            for number in batch:
-                record(store, number, samples)
+        stored_runs(batch, samples)
         with timed(running) as took:
             assert archiving.push(url).runs == len(batch)
         busy, served, wall = took()
-        size = sum(path.stat().st_size for path in bundles.rglob("*.zip"))
-        n = len(batch) * samples
+        size, n = sum(path.stat().st_size for path in bundles.rglob("*.zip")), len(batch) * samples
+        disk, each = disk_pace(bundles.parent), size / (batch[-1] + 1) / samples
         print(
             f"runs {batch[0]}–{batch[-1]} of {samples} samples: {1e3 * busy / len(batch):.1f} ms a run, "
             f"{n / busy:.0f} samples/s of a processor; server {1e3 * served / len(batch):.1f} ms a run; "
-            f"{n / wall:.0f} samples/s by the clock; {size / (batch[-1] + 1) / samples:.0f} bytes a sample",
+            f"{n / wall:.0f} samples/s by the clock; {each:.0f} bytes a sample: {n * each / busy / 1e6:.1f} MB/s of a "
+            f"processor, {n * each / wall / 1e6:.1f} by the clock, the disk {disk / 1e6:.0f}",
             flush=True,
         )
     again(running, url)
@@ -80,16 +68,7 @@ def push_runs(running: Server, url: str, bundles: Path, runs: int, samples: int)
 
 def push_calibrations(running: Server, url: str, number: int) -> None:
     """All at once: the first push of a lab that has signed for years, each signature with its entry in the log."""
-    key, folder = Ed25519PrivateKey.generate(), home() / "calibrations"
-    folder.mkdir(parents=True, exist_ok=True)
-    made = certificate.read_calibration(ROOT / "tests" / "golden" / "calibration-2.json")
-    for one in range(number):
-        content = certificate.calibration_bytes(replace(made, run_id=f"years-{one}"))
-        signature = sshsig.sign(content, key).encode()
-        path = folder / f"years-{one}.json"
-        path.write_bytes(content)
-        path.with_name(f"{path.name}.sshsig").write_bytes(signature)
-        audit.append(home(), "sign", "ada", {"file": path.name, "signature": audit.link_of(signature)})
+    signed_calibrations(number)
     with timed(running) as took:
         assert archiving.push(url).calibrations == number
     busy, served, _ = took()
@@ -114,24 +93,6 @@ def timed(running: Server) -> Iterator[Callable[[], tuple[float, float, float]]]
     yield lambda: (taken[0], taken[1], taken[2])
     busy, wall = time.process_time(), time.perf_counter()
     taken[:] = [busy - begun[0], running.busy_s() - begun[1], wall - begun[2]]
-
-
-def record(store: Store, number: int, samples: int) -> None:
-    """A run with a reference, raw lines included, as a preflight writes it."""
-    draw, t_s = np.random.default_rng(number), np.arange(samples) / 40
-    dut = Dut(f"S{number % 500:04}", "M3")
-    header = RunHeader(f"size-{number}", "2026-05-01T10:00:00Z", True, "ada", dut, Reference("vector", "R7"))
-    with store.begin(header) as writer:
-        writer.write(SegmentOpened(0.0, Segment("all", "free")))
-        for role in ("dut", "reference"):
-            columns = tuple(f"{role[:3]}_{axis}" for axis in "xyz")
-            values = draw.normal(0, 3e4, (samples, 3)).round(1)
-            lines = [f"{t:.3f},{x},{y},{z}\r\n".encode() for t, (x, y, z) in zip(t_s, values.tolist(), strict=True)]
-            for first in range(0, samples, BLOCK):
-                rows = slice(first, first + BLOCK)
-                writer.write(Block(role, role, columns, t_s[rows], values[rows], b"".join(lines[rows])))
-        writer.write(SegmentClosed(float(t_s[-1])))
-        writer.finish("finished")
 
 
 def disk_pace(folder: Path, size: int = 2**28) -> float:

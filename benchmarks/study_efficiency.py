@@ -4,11 +4,14 @@
 
 Jobs are blind trials of more than a second each. Other programs may be busy here, so the clock alone says little:
 
-- waste: processor time of a job with two workers over that of the same job with one, the median of all pairs;
+- waste: processor time of a job's own thread with two workers over that with one, the median of all pairs;
+- beside: what the worker's other threads take of a core while it is at a job, by the clock. They watch sockets and
+  timers so many times a second, however little of a core the job is given meanwhile: measured as part of a job on a
+  machine with a load of ten they seem ten times as much;
 - idle: the part of a worker's time, from its first job to its last, that it spent between two jobs. A worker that
   waits within a job for a processor which somebody else has is not idle: the study has given it work.
 
-Efficiency is (1 - idle) / waste. A last line says whether all results were the same bytes.
+Efficiency is (1 - idle) (1 - beside) / waste. A last line says whether all results were the same bytes.
 """
 
 from __future__ import annotations
@@ -43,12 +46,15 @@ NOTES = "LABCAL_EFFICIENCY_NOTES"  # the folder that workers write into when the
 
 
 def noted_work(job: Any) -> Any:
-    """Do a job, and leave a line: its key, when it began and ended [s, monotonic], its processor time [s]."""
+    """Do a job, and leave a line: its key, when it began and ended [s, monotonic], processor time of it and of all [s].
+
+    A job has one thread of linear algebra, its own.
+    """
     from labcal.study.work import work
 
-    begun, busy = time.monotonic(), time.process_time()
+    begun, own, busy = time.monotonic(), time.thread_time(), time.process_time()
     row = work(job)
-    line = f"{job.key} {begun} {time.monotonic()} {time.process_time() - busy}\n"
+    line = f"{job.key} {begun} {time.monotonic()} {time.thread_time() - own} {time.process_time() - busy}\n"
     with Path(os.environ[NOTES], str(os.getpid())).open("a") as file:
         file.write(line)
     return row
@@ -61,15 +67,16 @@ def dask_setup(worker: Any) -> None:
     on_cluster.work = noted_work
 
 
-def taken(folder: Path) -> tuple[dict[str, float], float]:
-    """Processor time of each job, and the part of the workers' time that was spent between jobs."""
-    busy, idle, whole = dict[str, float](), 0.0, 0.0
+def taken(folder: Path) -> tuple[dict[str, float], float, float]:
+    """Processor time of each job; parts of the workers' time: between jobs, and of other threads while at one."""
+    busy, idle, beside, whole = dict[str, float](), 0.0, 0.0, 0.0
     for file in folder.iterdir():
         jobs = [(key, *map(float, rest)) for key, *rest in map(str.split, file.read_text().splitlines())]
-        busy.update((key, cpu) for key, _, _, cpu in jobs)
+        busy.update((key, own) for key, _, _, own, _ in jobs)
         span = jobs[-1][2] - jobs[0][1]
-        whole, idle = whole + span, idle + span - sum(end - begin for _, begin, end, _ in jobs)
-    return busy, idle / whole
+        whole, idle = whole + span, idle + span - sum(end - begin for _, begin, end, _, _ in jobs)
+        beside += sum(every - own for *_, own, every in jobs)
+    return busy, idle / whole, beside / (whole - idle)
 
 
 @contextmanager
@@ -119,11 +126,12 @@ def main() -> int:
             out = folder / who
             run_study(folder / "study.toml", out, **how)
             found.add(bytes_of(out))
-            busy[who], idle = taken(Path(os.environ[NOTES]))
+            busy[who], idle, beside = taken(Path(os.environ[NOTES]))
             waste = median(cpu / busy["one process"][key] for key, cpu in busy[who].items())
             each = median(busy[who].values())
+            efficiency = (1 - idle) * (1 - beside) / waste
             print(f"{who}: a job {each:.2f} s of processor, waste {waste:.3f}, idle {100 * idle:.1f} %, "
-                  f"efficiency {(1 - idle) / waste:.3f}", flush=True)  # fmt: skip
+                  f"beside {100 * beside:.2f} %, efficiency {efficiency:.3f}", flush=True)  # fmt: skip
 
         for engine_name, processes in (("one process", 1), ("two processes", 2)):
             measure(engine_name, processes=noted(folder, engine_name, processes))

@@ -2,10 +2,12 @@
 
 import io
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import time
 import tomllib
 from importlib.util import module_from_spec, spec_from_file_location
@@ -45,6 +47,18 @@ def test_two_builds_are_one_wheel_and_one_sdist_and_the_sdist_is_whole(tmp_path)
     [sdist] = (content for name, content in builds[0].items() if name.endswith(".gz"))
     assert release.lacking(sdist, names) == []
     assert release.lacking(sdist, [*names, "labcal/another.py"]) == ["labcal/another.py"]
+    assert wheel_of(sdist, tmp_path, "1767600000") == next(one for name, one in builds[0].items() if name[-3:] == "whl")
+
+
+def wheel_of(sdist, folder, epoch):
+    """What an sdist builds that somebody unpacked, without git."""
+    with tarfile.open(fileobj=io.BytesIO(sdist)) as archive:
+        archive.extractall(folder / "unpacked", filter="data")
+    [source] = (folder / "unpacked").iterdir()
+    command = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder / "wheel")]
+    subprocess.run(command, cwd=source, check=True, capture_output=True, env=os.environ | {"SOURCE_DATE_EPOCH": epoch})
+    [wheel] = (folder / "wheel").iterdir()
+    return wheel.read_bytes()
 
 
 def test_the_inventory_names_what_labcal_and_its_extras_need_with_licences():

@@ -37,7 +37,9 @@ BUILDS = ((1.6e9, 0o022), (1.7e9, 0o077))  # age of the files [s since 1970], an
 
 def tracked() -> list[str]:
     """The files that git tracks."""
-    told = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    told = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=False).stdout
+    if not told:
+        sys.exit("git tracks nothing here: a release is built from a checkout, not from an unpacked sdist")
     return [name for name in told.splitlines() if (ROOT / name).is_file()]
 
 

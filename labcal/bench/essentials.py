@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from labcal.errors import InputError
 from labcal.files.toml_file import read_toml
 
 AXES = ("x", "y", "z")
@@ -79,9 +80,16 @@ class Essentials:
 def essentials(path: Path) -> Essentials | None:
     """What the file says of the coils; None where only all of it can tell (an emulated bench, a role stated twice).
 
-    Raises InputError where it is no TOML, OSError where it cannot be read.
+    Raises InputError where it is no TOML or names no coil's supply at all, OSError where it cannot be read.
     """
-    return of_table(read_toml(path)[1])
+    table = read_toml(path)[1]
+    if not any(_names_a_coil(said) for said in _table(table, "instruments").values()):
+        raise InputError("it names no supply of a coil", file=path)
+    return of_table(table)
+
+
+def _names_a_coil(said: Any) -> bool:
+    return isinstance(said, dict) and str(said.get("role")).startswith("coil-")
 
 
 def as_table(bench: Any) -> dict[str, Any]:

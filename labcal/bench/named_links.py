@@ -8,10 +8,12 @@ from collections.abc import Mapping
 def named_links(text: str, links: Mapping[str, str], *, brief: bool = False) -> str:
     """`text` with the instrument's name before its link, which stands in brackets, or not at all; `links` by name.
 
-    The name that stands there already is not said twice.
+    The name that stands there already is not said twice, nor where it is told what answers "at" the link.
     """
     for link in sorted({*links.values()}, key=len, reverse=True):
         names = ", ".join(name for name, its in links.items() if its == link)
+        if f" at {link})" in text:
+            return text
         if link in text:
             plain = text.replace(f"{names} ({link})", link, 1).replace(f"{names}: {link}", link, 1)
             return plain.replace(link, names if brief else f"{names} ({link})", 1)

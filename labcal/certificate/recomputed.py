@@ -2,8 +2,8 @@
 
 By the same version every field has to come out again, but those that people set: the map and the effects' parameters
 within a hundredth of their u, all other numbers but for rounding. By another version what its final fit gives has to
-come out again within a tenth of U (map, effects, covariance, budget, lines of the specification), a tenth of each rms
-that a fit has, no less that is not covered, and what the run itself states.
+come out again within a tenth of U (map, effects, covariance, each row of the budget, lines of the specification), a
+tenth of each rms that a fit has, no less that is not covered, and what the run itself states.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ from labcal.record import Run
 
 SAME_U = 0.01  # of u
 OTHER_U = 0.1  # of U = 2 u
+OTHER_SHARE = 0.1  # of a variance that a row of a budget has
+OTHER_DOF = (0.5, 0.01)  # of 1 / dof, and beside it: 50 or 80 of them give the same k
+OTHER_RISK = 0.05  # of a false acceptance, which a tenth of U moves by as much
 ROUNDING = 1e-6  # of a covariance's variances: between processors 1e-10 was seen
 ROUNDED = 2e-5  # of any other number: of six digits the last may be another on another processor
 RESOLUTION = 1e-9  # of a number whose u may be nothing
@@ -32,10 +35,10 @@ OF_THE_STORE = frozenset({"cage_sha256", "chain"})  # a bundle of the same run d
 OF_THE_RUN = frozenset({"run_id", "run_sha256", "simulated", "dut", "span_s", "operator"})
 OF_THE_FIT = frozenset(
     {"K", "k_nT", "effects", "findings", "covariance", "validity", "metrics", "specification", "budget", "k_at"}
-    | {"not_covered", "instruments"}
+    | {"not_covered", "instruments", "frame_known", "covariance_of"}
 )
 FIRST_VERSION = "labcal-calibration/1"  # has neither number, budget, chain nor made_by
-NEW_OF_2 = frozenset({"budget", "k_at", "not_covered"})
+NEW_OF_2 = frozenset({"budget", "k_at", "not_covered", "covariance_of"})
 OF_THE_LOOP = "residual"  # the line of a specification that rests on held-out time
 Document = Mapping[str, Any]
 
@@ -70,6 +73,12 @@ def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
     one, other = _of_a_final_fit(stated, made), _of_a_final_fit(made, stated)
     one["not_covered"] = min(one.get("not_covered", 0), other["not_covered"])  # more may be named
     fields = OF_THE_FIT - (NEW_OF_2 if stated.format == FIRST_VERSION else set())
+    if stated.format == FIRST_VERSION:
+        other["covariance"] = [row[:12] for row in other["covariance"][:12]]  # the map's
+        for effect in (*one["effects"], *other["effects"]):
+            effect.pop("domain")
+    else:
+        _with_rows_of_both(one["budget"], other["budget"])
     found = _differences(one, other, fields, _limits(made, 2 * OTHER_U) | _between_versions(other))
     found += _not_its_version(one)
     return Recomputed(not found, found)
@@ -98,17 +107,51 @@ def _of_a_final_fit(calibration: Calibration, other: Calibration) -> dict[str, A
     """What can be compared between versions with the same of `other`, by field."""
     stated = _document(calibration)
     stated["effects"], stated["findings"] = _numbers(stated["effects"]), _numbers(stated["findings"])
-    stated["covariance"] = [row[:12] for row in (stated["covariance"] or [])[:12]]  # the map's
+    stated["covariance"] = stated["covariance"] or []
     stated["metrics"] = _metrics(calibration, other)
     stated["specification"] = [
-        {name: line[name] for name in ("quantity", "limit", "unit", "rule", "result", "value", "U")}
+        {name: line[name] for name in ("quantity", "limit", "unit", "rule", "result", "value", "U", "risk", "tur")}
         for line in map(dict, calibration.specification)
         if not line["quantity"].startswith(OF_THE_LOOP)
     ]
     if "budget" in stated:
-        stated["budget"] = {f"{one['quantity']} at {one['at']}": one["U"] for one in stated["budget"]}
+        stated["budget"] = _by_name(
+            (f"{one['quantity']} at {one['at']}", _of_a_budget(one)) for one in stated["budget"]
+        )
         stated["not_covered"] = len(stated["not_covered"])  # the words may be others
     return stated
+
+
+def _of_a_budget(one: Document) -> dict[str, Any]:
+    """One entry of a budget, its rows by what they are of."""
+    rows = ((f"{row['source']} ({row['type']}, {row['distribution']}, {row['unit']})", row) for row in one["rows"])
+    of = _by_name((name, _part(row)) for name, row in rows)
+    return {"U": one["U"], "k": one["k"], "unit": one["unit"], "1 / dof": 1 / (one["dof"] or np.inf), "rows": of}
+
+
+def _by_name(named: Iterable[tuple[str, dict[str, Any]]]) -> dict[str, dict[str, Any]]:
+    """Each by its name, the second of one name by another: none hides behind the other."""
+    found = dict[str, dict[str, Any]]()
+    for name, one in named:
+        while name in found:
+            name += " again"
+        found[name] = one
+    return found
+
+
+def _part(row: Document) -> dict[str, float]:
+    """What a row has of the standard uncertainty."""
+    part = row["u"] * abs(row["sensitivity"])
+    return {"u": row["u"], "u x sensitivity": part, "share": row["share"], "1 / dof": 1 / (row["dof"] or np.inf)}
+
+
+def _with_rows_of_both(one: dict[str, Any], other: dict[str, Any]) -> None:
+    """A row that is left out, as those that say next to nothing are, has no part in it."""
+    for name in one.keys() & other.keys():
+        both = one[name]["rows"], other[name]["rows"]
+        for has, lacks in (both, both[::-1]):
+            for of in has.keys() - lacks.keys():
+                lacks[of] = {**has[of], "u x sensitivity": 0.0, "share": 0.0}
 
 
 def _metrics(calibration: Calibration, other: Calibration) -> dict[str, float]:
@@ -129,8 +172,10 @@ def _document(calibration: Calibration) -> dict[str, Any]:
 def _numbers(effects: Iterable[Document]) -> list[dict[str, Any]]:
     """The effects but those of the data, with their parameters' values and u alone."""
     named = ("effect", "channels", "belongs_to", "reference_value")
+    seen = ("domain",)  # of the sensor's alone: `apply` goes by it
     return [
         {name: effect[name] for name in named}
+        | {name: effect.get(name, []) for name in seen if effect["belongs_to"] == "sensor"}
         | {"parameters": [{"name": p["name"], "value": p["value"], "u": p["u"]} for p in effect["parameters"]]}
         for effect in effects
         if effect["belongs_to"] != "data"
@@ -147,10 +192,11 @@ def _uncertainties(calibration: Calibration) -> dict[str, float]:
 def _between_versions(made: Document) -> dict[str, float]:
     """By how much what a final fit gives may differ between versions, by its place."""
     shares = {f"metrics.{name}": OTHER_U * value for name, value in made["metrics"].items()}
-    if "budget" in made:
-        shares |= {f"budget.{name}": OTHER_U * value for name, value in made["budget"].items()}
+    for name, one in made.get("budget", {}).items():
+        shares |= _of_its_rows(f"budget.{name}", one)
     for i, line in enumerate(made["specification"]):
         shares |= {f"specification[{i}].{name}": OTHER_U * line["U"] for name in ("value", "U")}
+        shares |= {f"specification[{i}].risk": OTHER_RISK, f"specification[{i}].tur": OTHER_U * (line["tur"] or 0.0)}
     for place in ("effects", "findings"):
         for i, effect in enumerate(made[place]):
             for j, p in enumerate(effect["parameters"]):
@@ -162,6 +208,21 @@ def _between_versions(made: Document) -> dict[str, float]:
     for i, row in enumerate(made["covariance"]):
         shares |= {f"covariance[{i}][{j}]": 2 * OTHER_U * _scale(made, i, j) for j in range(len(row))}
     return shares
+
+
+def _of_its_rows(place: str, one: Document) -> dict[str, float]:
+    """By how much the numbers of one entry of the budget may differ, by their place."""
+    share, beside = OTHER_DOF
+    limits = {f"{place}.{name}": OTHER_U * one[name] for name in ("U", "k")}
+    limits[f"{place}.1 / dof"] = share * one["1 / dof"] + beside
+    for of, row in one["rows"].items():
+        limits |= {
+            f"{place}.rows.{of}.u": 2 * OTHER_U * row["u"],
+            f"{place}.rows.{of}.u x sensitivity": OTHER_U * one["U"],
+            f"{place}.rows.{of}.share": OTHER_SHARE,
+            f"{place}.rows.{of}.1 / dof": share * row["1 / dof"] + beside,
+        }
+    return limits
 
 
 def _scale(made: Document, i: int, j: int) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from datetime import UTC, date, datetime
+from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import Any, Literal
 
@@ -31,6 +31,7 @@ from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
 MOST_SIGNATURES = 99  # beside one file
+CLOCKS_DIFFER = timedelta(minutes=10)  # between the computers of a lab
 Status = Literal["released", "provisional", "unsigned", "invalid", "expired", "superseded"]
 Shown = Callable[[Path, bytes], ShownTime | None]  # a signature's file and bytes: since when they are shown to be there
 Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
@@ -68,6 +69,7 @@ class Verification:
     same_chain: bool = True  # where both that run and the calibration state the head of a hash chain
     trusted: tuple[Signer, ...] = ()  # the list that it was checked against
     superseded_by: str | None = None  # the run of the calibration that took its place, where one is known
+    ahead: bool = False  # issued later than this computer's clock
 
     @property
     def valid(self) -> bool:
@@ -94,16 +96,19 @@ class Verification:
     @property
     def provisional(self) -> str | None:
         """Why nobody but the signer stands for it yet; None where every approver named has signed."""
-        named = self.calibration.approvers if self.calibration else ()
-        if not named:
+        if (c := self.calibration) is None or not (named := c.approvers):
             return "no approver is named"
-        if own := [name for name in named if self.calibration and same_person(name, self.calibration.operator)]:
+        if not c.operator.strip():
+            return "nobody is said to have measured it, so that nobody who approves it is another person"
+        if self.ahead:
+            return "issued_utc is later than this computer's clock: one of them is wrong"
+        if own := [name for name in named if same_person(name, c.operator)]:
             return f"named as approver, but is the operator: {', '.join(own)}"
         if missing := [name for name in named if name not in self.signers]:
             return f"named as approver, but has not signed: {', '.join(missing)}"
-        if self.calibration and (lacking := roles.objection(self.calibration, self.signers, self.trusted)):
+        if lacking := roles.objection(c, self.signers, self.trusted):
             return lacking
-        if self.calibration and self.calibration.format == FIRST_VERSION:
+        if c.format == FIRST_VERSION:
             return f"{FIRST_VERSION} has no place for what a released one states: number, budget, what is not covered"
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
 
@@ -237,7 +242,8 @@ def sign(
     there, spent = _expected(path), list[Path]()
     for file in there:
         earlier, armoured = _holding(file, content)
-        if (line := revoked.get(earlier.public_key)) and line.objection(NAMESPACE, _at(shown(file, armoured), _now())):
+        at = _at(shown(file, armoured), datetime.now(UTC))
+        if (line := revoked.get(earlier.public_key)) and line.objection(NAMESPACE, at):
             spent.append(file)
         elif earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
@@ -300,6 +306,7 @@ def verify(
         same_chain=same_chain,
         expired=until is not None and date.fromisoformat(until) < now.date(),
         trusted=trusted,
+        ahead=bool(issued := calibration.issued_utc) and datetime.fromisoformat(issued) > now + CLOCKS_DIFFER,
     )
 
 
@@ -391,7 +398,3 @@ def _holding(file: Path, content: bytes) -> tuple[sshsig.Signature, bytes]:
 def _at(shown: ShownTime | None, now: datetime) -> datetime:
     """The time at which a key is judged."""
     return now if shown is None else shown.utc
-
-
-def _now() -> datetime:
-    return datetime.now(UTC)

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from datetime import date, datetime, timedelta
+from datetime import date, datetime
 from hashlib import sha256
 from pathlib import Path
 
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration
-from labcal.certificate.signing import signature_files
+from labcal.certificate.signing import CLOCKS_DIFFER, signature_files
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
-
-CLOCKS_DIFFER = timedelta(minutes=10)  # between the computers of a lab
 
 
 @dataclass(frozen=True, slots=True)

@@ -82,13 +82,19 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, override=lets, **options)
         else:
             return _list()
-    said = f"{outcome.ending}; {outcome.at_rest}"
+    said = _told_once(outcome.ending, outcome.at_rest)
     if outcome.resumable:
         said = f"{said}; `{_goes_on(procedure, outcome.run_id, _bench(bench))}` goes on with it"
     as_json = progress is ProgressChoice.json
     say(json.dumps({"item": "end", "text": said}) if as_json else said, err=True)
     say(outcome.run_id)
     return outcome.raise_fault()
+
+
+def _told_once(ending: str, lab: str) -> str:
+    """How it ended, and of the lab what that does not say already."""
+    first, *rest = lab.split("; ", 1)
+    return "; ".join([ending, *([] if first in ending else [first]), *rest])
 
 
 def _list() -> None:

@@ -21,24 +21,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import replaceable, write_bytes
 from labcal.files.home import FILE, home, own_folder
 
-STORE, AUDIT = "store.sqlite", "audit.sqlite"
-OWN = (
-    "keys",
-    "lab-key.pem",
-    "photos",
-    "self-tests",
-    "crashes",
-    "worked-out",
-    "figures",
-    "superseding",
-    "bundles",
-    "translations",
-    "written",
-    "window.ini",
-    "laboratory.toml",
-    "guardian.log",
-    "last-fault.txt",
-)
+DRAFTS = "calibrations"  # in labcal's folder; all else there is labcal's own
 SQLITE = b"SQLite format 3\0"
 OF_A_STORE = re.compile(r"-(wal|shm|journal|writers)\Z")
 
@@ -58,8 +41,6 @@ class Output:
         there = _real(self.path)  # also where a folder on the way is not there yet
         for name in {self.path, there}:
             self._refuse_by_name(name)
-        if self.with_folder and there.parent == _real(home()):
-            self._refuse("would lie among what is labcal's own; name another folder")
         self._refuse_inputs(there)
         if not self.with_folder or there.exists():
             replaceable(there if self.with_folder else self.path)
@@ -92,10 +73,10 @@ class Output:
         if name.is_symlink() and not name.exists():
             self._refuse("is a link to a file that is not there")
         if _is_own(name):
-            self._refuse("is labcal's own: nothing replaces it, --force neither")
+            self._refuse("would lie among what is labcal's own; name another folder")
         if _is_store(name):
             self._refuse("belongs to a store of runs: nothing replaces it, --force neither")
-        if name.name.lower().endswith(".sshsig"):
+        if any(part.lower().endswith(".sshsig") for part in (name.name, name.parent.name)):
             self._refuse("is the name of a signature, which only `labcal sign` writes")
         if signature := _signature_beside(name):
             self._refuse(f"is signed ({signature}): nothing replaces it, --force neither")
@@ -144,12 +125,9 @@ def _real(path: Path) -> Path:
 
 
 def _is_own(path: Path) -> bool:
-    """Whether `path` is labcal's folder or bears a name of its own there; a draft in `calibrations` is a draft."""
+    """Whether `path` is labcal's folder or lies there; a draft in `calibrations` is a draft."""
     own, here = _real(home()), _real(path.parent) / path.name
-    if here == own or not here.is_relative_to(own):
-        return here == own
-    first = here.relative_to(own).parts[0].casefold()
-    return first.startswith((STORE, AUDIT, "not-at-zero-")) or first in OWN
+    return here == own or (own in here.parents and (own / DRAFTS) not in here.parents)
 
 
 def _is_store(path: Path) -> bool:

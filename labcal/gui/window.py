@@ -46,6 +46,7 @@ from labcal.gui.widgets.sounds import is_on, switch
 from labcal.system.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
+FRAME_PX = 40  # the title of a window and its edges take no more
 POLL_MS = 20  # between two looks whether the imports or a run are done
 SPARE_PLOTS = 4  # of a page, at most, when it is built
 
@@ -363,14 +364,21 @@ def _palette(theme: Theme) -> QPalette:
     return palette
 
 
+def show_whole(window: QWidget) -> None:
+    """Show it in its size; where the screen has no room for that and the title above it, over the whole screen."""
+    room = window.screen().availableSize()
+    if window.width() > room.width() - FRAME_PX or window.height() > room.height() - FRAME_PX:
+        return window.showMaximized()
+    return window.show()
+
+
 def open_window(bench: str | None, *, watched: bool = False, worker: int = 0) -> Window:
     """The window on `bench`, else on the last one; or come back to the run that goes on in the process `worker`."""
     app_state = AppState(watched=watched)
     window = Window(app_state)
     if comes_back := bool(worker) and goes_on_at(worker):
         app_state.come_back(worker)
-    window.resize(window.size().boundedTo(window.screen().availableSize()))
-    window.show()
+    show_whole(window)
     QTimer.singleShot(PREBUILD_DELAY_MS, window, window.prebuild)
     app_state.request(ListPeople(), app_state.login.take_people)
     chosen = bench or str(app_state.settings.value("bench", "") or "")

@@ -15,6 +15,7 @@ from labcal.record.sampling import period_s
 from labcal.record.stream import (
     CLOSURE,
     NOT_USED,
+    RESUMED,
     Block,
     Event,
     Item,
@@ -103,13 +104,18 @@ class _Stretch:
 
 
 def _stretches(items: Sequence[Item]) -> list[_Stretch]:
-    """Segments that are used, with their times; one that is opened again is of its own, a number behind its id."""
+    """Segments that are used, with their times; one that is opened again is of its own, a number behind its id.
+
+    One that was open when the run broke off ends where the run is gone on with: what is recorded from there on is
+    of other steps.
+    """
     found: list[_Stretch] = []
     unused: set[str] = set()
     for item in items:
         if isinstance(item, Event) and item.kind == NOT_USED:
             unused |= {one.segment.id for one in found if one.named in item.data["segments"]}
-        if not isinstance(item, SegmentOpened | SegmentClosed):
+        gone_on = isinstance(item, Event) and item.kind == RESUMED
+        if not gone_on and not isinstance(item, SegmentOpened | SegmentClosed):
             continue
         if found and found[-1].end_s == np.inf:
             found[-1] = replace(found[-1], end_s=item.t_s)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import secrets
 import time
 import tomllib
@@ -24,16 +25,16 @@ from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
-from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, RESUMED, Event, Item, Measurement, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import CLOCK_BACK, Drive, Ending, OnItem, Show
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
-from labcal.store.writer import iso
+from labcal.store.writer import SAY_S, iso
 from labcal.version import __version__
 
-RESUMED, INTERRUPTED = "resumed", "interrupted"
+INTERRUPTED = "interrupted"
 BY_STORE = "interrupted by its store"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
 LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
@@ -268,11 +269,13 @@ class _Seen:
     on_item: OnItem
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
-    fault_reported: bool = False
+    store_told_s: float = -math.inf
+    wait_told: bool = False
 
     def not_kept(self, t_s: float, fault: InstrumentError) -> None:
-        """Tell that the end of the run waits for the store, unless it was reported that the store ended it."""
-        if not self.fault_reported:
+        """Tell once that the end of the run waits for the store; not just after it was told that the store ended it."""
+        if not self.wait_told and time.monotonic() - self.store_told_s > SAY_S:
+            self.wait_told = True
             self.notice(Event(t_s, NOT_KEPT, f"the end of the run waits: {fault.what}"))
 
     def notice(self, item: Item) -> None:
@@ -282,7 +285,8 @@ class _Seen:
                 self.failed[item.name] = item
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
-            self.fault_reported |= item.kind == NOT_KEPT
+            if item.kind == NOT_KEPT:
+                self.store_told_s = time.monotonic()
         self.on_item(item)
 
 

@@ -15,7 +15,7 @@ from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import read_laboratory
 from labcal.certificate.recomputed import FIRST_VERSION
 from labcal.certificate.register import NumberEntry
-from labcal.certificate.signing import signature_files
+from labcal.certificate.signing import CLOCKS_DIFFER, signature_files
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
@@ -90,7 +90,10 @@ def against_the_register(stated: Calibration) -> tuple[str, ...]:
 
     A number that the audit log alone still knows stands: the register was lost, or put back as it was before.
     """
-    if stated.number is None or not (home() / register.FILE).exists():
+    if stated.number is None:
+        given_none = stated.approvers and stated.format != FIRST_VERSION
+        return ("number: none is stated, and an approval gives one",) if given_none else ()
+    if not (home() / register.FILE).exists():
         return ()
     given = next((one for one in register.listed(home()) if one.number == stated.number), None)
     if given is None and noted_number(stated.number):
@@ -102,6 +105,14 @@ def against_the_register(stated: Calibration) -> tuple[str, ...]:
     if given and stated.issued_utc and _time(stated.issued_utc) < _time(given.utc):
         return (f"issued_utc: {stated.issued_utc} is before {given.utc}, when its number was given out",)
     return ()
+
+
+def check_clock(draft: Calibration, path: Path, now: datetime) -> None:
+    """Raise InputError where this computer's clock is before the run that is approved or signed began."""
+    header = header_of(draft.run_id)
+    if header is not None and not header.simulated and now + CLOCKS_DIFFER < _time(header.started_utc):
+        text = f"this computer's clock, {now:%Y-%m-%d %H:%M} UTC, is before its run began, {header.started_utc}"
+        raise InputError(f"issued_utc: {text}: one of them is wrong; nothing was written", file=path)
 
 
 def _time(utc: str) -> datetime:

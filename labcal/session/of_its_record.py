@@ -62,6 +62,7 @@ def _of_bundle(stated: Calibration, bundle: Bundle) -> OfRecord:
     """A bundle's chain was walked when it was read; `verify` compares the two heads."""
     against: tuple[str, ...] = _of_head(stated, bundle.stated_chain is not None)
     unshown: tuple[str, ...] = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
+    unshown += _unlike_noted(stated, bundle)
     with suppress(InputError), Store.open() as store:
         if bundle.stated_chain and store.has(stated.run_id) and store.has_head(stated.run_id, bundle.stated_chain):
             against += _of_cage(stated, store)
@@ -75,7 +76,7 @@ def _of_store(stated: Calibration, store: Store) -> OfRecord:
         return OfRecord((f"chain: {misfit.what}",))
     noted = noted_heads().get(stated.run_id, ())
     if store.status(stated.run_id) == "imported":
-        return _of_imported(stated, store.bundle(stated.run_id), noted)
+        return _of_imported(stated, store.bundle(stated.run_id))
     against = _of_cage(stated, store) if head_holds else _another_head(stated)
     against += _of_head(stated, store.head_of(stated.run_id) is not None)
     if why := _against_log(store, stated.run_id, noted):
@@ -83,7 +84,7 @@ def _of_store(stated: Calibration, store: Store) -> OfRecord:
     return OfRecord(against + against_the_register(stated))
 
 
-def _of_imported(stated: Calibration, bundle: Bundle, noted: tuple[str, ...]) -> OfRecord:
+def _of_imported(stated: Calibration, bundle: Bundle) -> OfRecord:
     if bundle.sha256 != stated.run_sha256:
         text = f"run_sha256: the run {stated.run_id} of this store is not the one that it states"
         return OfRecord((text,))
@@ -93,9 +94,14 @@ def _of_imported(stated: Calibration, bundle: Bundle, noted: tuple[str, ...]) ->
     unshown: tuple[str, ...] = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
     if stated.cage_sha256 is not None and not bundle.chain:
         unshown += ("cage_sha256: its run came without the record that names its cage",)
-    if any(head.encode() not in bundle.chain for head in noted):
-        unshown += (f"chain: the audit log says that {stated.run_id} was recorded here, and it came back without that",)
-    return OfRecord(against, unshown)
+    return OfRecord(against, unshown + _unlike_noted(stated, bundle))
+
+
+def _unlike_noted(stated: Calibration, bundle: Bundle) -> tuple[str, ...]:
+    """What the audit log has against a bundle of a run that was recorded here."""
+    if all(head.encode() in bundle.chain for head in noted_heads().get(stated.run_id, ())):
+        return ()
+    return (f"chain: the audit log says that {stated.run_id} was recorded here, and it came back without that",)
 
 
 def _of_head(stated: Calibration, chained: bool) -> tuple[str, ...]:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import datetime
+from functools import partial
 from pathlib import Path
-from typing import Self
+from typing import Self, TypeVar
 
 from labcal import audit, certificate
 from labcal.archive.bundles import put
@@ -42,6 +45,8 @@ from labcal.store.listing import FILE as STORE
 FINISHED = ("finished", "imported")
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
+Read = tuple[Bundle, Run, str, str, Sequence[object], str | None]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,8 +93,8 @@ class Pusher:
         for name in names:
             self._one(name, self._named)
         if not names:
-            for run in self._new_runs():
-                self._one(run, self._of_store)
+            for run, read in ahead(_read, self._new_runs()):
+                self._one(run, partial(self._when_read, read))
             for path in _signed_calibrations():
                 self._one(str(path), self._named)
         self._one("the audit log", lambda _: self._audit_log())
@@ -108,7 +113,7 @@ class Pusher:
         if certificate.looks_like_calibration(Path(name)):
             self._calibration(Path(name))
         else:
-            digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name, again=True)
+            digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name)
             for path in self._calibrations_of(digest):
                 self._calibration(path)
 
@@ -128,17 +133,12 @@ class Pusher:
             found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
         yield from (run_id for run_id, head in found if head is None or head not in self.there.heads)
 
-    def _of_store(self, run_id: str, *, again: bool = False) -> str:
-        """Push a run of the store, looking at it `again` though its chain is known; returns its SHA-256."""
-        with closing(Store.read_only(home() / STORE)) as store:
-            summary, head = store.summary(run_id), store.head_of(run_id)
-            if summary.status not in FINISHED:
-                raise InputError(f"run {run_id} is {summary.status}: only a finished run goes into the archive")
-            if head is not None and head in self.there.heads and not again:
-                return self.there.heads[head]
-            bundle, run = store.bundle_and_run(run_id)
-            instruments = () if summary.status == "imported" else store.header(run_id).instruments
-        return self._bundle(bundle, run, summary.status, summary.procedure, instruments, head)
+    def _when_read(self, read: Future[Read], _: str) -> str:
+        return self._bundle(*read.result())
+
+    def _of_store(self, run_id: str) -> str:
+        """Push a run of the store, looking at it though its chain may be known; returns its SHA-256."""
+        return self._bundle(*_read(run_id))
 
     def _bundle(
         self,
@@ -225,6 +225,31 @@ class Pusher:
             self.refused.append(f"the audit log from there on: {found.fault}")
         pairs = zip(found.entries[last:], stored[last:], strict=False)
         self.entries = push_audit(self.archive, self.site, log, [_entry(*pair) for pair in pairs])
+
+
+def ahead(work: Callable[[str], T], names: Iterable[str]) -> Iterator[tuple[str, Future[T]]]:
+    """Each name with its work, in order; while one is in use the next is done, and no more than that."""
+    with ThreadPoolExecutor(1) as one_more:
+        begun = deque[tuple[str, Future[T]]]()
+        for name in names:
+            begun.append((name, one_more.submit(work, name)))
+            if len(begun) > 1:
+                yield begun.popleft()
+        yield from begun
+
+
+def _read(run_id: str) -> Read:
+    """A finished run of the store as `Pusher` takes it: bundle, rows, status, procedure, instruments, its chain's head.
+
+    Raises InputError where it has not finished, or does not fit its chain.
+    """
+    with closing(Store.read_only(home() / STORE)) as store:
+        summary, head = store.summary(run_id), store.head_of(run_id)
+        if summary.status not in FINISHED:
+            raise InputError(f"run {run_id} is {summary.status}: only a finished run goes into the archive")
+        bundle, run = store.bundle_and_run(run_id)
+        instruments = () if summary.status == "imported" else store.header(run_id).instruments
+    return bundle, run, summary.status, summary.procedure, instruments, head
 
 
 def _signed_calibrations() -> Iterator[Path]:

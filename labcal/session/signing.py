@@ -24,7 +24,7 @@ from labcal.model import Calibration
 from labcal.session.approved import check_approved, keep_approved
 from labcal.session.audited import note_file, noted_utc
 from labcal.session.in_archive import InArchive
-from labcal.session.numbering import check_number, issuing, keep_signed
+from labcal.session.numbering import check_clock, check_number, issuing, keep_signed
 from labcal.session.sources import Source, run_bundle
 from labcal.session.stamping import authorities, stamp
 from labcal.session.trust import handed_out
@@ -80,6 +80,7 @@ def _same_as_its_run(path: Path, progress: Progress, signer: str | None = None) 
         certificate.check_approvers(stated, path, certificate.keys.names(home()))
         certificate.check_roles(stated, path, certificate.keys.trusted(home()), signer)
         certificate.check_stated(stated, path, datetime.now(UTC))
+        check_clock(stated, path, datetime.now(UTC))
         if signer is not None:
             check_number(stated, path)
         if (found := recomputed(stated, progress=progress)).same is False:

@@ -171,11 +171,13 @@ def _with_channels(run: Run, channels: Sequence[str]) -> Run:
 
 
 def _fitted_effects(stated: Calibration) -> list[EffectRecord]:
-    return [effect for effect in (*stated.effects, *stated.findings) if effect.belongs_to != "data"]
+    """The effects that are named, the sensor's without where they were seen: the run says that."""
+    named = [effect for effect in (*stated.effects, *stated.findings) if effect.belongs_to != "data"]
+    return [replace(effect, domain=()) if effect.belongs_to == "sensor" else effect for effect in named]
 
 
 def _stranger(stated: Calibration, how: MadeBy) -> str | None:
-    """What of another package it needs that is not installed here."""
+    """What it needs that is not here: an effect or method of another package, or who built a term without a name."""
     if how["command"] == FIT:
         there = how["method"] in methods()
         return None if there else f"made_by.method: no installed package has the method {how['method']!r}"
@@ -183,6 +185,8 @@ def _stranger(stated: Calibration, how: MadeBy) -> str | None:
         for i, record in enumerate(records):
             if find(record.effect) is None:
                 return f"{place}[{i}]: no installed package describes the effect {record.effect!r}"
+            if record.basis is not None:
+                return f"{place}[{i}].basis: labcal {how['version'] or 'of before'} built it, and no final fit shows it"
     return None
 
 

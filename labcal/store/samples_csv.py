@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Mapping, Sequence
-from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from labcal.files.text_safety import checked_text
 from labcal.record import Channel, Dut, Reference, Run
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.store.limits import listed, shortened
+from labcal.store.number_text import number_texts
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
 from labcal.store.table import ColumnTable, read_table
 
@@ -60,11 +60,8 @@ def read_samples(data: bytes, header: RunJson, *, file: object) -> Run:
 def write_samples(run: Run) -> bytes:
     """The rows of `run` as samples.csv: LF, shortest numbers that read back the same, empty where missing."""
     names, columns = zip(*_columns(run), strict=True)
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(names)
-    writer.writerows(zip(*columns, strict=True))
-    return text.getvalue().encode()
+    head = ",".join(map(_cell, names))
+    return "\n".join([head, *map(",".join, zip(*columns, strict=True)), ""]).encode()
 
 
 def _table(data: bytes, header: RunJson, file: str) -> ColumnTable:
@@ -119,21 +116,30 @@ def _stack(numbers: Mapping[str, Array], names: Sequence[str]) -> Array:
 
 
 def _columns(run: Run) -> Iterable[tuple[str, Sequence[str]]]:
-    ids = [segment.id for segment in run.segments]
-    yield "t_s", _texts(run.t_s)
-    yield "segment", [ids[index] for index in run.segment_index]
-    yield from zip(DUT, map(_texts, run.reading.T), strict=True)
+    ids = [_cell(segment.id) for segment in run.segments]
+    yield "t_s", number_texts(run.t_s)
+    yield "segment", [ids[index] for index in run.segment_index.tolist()]
+    yield from zip(DUT, map(number_texts, run.reading.T), strict=True)
     if run.reference_vector is not None:
-        yield from zip(REFERENCE["vector"], map(_texts, run.reference_vector.T), strict=True)
+        yield from zip(REFERENCE["vector"], map(number_texts, run.reference_vector.T), strict=True)
     elif run.reference_magnitude is not None:
-        yield "ref_f", _texts(run.reference_magnitude)
+        yield "ref_f", number_texts(run.reference_magnitude)
     if run.angle_deg is not None:
-        yield "angle_deg", _texts(run.angle_deg)
+        yield "angle_deg", number_texts(run.angle_deg)
     if run.row_mode is not None:
-        yield "mode", run.row_mode.tolist()
+        yield "mode", _cells(run.row_mode.tolist())
     for channel in run.channels:
-        yield channel.name, _texts(channel.values)
+        yield channel.name, number_texts(channel.values)
 
 
-def _texts(values: Array) -> list[str]:
-    return [repr(value).removesuffix(".0") if isfinite(value) else "" for value in values.tolist()]
+def _cell(word: str) -> str:
+    """A text as a cell, quoted where it has to be."""
+    line = io.StringIO()
+    csv.writer(line, lineterminator="\n").writerow([word, ""])
+    return line.getvalue().removesuffix(",\n")
+
+
+def _cells(words: Sequence[str]) -> list[str]:
+    """The same of many words, few of them different."""
+    cells = {word: _cell(word) for word in set(words)}
+    return [cells[word] for word in words]

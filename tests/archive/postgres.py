@@ -5,11 +5,12 @@ from __future__ import annotations
 import getpass
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
@@ -60,6 +61,26 @@ class Server:
 
     folder: Path
     programs: Path
+    user: str | None = None
+    settings: str = SETTINGS
+
+    def control(self, *words: str | Path) -> None:
+        """`pg_ctl`, as whoever the server belongs to."""
+        done([self.programs / "pg_ctl", "-D", self.folder / "data", "-w", "-t", str(WITHIN_S), *words], self.user)
+
+    def start(self) -> None:
+        self.control("-l", self.folder / "log", "-o", f"{self.settings} -k {self.folder}", "start")
+
+    def kill(self) -> None:
+        """SIGKILL to the server and to each process that works for it, until none is left."""
+        first = int((self.folder / "data" / "postmaster.pid").read_text().split()[0])
+        left = {first, *children_of(first)}
+        while left:
+            for process in left:
+                with suppress(ProcessLookupError):
+                    os.kill(process, signal.SIGKILL)
+            time.sleep(0.02)
+            left = {one for one in left if Path(f"/proc/{one}").exists()}
 
     def url(self, database: str, user: str = OWNER) -> str:
         return f"postgresql://{user}@/{database}?host={self.folder}"
@@ -97,14 +118,24 @@ def server(*, hasty: bool = True) -> Iterator[Server]:
         shutil.chown(folder, user or getpass.getuser())
         made = ["-U", OWNER, "-A", "trust", "-N", "--wal-segsize=1", "-E", "UTF8", "--locale=C"]
         done([found / "initdb", "-D", folder / "data", *made], user)
-        control = [found / "pg_ctl", "-D", folder / "data", "-w", "-t", str(WITHIN_S)]
-        done([*control, "-l", folder / "log", "-o", f"{settings} -k {folder}", "start"], user)
+        running = Server(folder, found, user, settings)
+        running.start()
         try:
-            yield Server(folder, found)
+            yield running
         finally:
-            done([*control, "-m", "immediate", "stop"], user)
+            running.control("-m", "immediate", "stop")
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def children_of(process: int) -> set[int]:
+    """The processes that it began, by their ids."""
+    found = set[int]()
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):
+            if int(status.read_text().rpartition(")")[2].split()[1]) == process:
+                found.add(int(status.parent.name))
+    return found
 
 
 def done(words: list[str | Path], user: str | None) -> None:

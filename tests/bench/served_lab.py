@@ -259,6 +259,7 @@ def kill_all(child: subprocess.Popen[str]) -> None:
     """End session, guardian and those that stand by, at once: nobody is left who could order zero."""
     (first,) = guardians()
     until(lambda: len(children_of(first)) == HOW_MANY)
+    os.kill(child.pid, signal.SIGSTOP)  # on a busy machine it would start another guardian meanwhile
     for pid in (*children_of(first), first, child.pid):
         os.kill(pid, signal.SIGKILL)
     child.wait()

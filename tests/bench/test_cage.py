@@ -269,6 +269,19 @@ def test_a_slow_line_is_no_current() -> None:
     assert (contacts.sign, supply.said) == (-1, ["0 A", "output False", "output False", "0.5 A"])
 
 
+def test_zero_is_read_back_where_the_contacts_do_not_answer_and_no_other_current() -> None:
+    class Gone(Contacts):
+        """Their link is lost."""
+
+        def polarity(self, axis: str) -> int:
+            raise InstrumentError("reversers: the link is lost.")
+
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    assert ReversedSupply("x", SlowSupply(clock, [0.0]), Gone(), clock).measure_current() == 0.0
+    with pytest.raises(InstrumentError, match="the link is lost"):
+        ReversedSupply("x", SlowSupply(clock, [0.4]), Gone(), clock).measure_current()
+
+
 def test_a_current_that_stays_is_told_on_a_slow_line_too() -> None:
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
     with pytest.raises(InstrumentError, match="still flows"):

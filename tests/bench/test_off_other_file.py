@@ -46,6 +46,11 @@ def cut_off(file: Path) -> None:
     file.write_bytes(file.read_bytes()[:700])
 
 
+def cut_between_tables(file: Path) -> None:
+    """Likewise, and by chance it is TOML still."""
+    file.write_text(file.read_text().partition("[instruments.supply_x]")[0])
+
+
 def garbage(file: Path) -> None:
     file.write_bytes(b"\xff\xfe\0\0")
 
@@ -58,7 +63,7 @@ def untouched(file: Path) -> None:
     """As it was."""
 
 
-SPOILT = [another_lab, cut_off, garbage, deleted]
+SPOILT = [another_lab, cut_off, cut_between_tables, garbage, deleted]
 
 
 def said_off(file: Path) -> subprocess.CompletedProcess[str]:
@@ -97,7 +102,7 @@ def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: 
     assert said.stdout.count("zero, open") == 3, said
     assert log().count("to zero: labcal bench off") == (2 if spoil is another_lab else 1)
     assert ("Reported above is what was driven under this name" in said.stderr) == (
-        spoil in (garbage, cut_off, deleted)
+        spoil in (garbage, cut_off, cut_between_tables, deleted)
     )
     if spoil is another_lab:  # which was asked for as well, and does not answer
         assert said.stdout.count("coil x: unknown") == 1

@@ -13,7 +13,7 @@ import pytest
 import rfc8785
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from labcal import session
+from labcal import audit, session
 from labcal.certificate import Signer, keys, read_calibration, register, signing, sshsig
 from labcal.certificate.agent import public_half
 from labcal.certificate.allowed_signers import own_line
@@ -21,7 +21,7 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.record import RunHeader
 from labcal.record.stream import Block, SegmentClosed, SegmentOpened
-from labcal.store import Store, write_bundle
+from labcal.store import Store, save_bundle, write_bundle
 from labcal.testing.made_up_runs import made_up_run
 
 Edit = Callable[[dict[str, Any]], object]
@@ -267,8 +267,18 @@ def trusting(lab: tuple[Signer, ...], draft: Path, tmp_path: Path) -> None:
 @pytest.fixture
 def released(tmp_path: Path) -> Path:
     """A calibration of a run that this lab recorded on its bench `cage`, with its number, signed by two."""
+    path = recorded(tmp_path / "released.json")
+    session.approve(path, "bob")
+    for name in ("bob", "ada"):
+        session.sign(path, name, WORDS)
+    return path
+
+
+def recorded(path: Path, began: str = "", *, operator: str = "Grace", simulated: bool = True) -> Path:
+    """A draft of a run that this lab recorded on its bench `cage`; Ada and Bob have keys."""
     made = made_up_run(rows=60, fields_nT=((30e3, 20e3, 25e3),), noise_nT=5.0).run
-    header = RunHeader("r-cage", made.started_utc, True, "Grace", made.dut, made.reference, bench='name = "cage"')
+    began, bench = began or made.started_utc, 'name = "cage"'
+    header = RunHeader("r-cage", began, simulated, operator, made.dut, made.reference, bench=bench)
     with Store.open() as store, store.begin(header) as writer:
         for number, segment in enumerate(made.segments):
             rows = made.segment_index == number
@@ -281,13 +291,9 @@ def released(tmp_path: Path) -> Path:
             ):
                 writer.write(Block(stream, stream, names, t, values, b""))
             writer.write(SegmentClosed(t[-1]))
-    path = tmp_path / "released.json"
     session.draft("r-cage", session.fit_run("r-cage")[1][0], path)
     for name in ("ada", "bob"):
         session.new_key(name, WORDS)
-    session.approve(path, "bob")
-    for name in ("bob", "ada"):
-        session.sign(path, name, WORDS)
     return path
 
 
@@ -302,6 +308,7 @@ def signed_elsewhere(path: Path) -> None:
     [
         (lambda c: c.update(number="SIM-CAGE-2026-0009"), "number: SIM-CAGE-2026-0009 was never given out"),
         (lambda c: c.update(number="PTB 1"), "number: 'PTB 1' is no LAB-BENCH-YEAR-NNNN"),
+        (lambda c: c.update(number=None), "number: none is stated, and an approval gives one"),
         (lambda c: c.update(issued_utc="2019-01-01T00:00:00Z"), "issued_utc: 2019-01-01T00:00:00Z is before"),
     ],
 )
@@ -326,3 +333,36 @@ def test_a_date_of_issue_that_is_no_time_is_refused(released: Path):
     signed_elsewhere(released)
     with pytest.raises(InputError, match=r"issued_utc: .*is no time of a known zone"):
         session.verify(released)
+
+
+def test_one_that_is_issued_in_the_future_is_provisional(released: Path):
+    edited(released, lambda c: c.update(issued_utc="2139-01-01T00:00:00Z"))
+    signed_elsewhere(released)
+    found = session.verify(released)
+    assert found.status == "provisional"
+    assert "issued_utc is later than this computer's clock" in " ".join(found.sentences())
+
+
+def test_one_that_nobody_measured_is_provisional_whoever_signs_it(tmp_path: Path):
+    path = recorded(tmp_path / "cal.json", operator="")
+    edited(path, lambda c: c.update(approvers=["bob"], number="SIM-CAGE-2026-0001", issued_utc="2026-11-21T12:00:00Z"))
+    signed_elsewhere(path)
+    found = session.verify(path)
+    assert found.status == "provisional"
+    assert "nobody is said to have measured it" in " ".join(found.sentences())
+
+
+def test_a_clock_before_its_run_began_issues_nothing(tmp_path: Path):
+    path = recorded(tmp_path / "cal.json", "2139-01-01T00:00:00Z", simulated=False)
+    for step in (lambda: session.approve(path, "bob"), lambda: session.sign(path, "ada", WORDS)):
+        refused(step, path, "is before its run began, 2139-01-01T00:00:00Z")
+
+
+def test_a_bundle_of_a_run_that_was_recorded_here_has_what_the_audit_log_took_down(released: Path, tmp_path: Path):
+    with Store.open() as store:
+        save_bundle(store.bundle("r-cage", with_chain=True), tmp_path / "run.zip")
+    assert session.verify(released, run=tmp_path / "run.zip").status == "released"
+    audit.append(home(), "run", "Grace", {"run": "r-cage", "chain": "ab" * 32})
+    found = session.verify(released, run=tmp_path / "run.zip")
+    assert found.status == "provisional"
+    assert "the audit log says that r-cage was recorded here" in " ".join(found.sentences())

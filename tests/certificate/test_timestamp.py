@@ -113,6 +113,28 @@ def test_what_a_trusted_authority_stamped_before_outlives_its_key(draft: Path, t
         assert shown() is None
 
 
+def der(tag: int, content: bytes) -> bytes:
+    size = len(content)
+    return bytes([tag]) + (bytes([size]) if size < 128 else b"\x82" + size.to_bytes(2, "big")) + content
+
+
+def test_words_beside_a_token_are_no_time_of_it(draft: Path, tmp_path: Path):
+    """The status of a reply is signed by nobody, and openssl prints its words before the token's own time."""
+    ours = authority(tmp_path / "ours")
+    session.new_key("ada", PASSPHRASE)
+    signature = session.sign(draft, "ada", PASSPHRASE)
+    shutil.copy(ours / "ca.pem", home() / "keys" / "timestamp_ca.pem")
+    stamp(signature, ours)
+    honest = token_utc(draft)
+    reply = signature.with_name(f"{signature.name}.tsr")
+    token = reply.with_name("token")
+    out = ["openssl", "ts", "-reply", "-in", str(reply), "-token_out", "-out", str(token)]
+    subprocess.run(out, check=True, capture_output=True)
+    words = der(0x30, der(0x0C, b"x\nTime stamp: Jan  1 00:00:00 2020 GMT\n"))
+    reply.write_bytes(der(0x30, der(0x30, der(0x02, b"\0") + words) + token.read_bytes()))
+    assert token_utc(draft) == honest is not None
+
+
 def test_the_shown_time_decides_and_not_the_clock(draft: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     ours = authority(tmp_path / "ours")
     session.new_key("ada", PASSPHRASE)

@@ -277,6 +277,9 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
     assert working_out.recomputed(stated).same
     assert working_out.recomputed(stated, only_kept=True).same
     assert not working_out.recomputed(read_calibration(path)).same
+    path.write_bytes(calibration_bytes(stated))
+    edited(path, lambda c: c["effects"][0]["domain"][0]["hull"][1].__setitem__(0, 50.0))
+    assert working_out.recomputed(read_calibration(path)).why[0].startswith("effects[0].domain[0].hull[1][0]: 50 is")
 
 
 def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path, monkeypatch: pytest.MonkeyPatch):

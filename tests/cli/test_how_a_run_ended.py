@@ -46,3 +46,14 @@ def test_the_bar_says_at_once_that_the_store_is_waited_for():
     with Progress(console=Console(file=(shown := StringIO()), width=200)) as progress:
         Bar(progress).on_item(Event(1.0, NOT_KEPT, "the end of the run waits: s: the store was locked."))
     assert "! the end of the run waits: s: the store was locked." in shown.getvalue()
+
+
+@pytest.mark.parametrize(
+    "lab", ["coils NOT confirmed at zero", "coils NOT confirmed at zero; NOT at zero by the reference: it sees 5 nT"]
+)
+def test_what_its_end_says_of_the_coils_is_said_once(monkeypatch, capsys, lab):
+    ending = "failed: coils NOT confirmed at zero: tcp://a:1: no reply"
+    monkeypatch.setattr(Outcome, "at_rest", lab)
+    monkeypatch.setattr(session, "run", lambda *_, **__: Outcome("R1", "failed", LOCKED, ending=ending))
+    assert cli.execute(["run", "preflight", "--bench", "b.toml", "--yes", "--progress", "none"]) == 3
+    assert capsys.readouterr().err.splitlines()[0] == ending + lab.removeprefix("coils NOT confirmed at zero")

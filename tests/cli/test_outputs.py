@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import os
-import re
 import shutil
 import sqlite3
 from collections.abc import Iterator
@@ -18,10 +17,8 @@ from typer.models import OptionInfo
 import labcal.cli.commands
 from labcal.cli import app
 from labcal.cli import execute as labcal
-from labcal.files import outputs
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store import Store, write_bundle
-from labcal.store.live import FILE
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -278,8 +275,21 @@ def test_a_bundle_lies_in_no_folder_of_labcal_s_own(place: Place, home_of_its_ow
     assert not list(home_of_its_own.iterdir())
 
 
-def test_every_name_that_labcal_uses_in_its_folder_is_known_as_its_own() -> None:
-    texts = [file.read_text("utf-8") for file in Path(outputs.__file__).parent.rglob("*.py")]
-    names = {name for text in texts for name in re.findall(r'(?<!Path\.)home\(\) / "([^"]+)"', text)}
-    assert names - {"calibrations"} <= set(outputs.OWN)
-    assert outputs.STORE == FILE
+def test_a_folder_of_results_takes_no_signature_s_name(place: Place) -> None:
+    words = ["export", str(place.folder / "calibration-1.json"), "--format", "json", "--out"]
+    assert labcal([*words, str(place.folder / "calibration-1.json.2.sshsig")]) == 2
+    assert not (place.folder / "calibration-1.json.2.sshsig").exists()
+    assert labcal([*words, str(place.folder / "exported")]) == 0
+
+
+@pytest.mark.parametrize("name", ["approved/1.json", "runs-going-on/1.json", "logo.svg", "new.json", "New/new.json"])
+def test_in_labcal_s_folder_only_drafts_are_written(place: Place, home_of_its_own: Path, name: str) -> None:
+    out = home_of_its_own / name
+    out.parent.mkdir(exist_ok=True)
+    for there in (False, True):
+        if there:
+            out.write_text("labcal's own\n")
+        assert place.ask("runs --json", out, "--force") == 2
+        assert out.exists() == there
+    (home_of_its_own / "calibrations").mkdir()
+    assert place.ask("runs --json", home_of_its_own / "calibrations" / "draft.json") == 0

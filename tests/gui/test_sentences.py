@@ -73,7 +73,7 @@ def test_no_fault_has_a_form_here_that_nobody_says():
 @pytest.mark.parametrize(
     ("fault", "german_words"),
     [
-        ("reference: no sample for 2.1 s.", "reference: seit 2.1 s kein Wert."),
+        ("reference: no sample for 2.1 s.", "reference: seit 2,1 s kein Wert."),
         ("supply_x (tcp://10.0.0.7:5): the link is lost (reset).", "Die Verbindung ist verloren (reset)."),
         (
             "x: the link is lost. Plug it in, see that nobody else has opened it, then begin this step again.",

@@ -115,7 +115,7 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
     still.open_page("Start")
     still.app_state.quick_worker.answer(ListRuns, broken)
     mine, other = [start.interrupted.body.itemAt(n).widget() for n in (1, 2)]
-    assert [one.objectName() for one in (mine, other, start.morning)] == ["primary", "", ""]
+    assert [one.objectName() for one in (mine, other, start.calibrate)] == ["primary", "", ""]
     qtbot.waitUntil(mine.isVisible, timeout=patience)
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert mine.hasFocus()
@@ -125,7 +125,7 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
     assert mine.hasFocus()
     start.refresh()
     still.app_state.quick_worker.answer(ListRuns, ())
-    assert start.morning.objectName() == "primary"
+    assert start.calibrate.objectName() == "primary"
     path.take_runs(())
 
 

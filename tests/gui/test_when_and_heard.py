@@ -5,6 +5,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QApplication
@@ -17,7 +18,7 @@ from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.viewmodels.number_format import clock_time
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets import sounds
-from labcal.record.stream import Event, Prompt, Step
+from labcal.record.stream import Block, Event, Prompt, Step
 
 FILE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 BENCH = SimpleNamespace(clock=SimpleNamespace(now=lambda: 100.0))
@@ -147,3 +148,19 @@ def test_where_the_computer_can_it_plays_tones(qapp, tmp_path, monkeypatch):
     for one in ("needed", "done"):
         made.play(one)
     assert played == [0.4, 0.7]
+
+
+def test_of_what_takes_longer_than_planned_nothing_is_promised(still, monkeypatch):
+    """A run that is late said "Hands off · 0 s", and "Done at" a time that was past."""
+    run, live = still.app_state.run, still.page("Run").live
+    run.start(RunProcedure("preflight", "bench.toml"))
+    monkeypatch.setattr(run, "virtual_time", False)
+    step = Step(0.0, 1, 1, "sphere", 60.0, ("sphere",), 60.0)
+    still.app_state.bench_worker.items.emit((step,))
+    live.draw()
+    assert (live.headline.text(), live.until.text()[:13]) == ("Hands off · 60 s · sphere", "Done at about")
+    late = Block("angle", "stage", ("angle_deg",), np.array([61.0]), np.zeros((1, 1)))
+    still.app_state.bench_worker.items.emit((late,))
+    live.draw()
+    assert (live.headline.text(), live.until.text()) == ("Hands off · sphere", "")
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from labcal.record import ChannelSpec, Dut, Reference, Run, RunHeader, Segment
 from labcal.record.assemble import assemble
-from labcal.record.stream import Block, Event, Item, ModeChanged, SegmentClosed, SegmentOpened
+from labcal.record.stream import RESUMED, Block, Event, Item, ModeChanged, SegmentClosed, SegmentOpened
 
 HEADER = RunHeader(
     "r", "2026-03-02T08:15:00Z", True, "", Dut("S"), Reference("vector"), (ChannelSpec("temp", "degC", "temperature"),)
@@ -140,3 +140,14 @@ def test_a_segment_that_is_not_used_leaves_the_rows_and_its_second_try_keeps_a_n
     run = assemble(HEADER, [dut(t), *first, SegmentOpened(4.0, X), SegmentClosed(6.0)])
     assert [segment.id for segment in run.segments] == ["x-2"]
     np.testing.assert_array_equal(run.t_s, [4.0, 4.5, 5.0, 5.5])
+
+
+def test_a_turn_that_broke_off_ends_where_the_run_is_gone_on_with():
+    """A stop, a crash or a power cut closes no segment; what is recorded after it is of other steps, or of hands."""
+    t = np.arange(0.0, 10.0, 0.1)
+    broken = [SegmentOpened(0.0, X), Event(4.0, RESUMED, "goes on after an interruption")]
+    run = assemble(HEADER, [dut(t), *broken, SegmentOpened(8.0, X), SegmentClosed(9.0)])
+    assert [segment.id for segment in run.segments] == ["x", "x-2"]
+    first, again = run.t_s[run.rows(0)], run.t_s[run.rows(1)]
+    assert (first.max() < 4.0, again.min() >= 8.0) == (True, True)
+    assert len(run) == len(first) + len(again)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from labcal.record.stream import Event, Item, Measurement, Step
-from labcal.runner.run import RESUMED, resume_state
+from labcal.record.stream import RESUMED, Event, Item, Measurement, Step
+from labcal.runner.run import resume_state
 
 
 def steps(*names: str) -> list[Item]:

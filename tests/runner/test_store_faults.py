@@ -157,6 +157,18 @@ def test_the_coils_go_first_and_what_waits_is_kept_when_the_store_is_whole_again
         assert session.resume("R", bench_file(), seed=2).status == "finished"
 
 
+def test_a_disk_that_keeps_the_end_waiting_is_told_of_again(
+    bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writer, "SAY_S", 1.5)  # as on a bench where the way to rest has taken time
+    monkeypatch.setattr(writer, "PATIENCE_S", 1.5)
+    run = Broken(bench_file, monkeypatch, slow)
+    told = [item.text for item in run.told if isinstance(item, Event) and item.kind == NOT_KEPT]
+    assert [text.split(":")[0] for text in told] == ["the run ends", "the end of the run waits"]
+    for mend in run.mended:
+        mend()
+
+
 @pytest.mark.skipif(os.name != "posix", reason="an open file cannot be moved or removed on Windows")
 @pytest.mark.parametrize("breaks", [unlinked, replaced, moved, without_wal])
 def test_rows_for_a_file_that_lies_there_no_more_are_never_called_kept(

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from dask_cluster import Cluster, cluster_of
 from fleet import build, bytes_of
 
 from labcal.cli import execute as labcal
@@ -124,32 +125,16 @@ class Deadly(str):
 
 
 @pytest.fixture
-def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
-    """A scheduler and two workers, each a process, on loopback TCP: the address, and the workers."""
+def cluster(tmp_path: Path) -> Iterator[Cluster]:
     pytest.importorskip("distributed", reason="the extra `cluster` is not installed")
-    place = tmp_path / "scheduler.json"
-    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": tmp_path}
-    common = ["--no-dashboard", "--scheduler-file", str(place)]
-    tool = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", *common]
-    processes = [subprocess.Popen(tool, **quiet)]
-    try:
-        until(lambda: place.exists() and b"tcp://" in place.read_bytes())
-        address = place.read_text().split('"address": "')[1].split('"')[0]
-        worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, "--host", "127.0.0.1",
-                  "--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory", str(tmp_path)]  # fmt: skip
-        workers = [subprocess.Popen(worker, **quiet) for _ in range(2)]
-        processes += workers
-        yield address, workers
-    finally:
-        for process in reversed(processes):
-            process.kill()
-            process.wait()
+    with cluster_of(2, tmp_path) as found:
+        yield found
 
 
 def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bytes(
-    study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: tuple[str, list[subprocess.Popen[bytes]]]
+    study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: Cluster
 ) -> None:
-    address, workers = cluster
+    address, workers = cluster.address, cluster.workers
 
     def kill_at_two(done: int, of: int) -> None:
         if done == 2:
@@ -162,9 +147,9 @@ def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bytes(
 
 
 def test_a_study_on_a_cluster_that_was_killed_goes_on_to_the_same_bytes(
-    study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: tuple[str, list[subprocess.Popen[bytes]]]
+    study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: Cluster
 ) -> None:
-    out, (address, _) = tmp_path / "out", cluster
+    out, address = tmp_path / "out", cluster.address
     command = [sys.executable, "-m", "labcal", "study", str(study), "--out", str(out), "--scheduler", address]
     process = subprocess.Popen(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
     until(lambda: len(list(out.glob("jobs/*.json"))) >= 1)

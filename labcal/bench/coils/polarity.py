@@ -37,8 +37,9 @@ class ReversedSupply:
         return self._known_sign() * self._supply.set_point()
 
     def measure_current(self) -> float:
-        """The signed delivered current [A]."""
-        return self._known_sign() * self._supply.measure_current()
+        """The signed delivered current [A]; what is below its zero needs no sign, and no contacts that answer."""
+        current = self._supply.measure_current()
+        return current if self._sign is None and abs(current) < self.zero_current_A else self._known_sign() * current
 
     def write_current(self, current_A: float) -> None:
         """Send a current of the sign that it has, smaller or zero, and wait for nothing: contacts are not moved."""

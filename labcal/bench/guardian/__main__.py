@@ -19,7 +19,6 @@ from pathlib import Path
 from labcal.bench.essentials import as_table, of_table
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.briefing import BRIEFED, Briefing, briefing_of
-from labcal.bench.guardian.client import DRIVEN
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
 from labcal.bench.guardian.logbook import note, written
@@ -51,9 +50,8 @@ class Watch:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
         config, named = self._bench.config, os.path.abspath(self._bench.named)
-        ports.announce(
-            card | {"bench": str(self._path), "named": named, "supplies": supplies_of(config), DRIVEN: as_table(config)}
-        )
+        driven = {"supplies": supplies_of(config), ports.DRIVEN: as_table(config)}
+        ports.announce(card | {"bench": str(self._path), "named": named} | driven)
         signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()

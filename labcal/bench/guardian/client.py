@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
 
 BEAT_S = 0.05
-DRIVEN = "driven"  # in a guardian's card: the essentials of its bench, for who finds it dead
 NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, PermissionError, socket.timeout)
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S, AGAIN_S = 20.0, 1.0
@@ -337,7 +336,7 @@ def guarding(bench: Path, known: Sequence[object] = ()) -> list[Connection]:
 
 def driven_before(bench: Path) -> list[Essentials]:
     """What guardians drove that were started for this bench file and died without bringing it to an end."""
-    tables = (card.get(DRIVEN) for card in ports.left_behind() if _is_of(bench, card))
+    tables = (card.get(ports.DRIVEN) for card in ports.left_behind() if _is_of(bench, card))
     benches = [of_table(table) for table in tables if isinstance(table, dict)]
     return [one for k, one in enumerate(benches) if one is not None and one not in benches[:k]]
 

@@ -67,22 +67,25 @@ def look(path: Path) -> dict[str, Any] | None:
     if file is None:
         return None
     with file:
-        if try_lock(file):
-            return None
-        try:
-            card = json.loads(file.read(LONGEST))
-        except (ValueError, RecursionError):
-            return {}
-        return card if isinstance(card, dict) else {}
+        return None if try_lock(file, to_look=True) else read(file)
+
+
+def read(file: IO[str]) -> dict[str, Any]:
+    """What is written there; {} where that is nothing, or spoilt."""
+    try:
+        file.seek(0)
+        card = json.loads(file.read(LONGEST))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return card if isinstance(card, dict) else {}
 
 
 def left_behind(path: Path) -> dict[str, Any]:
     """What a process had written here that died without giving the lock back; {} where one has it, or none did."""
-    with suppress(OSError, ValueError, RecursionError):
+    with suppress(OSError):
         if (file := _open(path)) is not None:
             with file:
-                card = json.loads(file.read(LONGEST)) if try_lock(file) else {}
-            return card if isinstance(card, dict) else {}
+                return read(file) if try_lock(file, to_look=True) else {}
     return {}
 
 
@@ -94,12 +97,12 @@ def text_of(path: Path) -> str:
         return file.read(LONGEST)
 
 
-def write(file: IO[str], card: dict[str, Any] | None) -> None:
+def write(file: IO[str], card: dict[str, Any]) -> None:
     """Say how the holder is reached, or nothing; where the disk is full nothing is said."""
     with suppress(OSError):
         file.seek(0)
         file.truncate()
-        file.write("" if card is None else json.dumps(card))
+        file.write(json.dumps(card) if card else "")
         file.flush()
 
 
@@ -138,8 +141,8 @@ def stands(file: IO[str], path: Path) -> bool:
     return False
 
 
-def try_lock(file: IO[str]) -> bool:
-    """Whether the lock could be had now."""
+def try_lock(file: IO[str], *, to_look: bool = False) -> bool:
+    """Whether the lock could be had now; `to_look`: together with others who only look, where the system has that."""
     try:
         if sys.platform == "win32":
             import msvcrt
@@ -150,7 +153,7 @@ def try_lock(file: IO[str]) -> bool:
         else:
             import fcntl
 
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.flock(file, (fcntl.LOCK_SH if to_look else fcntl.LOCK_EX) | fcntl.LOCK_NB)
     except OSError:
         file.seek(0)
         return False

@@ -29,6 +29,8 @@ __all__ = [
 
 GUARDIAN = "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile."
 PROGRAM = "End it, then begin this step again."  # a labcal that talks to one instrument, and brings nothing to zero
+DRIVEN = "driven"  # in a guardian's card: the essentials of its bench, for who finds it dead
+BEFORE = "before"  # in the card of who came after it, and has not brought its coils to an end yet: that card
 
 
 @dataclass
@@ -111,7 +113,7 @@ def hold(urls: Iterable[str]) -> bool:
             return False
         taken.append(lock)
     for lock in taken:
-        _say(lock, None)  # not what a holder before this one announced
+        _say(lock, {})  # not how a holder before this one is reached
         with suppress(OSError):
             lock.take_device(patience_s=0.0)
     _held.update({lock.port: lock for lock in taken})
@@ -162,9 +164,12 @@ def announced() -> list[dict[str, Any]]:
 
 
 def left_behind() -> list[dict[str, Any]]:
-    """What processes had announced that died without letting go of their ports, in all folders this user may see."""
+    """What processes had announced that died without letting go of their ports, in all folders this user may see.
+
+    Of a guardian also where others died after it on the same ports, who had announced nothing of coils.
+    """
     cards = [locks.left_behind(path) for folder in folders() for path in sorted(folder.glob("port-*.lock"))]
-    return [card for card in cards if card]
+    return [_driving(card) or card for card in cards if card]
 
 
 def refuse_connected(urls: Iterable[str]) -> None:
@@ -228,9 +233,18 @@ def _take_device(url: str, lock: Lock) -> None:
         raise _opened(url, lock.port) from error
 
 
-def _say(lock: Lock, card: dict[str, Any] | None) -> None:
+def _say(lock: Lock, card: dict[str, Any]) -> None:
+    """Whoever dies before he has brought to zero what was driven here leaves behind what he found."""
     if lock.file is not None:
-        locks.write(lock.file, card)
+        before = {} if DRIVEN in card else _driving(locks.read(lock.file))
+        locks.write(lock.file, card | ({BEFORE: before} if before else {}))
+
+
+def _driving(card: dict[str, Any]) -> dict[str, Any]:
+    """This card, or the one before it, of a guardian; {} where neither is."""
+    before = card.get(BEFORE)
+    found = card if DRIVEN in card else before
+    return found if isinstance(found, dict) else {}
 
 
 def _in_use(url: str, card: dict[str, Any]) -> InstrumentError:

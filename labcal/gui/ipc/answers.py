@@ -384,3 +384,4 @@ class CalibrationFile:
     until: str = ""  # the last day on which it is good
     left_open: tuple[str, ...] = ()  # what the specification limits and nothing determined
     figures: tuple[Figure, ...] = ()
+    simulated: bool = False

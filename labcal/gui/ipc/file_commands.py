@@ -123,6 +123,7 @@ def _calibration(path: Path) -> CalibrationFile:
         findings=found.findings,
         operator=found.operator,
         approvers=found.approvers,
+        simulated=found.simulated,
         standing=_standing(path, session.verify(path, only_kept=True)),
         specification=stated_lines(found),
         until=found.validity.until or "",

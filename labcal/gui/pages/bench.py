@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from math import hypot
 from pathlib import Path
 from typing import Any
@@ -11,14 +12,15 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Earth, Identified, Instrument
-from labcal.gui.ipc.messages import FindOnLines, FindSimulatedBench, Identify
+from labcal.gui.ipc.messages import FindOnLines, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, old_s
+from labcal.gui.viewmodels.number_format import format_number, short_number
+from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
 from labcal.gui.widgets.common import Card, button, label, set_primary, shrinkable
@@ -258,7 +260,7 @@ class BenchPage(QWidget):
     def show_readings(self) -> None:
         """What each instrument sent last; the coils' currents as they were read back."""
         run, now, facts = self._app_state.run, self._app_state.lab.state.now, self._app_state.facts
-        ages = {name: age_words(old_s) for name, old_s in now.heard_old_s}
+        ages = {name: age_words(since) for name, since in now.heard_old_s}
         seen = now.field_measured_nT  # what the panel at the right says of it
         for row in range(self.table.rowCount()):
             role, name = self.table.text(row, 0), self.table.text(row, 1)
@@ -270,6 +272,7 @@ class BenchPage(QWidget):
             elif role == "reference" and seen is not None:
                 words, age = reading_text(role, seen), age_words(now.field_old_s)
             elif said is not None:
+                age = age_words(old_s(run.read_s[name], time.monotonic())) or age  # to answer is no reading
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
             old = bool(age) and words != "–"
             text = f"{words}   {age}" if old else words
@@ -312,14 +315,9 @@ class BenchPage(QWidget):
         return self.tr("<br>{0} here, outdoors: {1} ± {2} nT").format(earth.model, size, U)
 
     def _limits(self, cage: Cage) -> str:
-        most = " / ".join(f"{one:g}" for one in dict.fromkeys(cage.limit_A))
+        most = " / ".join(map(short_number, dict.fromkeys(cage.limit_A)))
         field = format_number(cage.limit_nT, 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
-
-
-def open_simulated_bench(app_state: AppState) -> None:
-    """Take the simulated lab."""
-    app_state.request(FindSimulatedBench(), app_state.open_bench)
 
 
 def reading_text(role: str, values: Any) -> str:

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QGridLayout,
@@ -33,6 +33,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.certificate_paper import Paper
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step, standing_word, state_of
@@ -40,6 +41,7 @@ from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, label, plain, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.stated_fields import StatedFields
 
@@ -195,12 +197,15 @@ class CertificatePage(QWidget):
         before = self.chosen()
         kept = self._wanted or (before.path if before is not None else "")
         self._files = {one.path: one for one in files}
+        quiet = QSignalBlocker(self.list)  # with none chosen for a moment, what has the focus would lose it
         self.list.clear()
         for one in files:
-            self.list.addItem(f"{standing_word(one.standing)}  {one.dut.serial}\n{Path(one.path).stem}")
+            simulated = f"  {translated('SIMULATED')}" if one.simulated else ""
+            self.list.addItem(f"{standing_word(one.standing)}  {one.dut.serial}{simulated}\n{Path(one.path).stem}")
             self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one.path)
         paths = list(self._files)
         self.list.setCurrentRow(paths.index(kept) if kept in paths else 0)
+        quiet.unblock()
         for widget in (self.empty, self.to_fit):
             widget.setVisible(not files)
         self._wanted = ""
@@ -229,6 +234,7 @@ class CertificatePage(QWidget):
             state = "" if draft else state_of(standing)
             approved = ", ".join(one.approvers) or self.tr("nobody yet")
             words = [self.tr("Draft: not signed.")] if draft else list(map(in_words, standing.sentences))
+            words += [in_words("SIMULATED: it describes no real sensor.")] if draft and one.simulated else []
             words.append(self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved))
             self.standing.setText(" ".join(words))
             set_state(self.standing, state)
@@ -301,7 +307,8 @@ class CertificatePage(QWidget):
         def known() -> None:
             if self.signer.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive) < 0:
                 self.signer.addItem(name)  # nobody waits for the new list
-            self._enable()
+            with focus_kept_in(self, self.approver, self.signer):
+                self._enable()
             self.said.setText(made)
 
         self._ask(NewKey(name, self.passphrase.text()), self.signer, known)

@@ -12,7 +12,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.loop_words import said_plainly
+from labcal.gui.viewmodels.loop_words import VERDICTS, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
@@ -22,17 +22,9 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.whole_text import WholeText
 from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.records import EffectRecord, Rival
-
-WORDS = {
-    "clean": ("✓ CLEAN", "good"),
-    "explained": ("✓ EXPLAINED", "good"),
-    "partly-explained": ("▲ PARTLY EXPLAINED", "warning"),
-    "ambiguous": ("? AMBIGUOUS", "warning"),
-    "unexplained": ("✕ UNEXPLAINED", "bad"),
-}
-
 
 Cause = EffectRecord | Rival
 
@@ -153,6 +145,7 @@ class LoopPage(QWidget):
         self.others = QListWidget()
         self.others.setWordWrap(True)
         self.others.setTextElideMode(Qt.TextElideMode.ElideNone)  # Qt would cut what is of several lines
+        self.others.setItemDelegate(WholeText(self.others))
         self.others.setResizeMode(QListWidget.ResizeMode.Adjust)
         self.others.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.others.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
@@ -254,7 +247,7 @@ class LoopPage(QWidget):
         self.waiting.setVisible(study.busy)
 
     def _show_loop(self, loop: Loop) -> None:
-        words, state = WORDS[loop.verdict]
+        words, state = VERDICTS[loop.verdict]
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))

@@ -11,6 +11,7 @@ from labcal.gui.pages.run_live import Live
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import FaceStack
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.plots import Loci, Traces
 
 
@@ -45,7 +46,7 @@ class RunPage(QWidget):
         yield True
         self.live = Live(self._app_state, theme, loci, traces)
         self.faces.addWidget(self.live)
-        self.live.put_away.connect(lambda: self.faces.setCurrentWidget(self.choose))
+        self.live.put_away.connect(self._put_away)
         self._app_state.run.changed.connect(self._show)
         self._show()
         yield True
@@ -64,4 +65,9 @@ class RunPage(QWidget):
 
     def _show(self) -> None:
         if self._app_state.run.alive or self._app_state.run.state == "ended":
-            self.faces.setCurrentWidget(self.live)
+            with focus_kept_in(self, self.live.note, self.live.close_run):
+                self.faces.setCurrentWidget(self.live)
+
+    def _put_away(self) -> None:
+        with focus_kept_in(self, self.choose.start, self.choose.list):
+            self.faces.setCurrentWidget(self.choose)

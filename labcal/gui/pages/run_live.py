@@ -369,14 +369,14 @@ class Live(QWidget):
             return alarm
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
-        wait = "" if left is None else f"{left:.0f} s"
+        wait = f"{left:.0f} s" if left else ""  # of what takes longer than planned nothing is promised
         return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)
 
     def _until(self) -> str:
         """When it is done and when a person is needed before that, by the clock on the wall; "" while one is."""
         run, now = self._run, datetime.now()
         done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
-        if done_s is None or alarm_of(self._app_state.lab.state.now.coil_words):
+        if not done_s or alarm_of(self._app_state.lab.state.now.coil_words):
             return ""
         done = self.tr("Done at about {0}").format(clock_time(now, done_s))
         if needed_s is None or run.step is None:

@@ -9,13 +9,15 @@ from PySide6.QtCore import QDate, QLocale, Qt
 from PySide6.QtWidgets import QApplication, QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Checked, RunLine
-from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
+from labcal.gui.ipc.messages import LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.number_format import format_number, short_number
+from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.run_chooser import run_title
 
@@ -79,15 +81,12 @@ class StartPage(QWidget):
         self.morning = button(
             translated(MORNING),
             self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
-            primary=True,
         )
         self.morning.clicked.connect(self._morning)
-        self.calibrate = button(self.tr("Calibrate a DUT"), self.tr("The preflight on the Run page"))
+        self.calibrate = button(self.tr("Calibrate a DUT"), self.tr("The preflight on the Run page"), primary=True)
         self.calibrate.clicked.connect(lambda: self._app_state.open_procedure("preflight"))
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
-        self.simulated.clicked.connect(
-            lambda: self._app_state.request(FindSimulatedBench(), self._app_state.open_bench)
-        )
+        self.simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
         self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
         self.open.clicked.connect(lambda: self._app_state.page_requested.emit("Bench"))
         self.logo, self.laboratory = Logo(), label("", "caption", wrap=True)
@@ -134,11 +133,12 @@ class StartPage(QWidget):
         )
         self._point()
         known = facts is not None
-        for widget in (self.simulated, self.open):
-            widget.setVisible(not known)
-        for widget in (self.morning, self.calibrate):
-            widget.setVisible(known)
-            widget.setEnabled(not self._app_state.run.alive)
+        with focus_kept_in(self, self.calibrate):
+            for widget in (self.morning, self.calibrate):
+                widget.setVisible(known)
+                widget.setEnabled(not self._app_state.run.alive)
+            for widget in (self.simulated, self.open):
+                widget.setVisible(not known)
 
     def _not_ready(self) -> str:
         """What the lab itself has against a run, as the side panel shows it; "" where nothing."""
@@ -192,7 +192,7 @@ class StartPage(QWidget):
         days = days_since(said.run.started_utc)
         words = self.tr("Checked {0}, {1} days ago.").format(said.run.started_utc[:10], days)
         if (worst := said.measurement) is not None:
-            words += f"\n{worst.name}: {format_number(worst.value)} {worst.unit} ({worst.limit:g})"
+            words += f"\n{worst.name}: {format_number(worst.value)} {worst.unit} ({short_number(worst.limit)})"
         self._say_cage(words, days, said.verdict)
 
     def _say_cage(self, words: str, days: int, verdict: str) -> None:
@@ -233,7 +233,7 @@ class StartPage(QWidget):
         self._list_interrupted(broken)
         if had_focus:  # else Qt gives it to the DUT's serial, selected: the next key would replace it
             again = (one for _, one in self._to_go_on_with)
-            there = next((one for one in again if one.objectName() == "primary"), self.morning)
+            there = next((one for one in again if one.objectName() == "primary"), self.calibrate)
             there.show()
             there.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -259,7 +259,7 @@ class StartPage(QWidget):
         mine = [serial == self._app_state.lab.state.dut_serial for serial, _ in self._to_go_on_with]
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first)
-        set_primary(self.morning, not any(mine))
+        set_primary(self.calibrate, not any(mine))
 
 
 def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:

@@ -8,6 +8,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Opening {0} …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Scanned {0}; a run goes on, its DUT stays.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -20,7 +24,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a bench on the Bench page first.</source>
+        <source>Open a bench first: yours, or the simulated lab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1010,6 +1014,26 @@
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the earlier corrects {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the later corrects {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4746,6 +4770,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write this picture to a .png file, as it is shown</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4810,15 +4842,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Approved by {0}. Now both sign, each under their own name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4906,7 +4930,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: Fit.</source>
+        <source>Fit, Loop, Certificate: Next leads there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5011,6 +5035,10 @@
     </message>
     <message>
         <source>This run states no specification to judge it by.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the simulated lab …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -8,6 +8,10 @@
         <translation>Eine Messung läuft; einen anderen Messplatz danach öffnen.</translation>
     </message>
     <message>
+        <source>Opening {0} …</source>
+        <translation>{0} wird geöffnet …</translation>
+    </message>
+    <message>
         <source>Scanned {0}; a run goes on, its DUT stays.</source>
         <translation>{0} gescannt; eine Messung läuft, ihr Prüfling bleibt.</translation>
     </message>
@@ -20,8 +24,8 @@
         <translation>{0} gescannt: Das ist der Prüfling oben.</translation>
     </message>
     <message>
-        <source>Choose a bench on the Bench page first.</source>
-        <translation>Zuerst auf der Seite Messplatz einen Messplatz wählen.</translation>
+        <source>Open a bench first: yours, or the simulated lab.</source>
+        <translation>Zuerst einen Messplatz öffnen: den eigenen oder das simulierte Labor.</translation>
     </message>
     <message>
         <source>Scan or type the DUT&apos;s serial at the top.</source>
@@ -1011,6 +1015,26 @@
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
         <translation>Jede Last wird nacheinander geschaltet, die anderen bleiben aus. Hände weg?</translation>
+    </message>
+    <message>
+        <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
+        <translation>{0} von {1} Größen haben sich um mehr als ihre Unsicherheit geändert; am meisten E_n = {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
+        <translation>Keine Größe hat sich um mehr als ihre Unsicherheit geändert; am meisten E_n = {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
+        <translation>Ob sich der Sensor geändert hat, lässt sich nicht sagen: Eine Kalibrierung nennt keine Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Only the earlier corrects {0}.</source>
+        <translation>Nur die frühere korrigiert {0}.</translation>
+    </message>
+    <message>
+        <source>Only the later corrects {0}.</source>
+        <translation>Nur die spätere korrigiert {0}.</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
@@ -4810,16 +4834,16 @@
         <translation>Nicht verwenden: auf der Seite Fit einen neuen Entwurf machen.</translation>
     </message>
     <message>
-        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
-        <translation>Eine andere Person als {0} genehmigt, dann unterschreiben beide. Niemand da? Allein unterschreiben: dann VORLÄUFIG.</translation>
+        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation>Eine andere Person als {0} genehmigt und unterschreibt; hat sie keinen Schlüssel, macht der Knopf Neu unten einen. Niemand da? Allein unterschreiben: dann VORLÄUFIG.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
+        <translation>Genehmigt von {0}; diese Person muss jetzt unterschreiben. Der Bediener darf es auch.</translation>
     </message>
     <message>
         <source>the operator</source>
         <translation>der Bediener</translation>
-    </message>
-    <message>
-        <source>Approved by {0}. Now both sign, each under their own name.</source>
-        <translation>Genehmigt von {0}. Jetzt unterschreiben beide, jeder unter eigenem Namen.</translation>
     </message>
     <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
@@ -4906,8 +4930,8 @@
         <translation>Andere</translation>
     </message>
     <message>
-        <source>Next: Fit.</source>
-        <translation>Weiter: Fit.</translation>
+        <source>Fit, Loop, Certificate: Next leads there.</source>
+        <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
@@ -5012,6 +5036,10 @@
     <message>
         <source>This run states no specification to judge it by.</source>
         <translation>Dieser Lauf gibt keine Spezifikation an, an der es zu messen wäre.</translation>
+    </message>
+    <message>
+        <source>Opening the simulated lab …</source>
+        <translation>Das simulierte Labor wird geöffnet …</translation>
     </message>
 </context>
 <context>

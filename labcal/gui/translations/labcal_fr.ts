@@ -8,6 +8,10 @@
         <translation>Une mesure est en cours ; ouvrez un autre banc après elle.</translation>
     </message>
     <message>
+        <source>Opening {0} …</source>
+        <translation>Ouverture de {0} …</translation>
+    </message>
+    <message>
         <source>Scanned {0}; a run goes on, its DUT stays.</source>
         <translation>{0} lu ; une mesure est en cours, son DUT reste.</translation>
     </message>
@@ -20,8 +24,8 @@
         <translation>{0} lu : c&apos;est le DUT indiqué en haut.</translation>
     </message>
     <message>
-        <source>Choose a bench on the Bench page first.</source>
-        <translation>Choisissez d&apos;abord un banc à la page Banc.</translation>
+        <source>Open a bench first: yours, or the simulated lab.</source>
+        <translation>Ouvrez d&apos;abord un banc : le vôtre, ou le laboratoire simulé.</translation>
     </message>
     <message>
         <source>Scan or type the DUT&apos;s serial at the top.</source>
@@ -1011,6 +1015,26 @@
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
         <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
+        <translation>{0} grandeurs sur {1} ont changé de plus que leur incertitude ; la plus forte est E_n = {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
+        <translation>Aucune grandeur n&apos;a changé de plus que son incertitude ; la plus forte est E_n = {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
+        <translation>On ne peut dire si le capteur a changé : un étalonnage n&apos;indique pas d&apos;incertitude.</translation>
+    </message>
+    <message>
+        <source>Only the earlier corrects {0}.</source>
+        <translation>Seul l&apos;ancien corrige {0}.</translation>
+    </message>
+    <message>
+        <source>Only the later corrects {0}.</source>
+        <translation>Seul le nouveau corrige {0}.</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
@@ -4810,16 +4834,16 @@
         <translation>Ne l&apos;utilisez pas : refaites un projet à la page Ajuster.</translation>
     </message>
     <message>
-        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
-        <translation>Une autre personne que {0} approuve, puis les deux signent. Personne ? Signez seul : c&apos;est PROVISOIRE.</translation>
+        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation>Une autre personne que {0} approuve et signe ; sans clé, « Créer clé » ci-dessous en fait une. Personne ? Signez seul : c&apos;est PROVISOIRE.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
+        <translation>Approuvé par {0}, qui doit signer maintenant. L&apos;opérateur peut signer aussi.</translation>
     </message>
     <message>
         <source>the operator</source>
         <translation>l&apos;opérateur</translation>
-    </message>
-    <message>
-        <source>Approved by {0}. Now both sign, each under their own name.</source>
-        <translation>Approuvé par {0}. Les deux signent maintenant, chacun sous son nom.</translation>
     </message>
     <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
@@ -4906,8 +4930,8 @@
         <translation>Autres</translation>
     </message>
     <message>
-        <source>Next: Fit.</source>
-        <translation>Suite : Ajuster.</translation>
+        <source>Fit, Loop, Certificate: Next leads there.</source>
+        <translation>Ajuster, Causes, Certificat : Suite y mène.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
@@ -5012,6 +5036,10 @@
     <message>
         <source>This run states no specification to judge it by.</source>
         <translation>Cette mesure n&apos;indique aucune spécification pour en juger.</translation>
+    </message>
+    <message>
+        <source>Opening the simulated lab …</source>
+        <translation>Ouverture du laboratoire simulé …</translation>
     </message>
 </context>
 <context>

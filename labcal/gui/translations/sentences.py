@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from functools import cache, lru_cache
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, TITLES
@@ -126,17 +126,37 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "Fields are played as {0} wants them, within the limits. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "Every load is switched in turn, the others stay off. Hands off?"),
 )
-FORMS = tuple(str(form) for form in (*COILS, *QUESTIONS, *FAULTS, *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS))
+CHANGES = (  # from one calibration to the next
+    QT_TRANSLATE_NOOP(
+        "Data", "{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3})."
+    ),
+    QT_TRANSLATE_NOOP("Data", "No figure changed by more than its uncertainty; the largest is E_n = {0} ({1})."),
+    QT_TRANSLATE_NOOP("Data", "Whether the sensor changed cannot be said: a calibration states no uncertainty."),
+    QT_TRANSLATE_NOOP("Data", "Only the earlier corrects {0}."),
+    QT_TRANSLATE_NOOP("Data", "Only the later corrects {0}."),
+)
+MEASURED = re.compile(r"(?<![\w.:])\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
+FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
+FORMS = tuple(
+    str(form) for form in (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS)
+)
 WHOLE = frozenset(form for form in FORMS if "{" not in form)
 
 
 def in_words(sentence: str) -> str:
     """`sentence` in the window's language, where it, or one of several in it, has one of these forms; else as it is."""
+    if figure := FIGURE.fullmatch(sentence):
+        return f"{QCoreApplication.translate('Words', figure[1])} {figure[2]}"
     if (found := form_of(sentence)) is None:
         first, rest = (re.split(r"(?<=[.?!]) ", sentence, maxsplit=1) + [""])[:2]
         return f"{in_words(first)} {in_words(rest)}" if rest else sentence
     form, filled = found
-    return QCoreApplication.translate("Data", form).format(*map(in_words, filled))
+    return _by_locale(QCoreApplication.translate("Data", form).format(*map(in_words, filled)))
+
+
+def _by_locale(sentence: str) -> str:
+    """Numbers that have a unit with the language's decimal mark; what is no number of a reading stays."""
+    return MEASURED.sub(lambda found: found[0].replace(".", QLocale().decimalPoint()), sentence)
 
 
 @lru_cache(500)

@@ -169,10 +169,12 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "does about as well as {0}"),
     QT_TRANSLATE_NOOP("Words", "Do not use it: make a new draft on the Fit page."),
     QT_TRANSLATE_NOOP(
-        "Words", "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
+        "Words",
+        "Another person than {0} approves, and signs; without a key, New key below makes one. "
+        "Nobody there? Sign alone: it is PROVISIONAL.",
     ),
     QT_TRANSLATE_NOOP("Words", "the operator"),
-    QT_TRANSLATE_NOOP("Words", "Approved by {0}. Now both sign, each under their own name."),
+    QT_TRANSLATE_NOOP("Words", "Approved by {0}, who has to sign now. The operator may sign as well."),
     QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL; {0} has still to sign."),
     QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL: nobody approved it before it was signed."),
     QT_TRANSLATE_NOOP("Words", "Done: hand it out."),

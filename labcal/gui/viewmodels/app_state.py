@@ -104,13 +104,17 @@ class AppState(QObject):
             return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
         path = str(absolute(Path(bench)))
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
-        return self.request(ReadBench(path), partial(self._bench_known, path))
+        self.lab.update(message=self.tr("Opening {0} …").format(Path(path).name))
+        return self.quick_worker.request(ReadBench(path), partial(self._bench_known, path), self._not_opened)
+
+    def _not_opened(self, fault: Fault) -> None:
+        self.lab.update(message="")
+        self.fault.emit(fault)
 
     def _bench_known(self, path: str, facts: Bench) -> None:
         if path != self.bench:
             self.forget()
-        if path != self.bench or self.facts is None:
-            self.lab.update(message="")
+        self.lab.update(message="")
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
@@ -214,7 +218,7 @@ class AppState(QObject):
         """What is missing before a run may start; "" where nothing is."""
         state = self.lab.state
         if not self.facts:
-            return self.tr("Choose a bench on the Bench page first.")
+            return self.tr("Open a bench first: yours, or the simulated lab.")
         if not state.dut_serial:
             return self.tr("Scan or type the DUT's serial at the top.")
         if said := self.serial_objection(state.dut_serial):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.calibration_rows import Cell
-from labcal.gui.viewmodels.number_format import decimals_for, format_number
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number
 from labcal.uncertainty.conformity import Changes, Judged, ratio_in_words, risk_in_words
 
 SPECIFICATION = ("figure", "value", "± U", "limit ±", "unit", "result", "risk", "TUR")
@@ -55,7 +56,7 @@ def change_rows(found: Changes) -> list[list[Cell]]:
         numbers = [format_number(value, decimals) for value in (row.found, row.left)]
         moved = Cell(f"▲ {translated('changed')}", state="warning") if row.changed else Cell("")
         right = [Cell(text, right=True) for text in (*numbers, U)]
-        rows.append([Cell(row.quantity), *right, Cell(row.unit), Cell(e_n, right=True), moved])
+        rows.append([Cell(in_words(row.quantity)), *right, Cell(row.unit), Cell(e_n, right=True), moved])
     return rows
 
 
@@ -63,10 +64,10 @@ def _line(line: Judged) -> list[Cell]:
     decimals = decimals_for(line.U, line.value)
     shape, word, state = RESULTS[line.result]
     return [
-        Cell(line.quantity),
+        Cell(in_words(line.quantity)),
         Cell(format_number(line.value, decimals), right=True),
         Cell(format_number(line.U, decimals, signed=False), right=True),
-        Cell(f"{line.limit:g}", right=True),
+        Cell(short_number(line.limit), right=True),
         Cell(line.unit),
         Cell(f"{shape} {translated(word)}", state=state),
         Cell(risk_in_words(line.risk), right=True),

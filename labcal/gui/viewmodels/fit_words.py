@@ -13,7 +13,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.ipc.answers import Fitted
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import RESULTS, verdict
-from labcal.gui.viewmodels.number_format import decimals_for, format_number
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number
 from labcal.uncertainty.conformity import Judged
 
 STATES = ("", "good", "warning", "bad")
@@ -59,4 +59,4 @@ def _by_the_specification(lines: Sequence[Judged]) -> tuple[str, str]:
 def _line(line: Judged) -> str:
     decimals = decimals_for(line.U, line.value)
     value, U = format_number(line.value, decimals), format_number(line.U, decimals, signed=False)
-    return f"{line.quantity} {value} ± {U} {line.unit} (± {line.limit:g})"
+    return f"{line.quantity} {value} ± {U} {line.unit} (± {short_number(line.limit)})"

@@ -61,14 +61,14 @@ def lab_now(lab: state.LabState | None, received_s: float, roles: Mapping[str, s
     at_zero = all(coil.zero for coil in lab.coils)
     return LabNow(
         coil_A=tuple(coil.current_A for coil in lab.coils),
-        coil_old_s=_old_s(now_s - lab.age_s(now_s), now_s) if known else None,
+        coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s),
         coils_at_zero=lab.at_zero(now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
-        field_old_s=_old_s(lab.field.read_s, now_s),
+        field_old_s=old_s(lab.field.read_s, now_s),
         lights=_lights(lab, received_s, roles, now_s),
-        heard_old_s=tuple((one.name, _old_s(one.heard_s, now_s)) for one in lab.instruments),
+        heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
 
 
@@ -97,7 +97,8 @@ def alarm_of(coil_words: str) -> str:
     return f"{shape} {in_words(coil_words.partition(';')[0].partition(':')[0])}" if mark == "bad" else ""
 
 
-def _old_s(read_s: float | None, now_s: float) -> int | None:
+def old_s(read_s: float | None, now_s: float) -> int | None:
+    """Whole seconds since `read_s`; None where that is fresh, or unknown."""
     old = read_s is not None and now_s - read_s > state.FRESH_S
     return int(now_s - read_s) if old and read_s is not None else None
 
@@ -118,7 +119,7 @@ def _light(
     heard_s = None if heard is None else heard.heard_s
     if heard_s is None and role.startswith(WITH_COILS):
         heard_s = coils_s
-    words = age_words(_old_s(heard_s, now_s))
+    words = age_words(old_s(heard_s, now_s))
     if heard is not None and heard.fault:
         return name, "fault", ", ".join(filter(None, (in_words(heard.fault), words)))
     if heard_s is None:

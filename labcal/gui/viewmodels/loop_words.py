@@ -8,6 +8,13 @@ from labcal.gui.ipc.answers import Loop
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.study import cause_name
 
+VERDICTS = {  # with its colour
+    "clean": ("✓ CLEAN", "good"),
+    "explained": ("✓ EXPLAINED", "good"),
+    "partly-explained": ("▲ PARTLY EXPLAINED", "warning"),
+    "ambiguous": ("? AMBIGUOUS", "warning"),
+    "unexplained": ("✕ UNEXPLAINED", "bad"),
+}
 MEANS = {
     "clean": QT_TRANSLATE_NOOP("Words", "Nothing is left over but noise. The calibration may be signed."),
     "explained": QT_TRANSLATE_NOOP("Words", "The error has a cause: {0}. It is in the draft, which may be signed."),
@@ -24,6 +31,11 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "rows that were set aside"),
     *MEANS.values(),
 )
+
+
+def verdict_word(verdict: str) -> str:
+    """A loop's verdict with its shape, as the Loop page writes it; "" where there is none."""
+    return translated(VERDICTS[verdict][0]) if verdict in VERDICTS else verdict
 
 
 def said_plainly(loop: Loop) -> str:

@@ -25,6 +25,11 @@ def format_number(value: float, decimals: int = 1, *, signed: bool = True) -> st
     return text.replace(",", NARROW_SPACE).replace("-", MINUS).replace(".", QLocale().decimalPoint())
 
 
+def short_number(value: float) -> str:
+    """`value` as it was stated, a limit: 0.5 or, by the language, 0,5."""
+    return f"{value:g}".replace("-", MINUS).replace(".", QLocale().decimalPoint())
+
+
 def format_field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:
     """A field component, or with `signed` False a magnitude, in the display unit."""
     return format_number(value_nT * PER_NT[unit], DECIMALS[unit], signed=signed)

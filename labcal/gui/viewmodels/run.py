@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from datetime import datetime
+from datetime import UTC, datetime
 from typing import Literal
 
 import numpy as np
@@ -69,6 +69,19 @@ def asked_text(prompt: Prompt) -> str:
     return str(prompt.drawing.get(FAULT, prompt.text))
 
 
+def _now() -> str:
+    return f"{datetime.now():%Y-%m-%d %H:%M}"
+
+
+def began_at(run_id: str) -> str:
+    """When a run of this id began by the clock of this place, as its row in the lists says it; "" where it does not."""
+    try:
+        utc = datetime.strptime(run_id.partition("-")[0], "%Y%m%dT%H%M%S").replace(tzinfo=UTC)
+    except ValueError:
+        return ""
+    return f"{utc.astimezone():%Y-%m-%d %H:%M}"
+
+
 class RunViewModel(QObject):
     """Drives one worker. `changed`: anything but samples; `item`: each item that is not samples, as it comes."""
 
@@ -85,7 +98,7 @@ class RunViewModel(QObject):
         self.virtual_time = False  # of the bench: it passes at the pace of the order
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: RunProcedure | None = None
-        self.began = ""  # the time on the wall when it was ordered
+        self.began = ""  # the time on the wall when it was ordered; once it has an id, what that says
         self.dut, self.reference = RingBuffer(3), RingBuffer(3)
         self.forget()
 
@@ -103,6 +116,7 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self.sectors: set[int] = set()
         self._goes_on = False  # a run that was interrupted
+        self._begins = False  # a new one, of which nothing has come yet
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -111,6 +125,8 @@ class RunViewModel(QObject):
         self.coils_at_zero: bool | None = None  # when that was read
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
         self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
+        self.read_s: dict[str, float] = {}  # by source: when that came, by the computer's monotonic clock
+        self._sends_more: set[str] = set()  # sources of which channels are not the main thing
         self.dut.clear()
         self.reference.clear()
 
@@ -127,12 +143,14 @@ class RunViewModel(QObject):
     def start(self, order: RunProcedure) -> None:
         """Begin. One run at a time."""
         self._begin(order, order)
+        self._begins = True
 
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
         self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
         self.run_id, self._goes_on = run_id, True
+        self.began = began_at(run_id) or self.began
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -146,7 +164,7 @@ class RunViewModel(QObject):
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.began = f"{datetime.now():%Y-%m-%d %H:%M}"
+        self.began = _now()
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -262,6 +280,8 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _take(self, items: tuple[Item, ...]) -> None:
+        if self._begins:  # here its record does; until now it was asked who answers
+            self._begins, self.began = False, _now()
         for item in items:
             self._one(item)
         if not all(isinstance(item, Block) for item in items):
@@ -329,7 +349,10 @@ class RunViewModel(QObject):
             return
         self._seen_s = max(self._seen_s, float(block.t_s[-1]))
         self.heard_s[block.source] = float(block.t_s[-1])
-        self.reading[block.source] = block.columns, block.values[-1]
+        if block.stream != "channel":
+            self._sends_more.add(block.source)
+        if block.stream != "channel" or block.source not in self._sends_more:
+            self.reading[block.source], self.read_s[block.source] = (block.columns, block.values[-1]), time.monotonic()
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
@@ -348,6 +371,7 @@ class RunViewModel(QObject):
 
     def _done(self, result: Ended) -> None:
         self.run_id, self.status, self._ending = result.run_id, result.status, result.ending
+        self.began = began_at(self.run_id) or self.began
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
 

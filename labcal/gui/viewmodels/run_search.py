@@ -8,6 +8,7 @@ from datetime import date, datetime, timedelta
 
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.loop_words import verdict_word
 
 DAY = re.compile(r"(\d{1,2})[./](\d{1,2})\.?(?:[./]?(\d{4}))?")  # 22.11.2026, 22.11., 22/11/2026: the day first
 
@@ -29,7 +30,7 @@ def cells(one: RunLine) -> tuple[str, ...]:
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
         translated(one.status.partition(":")[0]),
-        one.verdict,
+        verdict_word(one.verdict),
         one.run_id,
     )
 

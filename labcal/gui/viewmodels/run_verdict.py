@@ -9,13 +9,13 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import decimals_for, format_number, step_title
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.viewmodels.run import WORST, RunViewModel
 from labcal.record.stream import Measurement
 
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
 NEXT = {
-    "PASS": QT_TRANSLATE_NOOP("Words", "Next: Fit."),
+    "PASS": QT_TRANSLATE_NOOP("Words", "Fit, Loop, Certificate: Next leads there."),
     "MARGINAL": QT_TRANSLATE_NOOP("Words", "Within U of its limit: measure that part again, or Fit and see."),
     "CANNOT DECIDE": QT_TRANSLATE_NOOP(
         "Words", "Fit, and trace what is left over. Still open then? Measure longer, or with less noise."
@@ -89,6 +89,6 @@ def _listed(measured: Iterable[Measurement], most: int = 2) -> str:
     for one in measured:
         decimals = decimals_for(2 * one.u, one.value)
         value, U = format_number(one.value, decimals), format_number(2 * one.u, decimals, signed=False)
-        words.append(f"{step_title(one.name)} {value} ± {U} {one.unit} ({one.limit:g})")
+        words.append(f"{step_title(one.name)} {value} ± {U} {one.unit} ({short_number(one.limit)})")
     more = f" (+ {len(words) - most})" if len(words) > most else ""
     return "; ".join(words[:most]) + more

@@ -45,11 +45,13 @@ def next_step(one: CalibrationFile, operator: str) -> str:
         return translated("Do not use it: make a new draft on the Fit page.")
     if not signatures and not one.approvers:
         return translated(
-            "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
+            "Another person than {0} approves, and signs; without a key, New key below makes one. "
+            "Nobody there? Sign alone: it is PROVISIONAL."
         ).format(one.operator or operator or translated("the operator"))
     waiting = awaited(one)
     if not signatures:
-        return translated("Approved by {0}. Now both sign, each under their own name.").format(", ".join(one.approvers))
+        approved = translated("Approved by {0}, who has to sign now. The operator may sign as well.")
+        return approved.format(", ".join(one.approvers))
     if waiting:
         return translated("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
     if one.standing.status in NO_LONGER:

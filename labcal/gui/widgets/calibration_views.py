@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.theming.theme import Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS, Cell, parameter_rows
 from labcal.gui.viewmodels.conformity import (
@@ -83,7 +84,7 @@ class CalibrationViews(QWidget):
             return
         self._table.clearContents()
         if at == CHANGED and self._changes is not None:
-            remark = " ".join((self._changes.in_words(), *self._changes.remarks))
+            remark = " ".join(map(in_words, (self._changes.in_words(), *self._changes.remarks)))
             self._show_rows(CHANGES, change_rows(self._changes), remark)
         elif at == SPECIFIED:
             remark = " ".join((rule_of(one.specification), *one.left_open))

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Compared, Comparison
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import change_rows
 from labcal.gui.widgets.common import Card, button, combo_box, label
@@ -127,7 +128,9 @@ class ComparisonView(QWidget):
                 colour = getattr(self._theme, cell.state) if cell.state else ""
                 self.table.set_cell(row, column, cell.text, right=cell.right, colour=colour, tip=cell.tip)
         if changes is not None:
-            self.remark.setText(" ".join((changes.in_words(), *changes.remarks, translated(OF_THE_DIFFERENCE))))
+            self.remark.setText(
+                " ".join((*map(in_words, (changes.in_words(), *changes.remarks)), translated(OF_THE_DIFFERENCE)))
+            )
         else:
             self.remark.setText("" if found is None else found.refused)
 

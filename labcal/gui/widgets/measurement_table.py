@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import decimals_for, format_number, step_title
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.widgets.common import plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
@@ -151,6 +151,6 @@ class Measurements(Table):
         self.set_cell(row, 1, format_number(one.value, decimals), right=True)
         self.set_cell(row, 2, format_number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
         self.set_cell(row, 3, one.unit)
-        self.set_cell(row, 4, "–" if one.limit is None else f"{one.limit:g}", right=True)
+        self.set_cell(row, 4, "–" if one.limit is None else short_number(one.limit), right=True)
         shape, state = STATES.get(one.verdict, ("", "text"))
         self.set_cell(row, 5, f"{shape} {translated(one.verdict)}".strip() or "–", colour=getattr(self._theme, state))

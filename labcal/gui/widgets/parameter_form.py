@@ -17,6 +17,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import button, named, set_state
 from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
+MOST_LETTERS = 24  # of a list of values that are all in sight
 SEEN = 6  # settings, the first of each procedure
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
 
@@ -118,6 +119,10 @@ class ParameterForm(QWidget):
         line = QLineEdit(as_text(spec, spec.default))
         if spec.kind in ("number", "integer") and not spec.many:
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
+        if spec.many:  # several values are seen whole, as far as there is room
+            letters = min(len(line.text()), MOST_LETTERS)
+            line.setMinimumWidth(line.fontMetrics().horizontalAdvance("0") * letters + 4 * GRID)
+            line.setCursorPosition(0)
         line.textChanged.connect(self._check)
         return line
 

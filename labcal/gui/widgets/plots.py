@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
@@ -22,6 +23,7 @@ REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
+NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
 
@@ -147,11 +149,15 @@ class Traces(QWidget):
 
     def show_rows(self, rows: Array) -> None:
         """Draw `rows` (n, 4): time [s], x, y, z."""
-        for axis, (curve, name) in enumerate(zip(self._curves, self._names, strict=True)):
+        for axis, curve in enumerate(self._curves):
             curve.setData(rows[:, 0], rows[:, 1 + axis], connect="finite")
+        low, high = self.plot.viewRange()[1]
+        least = (high - low) * NAME_PX / max(1, self.plot.height())
+        at = spread(rows[-1, 1:], least) if len(rows) else ()
+        for name in self._names:
             name.setVisible(len(rows) > 0)
-            if len(rows):
-                name.setPos(float(rows[-1, 0]), float(rows[-1, 1 + axis]))
+        for name, value in zip(self._names, at, strict=False):
+            name.setPos(float(rows[-1, 0]), value)
 
 
 class Loci(QWidget):
@@ -222,6 +228,15 @@ class Loci(QWidget):
             x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
             front.setData(x, np.where(toward, y, np.nan), connect="finite")
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+
+
+def spread(values: Array, least: float) -> list[float]:
+    """`values` (n,), each at least `least` above the next lower one: no name of a line covers another."""
+    places, floor = [0.0] * len(values), -math.inf
+    for place in np.argsort(values, kind="stable"):
+        floor = max(float(values[place]), floor + least)
+        places[place] = floor
+    return places
 
 
 def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:

@@ -19,9 +19,14 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 
 def run_title(one: RunLine) -> str:
-    """A run in one line: when, which DUT, what, how it ended."""
+    """A run in one line: when, which DUT, what, whether SIMULATED, how it ended."""
+    return f"{_which(one)} · {translated(one.status.partition(':')[0])}"
+
+
+def _which(one: RunLine) -> str:
     when = f"{local_time(one.started_utc):%Y-%m-%d %H:%M}"
-    return " · ".join((when, one.dut_serial, one.procedure or "bundle", translated(one.status.partition(":")[0])))
+    simulated = translated("SIMULATED") if one.simulated else ""
+    return " · ".join(filter(None, (when, one.dut_serial, one.procedure or "bundle", simulated)))
 
 
 class RunChooser(QComboBox):
@@ -70,9 +75,11 @@ class RunChooser(QComboBox):
 
 
 def run_label(one: RunLine) -> str:
-    """A run's line, begun with how it ended where it did not come to its end."""
+    """A run's line, begun with how it ended where it did not come to its end; of a finished one nothing is said."""
     status = one.status.partition(":")[0]
-    return f"{BROKEN[status]} {translated(status)} · {run_title(one)}" if status in BROKEN else run_title(one)
+    if status in BROKEN:
+        return f"{BROKEN[status]} {translated(status)} · {_which(one)}"
+    return _which(one) if status == "finished" else run_title(one)
 
 
 def go_to_run_button(app_state: AppState) -> QPushButton:

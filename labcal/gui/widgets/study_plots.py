@@ -114,10 +114,11 @@ class Bars(QWidget):
             if interval is not None:
                 self.plot.plot(interval, (at, at), pen=pg.mkPen(self._theme.text, width=2))
         pen = pg.mkPen(self._theme.text, width=1.5, dash=(4, 3))
-        options = {"position": 0.97, "color": self._theme.muted, "anchors": [(0, 0), (0, 0)]}
+        top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)
+        side = float(noise_nT > top / 2)  # of the line that has room for its name
+        options = {"position": 0.97, "color": self._theme.muted, "anchors": [(side, 0), (side, 0)]}
         line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=translated("noise alone"), labelOpts=options)
         self.plot.addItem(line)
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
-        top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)
         self.plot.setRange(xRange=(0, 1.05 * top), yRange=(-len(rows) + 0.4, ROOM_ABOVE), padding=0)
         self.setFixedHeight(round(BAR_PX * (len(rows) + ROOM_ABOVE) + AXIS_PX))

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QComboBox
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.theming.theme import Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import Card, label
 from labcal.gui.widgets.idle_queue import IdleQueue
@@ -133,7 +134,7 @@ class Trend(Card):
         for limit in limits:
             for y, shown in ((limit, translated("limit")), (-limit, "")):
                 self.plot.addItem(self._limit(y, shown))
-        legend_above(self.plot, zip((one.name for one in found), self._theme.axes, strict=True))
+        legend_above(self.plot, zip((in_words(one.name) for one in found), self._theme.axes, strict=True))
         self.plot.autoRange(padding=0.1)
         if limits:
             self.plot.setYRange(*self._reach(found, max(limits)))

@@ -66,12 +66,17 @@ def _fixed_noise_gain(
 
 
 def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    """A lag's columns are a secant: taken over the lag that they give, until it no longer changes."""
+    """A lag's columns are a secant: taken over the lag that they give, until that changes no less, or no longer."""
+    before: Array | float = np.inf
     for _ in range(SECANT_ROUNDS):
         last = candidate.term
         found = pool.coefficients([*accepted, candidate])[-len(last.parameters) :]
-        if all(abs(v - s.value) < 1e-3 * abs(v) + 1e-6 for v, s in zip(found, last.own_secants(), strict=False)):
+        secants = np.array([shape.value for shape in last.own_secants()])
+        lags = found[: len(secants)]
+        change = np.abs(lags - secants)
+        if bool((change >= before).all() or (change < 1e-3 * np.abs(lags) + 1e-6).all()):
             break
+        before = change
         candidate = replace(candidate, term=last.over_own_secants(found))
         if candidate.term is last:
             break

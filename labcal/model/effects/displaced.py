@@ -16,6 +16,7 @@ from labcal.model.effects.regressors import shifted, stretches
 Array = NDArray[np.float64]
 SLOPE_OVER_s = 0.05  # rows at least so far apart tell the slope: nearer ones tell their noise
 EACH_SIDE = 2
+OTHERS = np.array([[j for j in range(2 * EACH_SIDE) if j != k] for k in range(2 * EACH_SIDE)])
 
 
 def displaced(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: Array) -> Array:
@@ -54,11 +55,9 @@ def _others(nearest: NDArray[np.intp], stride: int, n: int) -> NDArray[np.intp]:
 
 def _weights(x: Array, at: Array, *, straight: bool = False) -> Array:
     """Of values at x (n, 4): what the cubic through them changes from 0 to `at`; `straight`: its slope there."""
-    whole = [np.delete(x, k, axis=1) for k in range(x.shape[1])]
-    size = np.stack([np.prod(x[:, [k]] - one, axis=1) for k, one in enumerate(whole)], axis=1)
-    e2 = np.stack([(one.sum(axis=1) ** 2 - (one**2).sum(axis=1)) / 2 for one in whole], axis=1)
-    if straight:
-        return np.asarray(at[:, None] * e2 / size)
-    e1 = np.stack([one.sum(axis=1) for one in whole], axis=1)
+    others = x[:, OTHERS]  # (n, 4, 3)
+    size = np.prod(x[:, :, None] - others, axis=2)
+    e1 = others.sum(axis=2)
+    e2 = (e1**2 - (others**2).sum(axis=2)) / 2
     a = at[:, None]
-    return np.asarray(a * (e2 - a * (e1 - a)) / size)
+    return np.asarray(a * e2 / size if straight else a * (e2 - a * (e1 - a)) / size)

@@ -1,0 +1,79 @@
+"""What was driven stays known when one process after another dies on the ports before it has brought it to zero."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from served_lab import LABCAL, LONG_S, Served, Sessions, at_zero, example, kill_all, of_bench, until
+
+from labcal.bench.config import read_config
+from labcal.bench.links import locks, ports
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs SIGKILL and ptys")
+
+TAKES_THEM = """
+import os, signal, sys
+from labcal.bench.links import ports
+assert ports.hold(sys.argv[2:])
+if sys.argv[1] == "off":
+    ports.announce({"pid": os.getpid()})
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def dies_with_the_ports(who: str, urls: list[str]) -> None:
+    """A process that has taken them; `off`: and said who it is, as `labcal bench off` does; else a standby that had no
+    time for that.
+    """
+    assert subprocess.run([sys.executable, "-c", TAKES_THEM, who, *urls]).returncode == -signal.SIGKILL
+
+
+@pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
+@pytest.mark.parametrize("who", [["standby"], ["off"], ["standby", "off", "standby"]], ids=" ".join)
+def test_off_reaches_what_was_driven_after_others_died_on_its_ports(
+    lab: Served, session: Sessions, who: list[str]
+) -> None:
+    urls = read_config(lab.file).guarded_links
+    kill_all(session("idle"))
+    until(lambda: not of_bench(lab.file))
+    for one in who:
+        dies_with_the_ports(one, urls)
+    lab.file.unlink()
+    assert not at_zero(lab)
+    said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
+    assert at_zero(lab), said
+    assert said.stdout.count("zero, open") == 3, said
+
+
+def left(name: str) -> list[dict[str, object]]:
+    """What was left behind of this bench; the folder is that of all this user's labcals."""
+    return [card for card in ports.left_behind() if card.get("bench") == name]
+
+
+def test_nothing_is_left_behind_of_what_was_brought_to_an_end(tmp_path: Path) -> None:
+    url = f"tcp://127.0.0.1:{os.getpid() % 60000 + 1}"
+    assert ports.hold([url])
+    ports.announce({"bench": str(tmp_path), ports.DRIVEN: {"axes": 1}})
+    ports.let_go()
+    dies_with_the_ports("standby", [url])
+    assert not left(str(tmp_path))
+
+
+def test_who_only_looks_hides_nothing_from_others_who_look(tmp_path: Path) -> None:
+    url = f"tcp://127.0.0.1:{os.getpid() % 60000 + 1}"
+    card = {"bench": str(tmp_path), ports.DRIVEN: {"axes": 1}}
+    assert ports.hold([url])
+    ports.announce(card)
+    lock = ports._held.pop(ports.port_of(url))  # as when its process dies
+    assert lock.file is not None
+    lock.file.close()
+    with lock.path.open("r+") as another:
+        assert locks.try_lock(another, to_look=True)
+        assert left(str(tmp_path)) == [card]
+        assert locks.look(lock.path) is None
+    lock.path.unlink()
