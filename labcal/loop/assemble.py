@@ -59,16 +59,13 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     problem = after.problem
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
-    beside = in_sample_rms(after) if problem.declared.shape[2] else in_sample[1]
-    found = replace(found, cv_error=as_shipped(found.cv_error, beside, in_sample[1], added=bool(found.accepted)))
-    found = replace(found, level=coloured_floor(found, after) or found.level)
+    found = _no_better_than_fitted(found, after, in_sample[1])
     declared = declaration(after, found.cv_error)
     verdict = verdict_of(found, aside, len(problem), declared)
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
     uncertain = uncertainty_of(after)
-    accepted = [*of_the_data, *_records(found, after, uncertain)]
+    of_effects = _records(found, after, uncertain)
     unsupported = working_range.unsupported(run, found.accepted, after)
-    shipping = [one for i, one in enumerate(accepted[len(of_the_data) :]) if i not in unsupported]
     shipped, errors, beside_nT = _shipped(found, after, unsupported)
     of_file = of_the_file(
         shipped,
@@ -95,7 +92,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         after=Errors(in_sample[1], found.cv_error.plain[1]),
         beside_declared_nT=beside_nT,
         set_aside=aside,
-        accepted=tuple(accepted),
+        accepted=(*of_the_data, *of_effects),
         rejected=tuple(_rejected(found)),
         verdict=verdict,
         summary=summary(found, verdict, aside, left, of_declared),
@@ -116,18 +113,24 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         remarks=(
             tests_text(tests["after"], more_than_noise=left is not None),
             *(finding.says for finding in noticed),
-            *([ROUNDS_EXHAUSTED] if found.ending == "rounds exhausted" else []),
-            *_meaning(shipping),
-            *_beginnings(found, after),
+            *_remarks(found, after, [one for i, one in enumerate(of_effects) if i not in unsupported]),
         ),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
 
 
-def _meaning(shipping: Sequence[EffectRecord]) -> list[str]:
-    """What k belongs to, beside the sensor's effects among those that are shipped."""
+def _no_better_than_fitted(found: Evidence, after: JointFit, left_nT: float) -> Evidence:
+    """The evidence with an error no smaller than what the last fit leaves in sample, and the floor of its own noise."""
+    beside = in_sample_rms(after) if after.problem.declared.shape[2] else left_nT
+    found = replace(found, cv_error=as_shipped(found.cv_error, beside, left_nT, added=bool(found.accepted)))
+    return replace(found, level=coloured_floor(found, after) or found.level)
+
+
+def _remarks(found: Evidence, after: JointFit, shipping: Sequence[EffectRecord]) -> list[str]:
+    """How the selection ended, what k belongs to beside what is `shipping`, and how far off loops begin elsewhere."""
+    ended = [ROUNDS_EXHAUSTED] if found.ending == "rounds exhausted" else []
     means = k_means([effect for effect in shipping if effect.belongs_to == "sensor"])
-    return [f"k is the offset {means}."] if means else []
+    return [*ended, *([f"k is the offset {means}."] if means else []), *_beginnings(found, after)]
 
 
 def _beginnings(found: Evidence, after: JointFit) -> list[str]:
