@@ -214,13 +214,16 @@ def _free(urls: Sequence[str], asked: Sequence[object], *, late: bool) -> list[s
 def _the_rest(path: Path, left: Sequence[tuple[Bench, list[str]]], meanwhile: Meanwhile) -> dict[str, AtZero]:
     """Bring down with own hands what no guardian has reported; the ports that could be had are held meanwhile."""
     ports.announce({"pid": os.getpid()})
+    in_doubt = True
     try:
         ended = outlived(partial(_with_own_hands, path, left))
         with meanwhile(FROM_HERE):
             supplies = [_supplies(bench)[axis] for bench, axes in left for axis in axes]
-            return dict(zip(supplies, ended(), strict=True))
+            ends = dict(zip(supplies, ended(), strict=True))
+        in_doubt = any(end.current_A is None for end in ends.values())
+        return ends
     finally:
-        ports.let_go()
+        ports.let_go(in_doubt=in_doubt)
 
 
 def _readable(path: Path) -> Bench:

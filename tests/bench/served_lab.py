@@ -259,9 +259,10 @@ def kill_all(child: subprocess.Popen[str]) -> None:
     """End session, guardian and those that stand by, at once: nobody is left who could order zero."""
     (first,) = guardians()
     until(lambda: len(children_of(first)) == HOW_MANY)
-    os.kill(child.pid, signal.SIGSTOP)  # on a busy machine it would start another guardian meanwhile
-    for pid in (*children_of(first), first, child.pid):
-        os.kill(pid, signal.SIGKILL)
+    everybody = [*children_of(first), first, child.pid]
+    for what in (signal.SIGSTOP, signal.SIGKILL):  # on a busy machine one that is left would act meanwhile
+        for pid in everybody:
+            os.kill(pid, what)
     child.wait()
 
 

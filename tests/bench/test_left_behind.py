@@ -50,6 +50,20 @@ def test_off_reaches_what_was_driven_after_others_died_on_its_ports(
     assert said.stdout.count("zero, open") == 3, said
 
 
+@pytest.mark.parametrize("bench_text", [example(timeout_s=1.5)], ids=["impatient"])
+def test_off_is_said_again_of_a_coil_that_did_not_answer_the_first_time(lab: Served, session: Sessions) -> None:
+    kill_all(session("idle"))
+    until(lambda: not of_bench(lab.file))
+    emulator, off = lab.emulator("supply_x"), [*LABCAL, "bench", "off", str(lab.file)]
+    emulator.take = lambda t_s, data: None  # its cable is out
+    lab.file.unlink()
+    first = subprocess.run(off, capture_output=True, text=True, timeout=LONG_S)
+    assert (first.returncode, at_zero(lab, "yz"), at_zero(lab, "x")) == (3, True, False), first
+    del emulator.take
+    again = subprocess.run(off, capture_output=True, text=True, timeout=LONG_S)
+    assert (again.returncode, at_zero(lab)) == (0, True), again
+
+
 def left(name: str) -> list[dict[str, object]]:
     """What was left behind of this bench; the folder is that of all this user's labcals."""
     return [card for card in ports.left_behind() if card.get("bench") == name]

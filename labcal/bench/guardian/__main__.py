@@ -68,6 +68,11 @@ class Watch:
             self._guardian.heartbeats.stop()
             self._guardian.close()
 
+    @property
+    def in_doubt(self) -> bool:
+        """Whether a coil was not confirmed at zero."""
+        return bool(self._guardian.unresolved)
+
     def _watch(self, server: Server, card: wire.Card) -> None:
         begun = retried = sought = time.monotonic()
         alone_s = SUCCEEDED_S if self._succeeds else LONELY_S
@@ -186,8 +191,9 @@ def main(path: Path, how: str, line: str) -> None:
     if how and not handed.coils:
         handed = unknown()
     if ports.hold(urls):
-        Watch(path, bench, handed, succeeds=how != "").live()
-        ports.let_go()
+        watch = Watch(path, bench, handed, succeeds=how != "")
+        watch.live()
+        ports.let_go(in_doubt=watch.in_doubt)
 
 
 if __name__ == "__main__":

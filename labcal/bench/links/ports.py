@@ -56,11 +56,14 @@ class Lock:
             devices.unlock(self.device)
             self.device = None
 
-    def release(self) -> None:
-        """Give the port back."""
+    def release(self, *, in_doubt: bool = False) -> None:
+        """Give the port back; `in_doubt`: what was driven by it stays written there."""
         if self.device is not None:
             devices.unlock(self.device)
-        if self.file is not None:
+        if self.file is not None and in_doubt and (driven := _driving(locks.read(self.file))):
+            locks.write(self.file, driven)
+            self.file.close()
+        elif self.file is not None:
             locks.release(self.file, self.path)
         self.device = self.file = None
 
@@ -120,11 +123,11 @@ def hold(urls: Iterable[str]) -> bool:
     return True
 
 
-def let_go() -> None:
-    """Give all ports of this process back."""
+def let_go(*, in_doubt: bool = False) -> None:
+    """Give all ports of this process back; `in_doubt`: a coil may be on, and who says off later has to find it."""
     _card.clear()
     while _held:
-        _held.popitem()[1].release()
+        _held.popitem()[1].release(in_doubt=in_doubt)
 
 
 def still_held() -> bool:
