@@ -66,7 +66,8 @@ def whole_way(stated: Calibration, made: Calibration) -> Recomputed:
 def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
     """`stated` beside the final fit with the same effects by another version: where they differ the signature stands.
 
-    Not so where it states another run than its own.
+    Not so where it states another run than its own. A term without a name is only as good as how it was found, which
+    no final fit shows.
     """
     if false := _of_the_run(stated, made):
         return Recomputed(False, false, holds=False)
@@ -81,6 +82,8 @@ def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
         _with_rows_of_both(one["budget"], other["budget"])
     found = _differences(one, other, fields, _limits(made, 2 * OTHER_U) | _between_versions(other))
     found += _not_its_version(one)
+    if not found and (unshown := [i for i, effect in enumerate(stated.effects) if effect.basis is not None]):
+        return Recomputed(None, (f"effects[{unshown[0]}].basis: another version built it, and no final fit shows it",))
     return Recomputed(not found, found)
 
 

@@ -10,9 +10,10 @@ from labcal.errors import InputError
 LONGEST = 100
 _BETWEEN = re.compile(r"[\s._-]+")  # what one person writes in a name today, and leaves out tomorrow
 _LOOKS_LIKE = str.maketrans(  # small letters of other scripts and digits, and what they are taken for
-    "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχ" + "01",
-    "abehikmhopctyxsjdqwl" + "abezikvoptyx" + "ol",
+    "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχϲ" + "օսհցոյ" + "ɑɡıȷʟ" + "01",
+    "abehikmhopctyxsjdqwl" + "abezikvoptyxc" + "ouhgnj" + "agijl" + "ol",
 )
+_CAPITAL_I = re.compile(r"(?<=[a-z])I(?![A-Z])")  # amid small letters it may pass for an l
 _SPELLED_OUT = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "å": "aa", "ø": "oe", "æ": "ae", "œ": "oe"})
 _WITHOUT = str.maketrans({"ø": "o", "æ": "a", "œ": "o", "ł": "l", "đ": "d"})  # what does not come apart
 
@@ -35,9 +36,10 @@ def same_person(one: str, other: str) -> bool:
 
 
 def _spellings(name: str) -> set[str]:
-    """What the name comes to, with ä as a and as ae; none for no name."""
-    plain = _BETWEEN.sub("", unicodedata.normalize("NFKC", name).casefold())
-    return {_letters(plain.translate(table)) for table in (_SPELLED_OUT, _WITHOUT)} - {""}
+    """What the name comes to, with ä as a and as ae, an I within a word as i and as l; none for no name."""
+    whole = unicodedata.normalize("NFKC", name)
+    plain = [_BETWEEN.sub("", read.casefold()) for read in (whole, _CAPITAL_I.sub("l", whole))]
+    return {_letters(read.translate(table)) for read in plain for table in (_SPELLED_OUT, _WITHOUT)} - {""}
 
 
 def _letters(text: str) -> str:

@@ -12,11 +12,12 @@ from labcal import certificate
 from labcal.bench.coils.cage_file import CageCalibration, cage_text, read_cage, write_cage
 from labcal.bench.config import read_config
 from labcal.certificate.agent import signed
-from labcal.certificate.cage_signature import cage_signature_file, cage_signer, check_cage
+from labcal.certificate.cage_signature import WHAT_TO_DO, cage_signature_file, cage_signer, check_cage
 from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.home import home
 from labcal.files.outputs import claim
+from labcal.record.person import same_person
 from labcal.runner.cage import approved_cage
 from labcal.session.audited import note_file, noted_cages
 from labcal.session.numbering import bench_name
@@ -64,7 +65,7 @@ def cage_remark(bench: Path) -> str | None:
     """What is to be said of the cage calibration that a bench file names; None where it is signed and the newest that
     was approved here, or none is named.
 
-    Raises InputError where its signature does not hold.
+    Raises InputError where its signature does not hold, or its operator approved it.
     """
     config = read_config(bench)
     named = config.cage.calibration
@@ -75,6 +76,9 @@ def cage_remark(bench: Path) -> str | None:
         InputError
     ):  # what is wrong with its text is reported by its signature, else when the bench is opened
         found = read_cage(cage)
+    if found is not None and same_person(found.operator, found.approved_by):
+        text = f"approved_by: {found.approved_by} is its operator, {found.operator}, and another person approves"
+        raise InputError(f"{text}; {WHAT_TO_DO}", file=cage)
     approver, gone = found.approved_by if found else "", certificate.keys.revoked(home())
     unsigned = check_cage(cage, approver, handed_out(), gone, datetime.now(UTC), shown)
     older = None if found is None else _older(cage, found, config.name)

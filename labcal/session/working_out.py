@@ -177,7 +177,7 @@ def _fitted_effects(stated: Calibration) -> list[EffectRecord]:
 
 
 def _stranger(stated: Calibration, how: MadeBy) -> str | None:
-    """What it needs that is not here: an effect or method of another package, or who built a term without a name."""
+    """What of another package it needs that is not installed here."""
     if how["command"] == FIT:
         there = how["method"] in methods()
         return None if there else f"made_by.method: no installed package has the method {how['method']!r}"
@@ -185,8 +185,6 @@ def _stranger(stated: Calibration, how: MadeBy) -> str | None:
         for i, record in enumerate(records):
             if find(record.effect) is None:
                 return f"{place}[{i}]: no installed package describes the effect {record.effect!r}"
-            if record.basis is not None:
-                return f"{place}[{i}].basis: labcal {how['version'] or 'of before'} built it, and no final fit shows it"
     return None
 
 

@@ -14,6 +14,7 @@ import rfc8785
 from labcal.certificate import parse_calibration
 from labcal.certificate.recomputed import final_fit
 from labcal.model import Calibration
+from labcal.model.smooth import Basis
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "short-preflight" / "calibration.json"
 Edit = Callable[[dict[str, Any]], object]
@@ -66,6 +67,15 @@ def test_a_forged_number_of_another_version_is_named(made: Calibration, edit: Ed
     found = final_fit(forged(edit), made)
     assert found.same is False
     assert field in "; ".join(found.why)
+
+
+def test_a_term_without_a_name_is_not_shown_by_a_final_fit_and_hides_nothing(made: Calibration):
+    basis = Basis("bspline", ((0.0, 1.0),), 0, ((1.0,),), ((0.0,),), 10.0, ((1.0,),), ((1.0,),))
+    unnamed = replace(made.effects[0], basis=basis)
+    found = final_fit(replace(made, effects=(unnamed,)), replace(made, effects=(unnamed,)))
+    assert found.same is None
+    assert found.why[0].startswith("effects[0].basis: another version built it")
+    assert final_fit(replace(made, effects=(unnamed,), frame_known=False), made).same is False
 
 
 def without_a_row_that_says_nothing(c: dict[str, Any]) -> None:

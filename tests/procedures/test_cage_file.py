@@ -187,6 +187,15 @@ def test_a_signed_cage_that_was_altered_drives_no_coil(bench_file: BenchFile, tm
     assert session.runs() == []
 
 
+def test_a_cage_that_its_own_operator_approved_drives_no_coil(bench_file: BenchFile, tmp_path: Path) -> None:
+    bench = with_the_file(bench_file(TWIN, REMOTE))
+    made = a_calibration(np.zeros((3, 3)), np.zeros(3))
+    write_cage(made.model_copy(update={"operator": "r.r\N{CYRILLIC SMALL LETTER O}e"}), tmp_path / "cage.json")
+    with pytest.raises(InputError, match=r"approved_by: R\. Roe is its operator, .*no coil is driven by it"):
+        session.run("rotate-axis", bench, QUICK)
+    assert session.runs() == []
+
+
 def test_a_signed_cage_of_before_that_is_put_back_is_told(bench_file: BenchFile, tmp_path: Path) -> None:
     """The older one of two that were approved here, and one from elsewhere that was measured before them."""
     bench, cage = with_the_file(bench_file(TWIN, REMOTE)), tmp_path / "cage.json"
