@@ -114,8 +114,9 @@ def _stretches(items: Sequence[Item]) -> list[_Stretch]:
     for item in items:
         if isinstance(item, Event) and item.kind == NOT_USED:
             unused |= {one.segment.id for one in found if one.named in item.data["segments"]}
-        gone_on = isinstance(item, Event) and item.kind == RESUMED
-        if not gone_on and not isinstance(item, SegmentOpened | SegmentClosed):
+        if not isinstance(item, SegmentOpened | SegmentClosed | Event):
+            continue
+        if isinstance(item, Event) and item.kind != RESUMED:
             continue
         if found and found[-1].end_s == np.inf:
             found[-1] = replace(found[-1], end_s=item.t_s)
