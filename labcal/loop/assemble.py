@@ -80,7 +80,8 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     )
     tests = {when: residual_tests(beside_declared(r), rows) for when, r in (("before", before), ("after", after))}
     beyond = of_declared is not None and of_declared.kind == BEYOND
-    structure = verdict in ("unexplained", "partly-explained") and not beyond
+    without_outliers = verdict_of(found, aside | {OUTLIERS.id: 0}, len(problem), declared)
+    structure = without_outliers in ("unexplained", "partly-explained") and not beyond
     left = describe(beside_declared(after), rows) if structure else None
     return ClosedLoop(
         run_id=run.run_id,

@@ -41,6 +41,12 @@ def summary(
         "ambiguous": f"{named} {verb} the residual: {change}; but {_others(found)} as well on this run.",
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
+    if shape is None and declared is None:  # nothing is left but the rows that were set aside
+        most = 100 * policy.POLICY.max_outlier_share
+        sentences["partly-explained"] = (
+            f"{named} {verb} the residual: {change}; but of a run with more than {most:.0f} % of its rows set aside as "
+            "outliers nothing is called explained."
+        )
     left = f" What is left: {shape.says}" if shape is not None else ""
     if declared is not None and verdict == "unexplained":
         return declared.says + (f" {rows}." if rows else "")

@@ -83,6 +83,18 @@ def test_bursts_are_set_aside_and_leave_the_calibration_as_it_was(making: Module
     assert np.linalg.norm(burst.affine.k_nT - clean.affine.k_nT) < 5.0
 
 
+def test_what_keeps_a_run_of_many_wild_rows_from_being_explained_is_told(making: ModuleType, tmp_path: Path) -> None:
+    """Nothing else is left of it: no shape may be told, and none asked for."""
+    rows, segments = making.recorded()
+    rows["dut"][8::16] += np.random.default_rng(5).normal(0, 3000.0, (len(rows["dut"][8::16]), 3))
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert closed.verdict == "partly-explained"
+    assert "more than 5 % of its rows set aside as outliers" in closed.summary
+    assert "What is left" not in closed.summary
+    assert closed.next_experiment is not None
+    assert "link" in closed.next_experiment.do
+
+
 @pytest.mark.parametrize("level", [400.0, 8000.0])
 def test_a_pulse_that_holds_its_level_is_no_burst(level: float) -> None:
     draw = np.random.default_rng(2)

@@ -29,6 +29,10 @@ OF_THE_DECLARED = NextExperiment(
     "what is left has the shape of errors that the run declares of its reference and mounting, and is larger",
     "compare the reference with a second one in two fields, mount the device anew, and repeat",
 )
+OF_THE_ROWS = NextExperiment(
+    "more rows are set aside as outliers than a run may have that is called explained",
+    "look at the link and its wiring, and repeat",
+)
 BY_ANGLE = ("turn once forwards and once backwards: what stays at its angles belongs to the rig", "reverse")
 BY_FIELD = ("step the field up and down along each axis: what grows with the field shows its shape", "linearity")
 
@@ -42,7 +46,7 @@ def next_experiment(
     if beyond_declared:
         return OF_THE_DECLARED
     if shape is None:
-        return None
+        return OF_THE_ROWS if verdict == "partly-explained" else None
     do, procedure = BY_SHAPE[shape.kind]
     if shape.angle_deg is not None:
         do, procedure = BY_ANGLE
