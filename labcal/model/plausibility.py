@@ -55,23 +55,31 @@ def _plateau(reading: Array, axis: int) -> Mask:
     column, out = reading[:, axis], np.zeros(len(reading), dtype=bool)
     if not np.isfinite(column).any():
         return out
-    step = float(np.diff(np.unique(column[np.isfinite(column)])).min(initial=np.inf))
-    others = np.delete(reading, axis, axis=1)
-    moves = np.maximum(MOVES * max(np.nanmax(reading), -np.nanmin(reading)), OUT_OF_LINE * _scatter(others))
+    others, step = [other for other in range(3) if other != axis], _least_step(column)
+    scatter = np.array([_scatter(reading[:, other]) for other in others])
+    moves = np.maximum(MOVES * max(np.nanmax(reading), -np.nanmin(reading)), OUT_OF_LINE * scatter)
     for extreme in (np.nanmax(column), np.nanmin(column)):
         at = np.r_[False, column == extreme, False]
         for start, stop in zip(np.flatnonzero(~at[:-1] & at[1:]), np.flatnonzero(at[:-1] & ~at[1:]), strict=True):
-            moved = bool((np.ptp(others[start:stop], axis=0) > moves).any())
+            moved = bool((np.ptp(reading[start:stop, others], axis=0) > moves).any())
             if stop - start >= PLATEAU and moved and not _is_rounded(column, int(start), int(stop), step):
                 out[start:stop] = True
     return out
 
 
-def _scatter(columns: Array) -> Array:
-    """Standard deviation (k,) of columns (n, k) from row to row, by the median of their second differences."""
-    second = np.abs(np.diff(columns, 2, axis=0))
-    known = [one[np.isfinite(one)] for one in second.T]
-    return np.array([NORMAL * float(np.median(one)) / np.sqrt(SECOND) if len(one) else 0.0 for one in known])
+def _least_step(column: Array) -> float:
+    """The least difference between two values of a column (n,); inf where all are alike."""
+    values = column[np.isfinite(column)]
+    values.sort()
+    steps = np.diff(values)
+    return float(steps[steps > 0].min(initial=np.inf))
+
+
+def _scatter(column: Array) -> float:
+    """Standard deviation of a column (n,) from row to row, by the median of its second differences."""
+    second = np.diff(column, 2)
+    second = np.abs(second[np.isfinite(second)])
+    return NORMAL * float(np.median(second, overwrite_input=True)) / float(np.sqrt(SECOND)) if len(second) else 0.0
 
 
 def _is_rounded(column: Array, start: int, stop: int, step: float) -> bool:
