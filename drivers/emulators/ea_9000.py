@@ -23,7 +23,7 @@ FULL, TOP, IN_LOCAL = 52428, 53477, 0x17
 MOST_TRIP = round(1.1 * FULL)  # where its protections stand until somebody lowers them
 VOLTS, AMPS, WATTS = 80.0, 60.0, 1500.0
 SET_POINTS, TRIPS = (500, 501, 502), (550, 553, 556)
-REMOTE, OUTPUT = 402, 405
+REMOTE, OUTPUT, ACKNOWLEDGE = 402, 405, 411
 LIMITS = {9000: TOP, 9001: 0, 9002: TOP, 9003: 0, 9004: TOP}  # U, I, P: largest, and of U and I smallest set-point
 BOUNDS = {500: (9001, 9000), 501: (9003, 9002), 502: (None, 9004)}
 OUTSIDE = 4
@@ -77,6 +77,8 @@ class EaEmulator(RtuSlave):
             raise Refused(IN_LOCAL)
         if function == WRITE_COIL and address in self._bits:
             self._bits[address] = values[0] == 0xFF00
+        elif (function, address) == (WRITE_COIL, ACKNOWLEDGE):
+            self.alarm = False
         elif function == WRITE_REGISTER and address in self._held:
             if values[0] > (MOST_TRIP if address in TRIPS else TOP):
                 raise Refused(ILLEGAL_VALUE)

@@ -53,12 +53,13 @@ class Hmr2300Emulator(Answers):
 
     def _reply(self, t_s: float, text: str) -> bytes:
         found = COMMAND.fullmatch(text.upper())
+        if found is not None and int(found[1]) not in (self._id, 99):
+            return b""
+        may_write, self._may_write = self._may_write, False
         if found is None or len(text) > 10:
             return b"Re-enter\r"
-        if int(found[1]) not in (self._id, 99):
-            return b""
-        may_write, self._may_write = self._may_write, found[2] == "WE"
         words = found[2]
+        self._may_write = words == "WE"
         if words in SWITCHES or words in TOGGLES or RATE.fullmatch(words):
             return self._change(words) if may_write else b"WE OFF\r"
         if words == "C":

@@ -19,16 +19,20 @@ from drivers.emulators.modbus_rtu import (
 PULSES, STATUS, ALARM, COMMANDED, TRIGGER, PATH = 0x0001, 0x1003, 0x2203, 0x602A, 0x6002, 0x6200
 FAULT, ENABLED, RUNNING, COMMAND_DONE, PATH_DONE, HOMED = 1, 2, 4, 16, 32, 64
 HOME_RPM, HOME_RPMS = 0x600F, (150, 30)
+WORDS, AT_ONCE = 8, PATH + 7  # of a path; the last of them triggers
 
 
 class LeadshineEmulator(RtuSlave):
-    """Holds path 0 and runs it when it is triggered; a stopped path is not complete."""
+    """Holds path 0, written whole or in parts, and runs it when its last word or the trigger says so.
+
+    A stopped path is not complete.
+    """
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(settings.address, self._get, self._put, delay_s=0.008)
         self._platform, self._pulses_per_turn = lab.platform, settings.pulses_per_turn
         self._pulses_per_deg, self._gear = settings.pulses_per_turn * settings.gear / 360, settings.gear
-        self._path, self._homed, self._done, self.alarm = [0] * 6, False, False, 0
+        self._path, self._homed, self._done, self.alarm = [0] * WORDS, False, False, 0
 
     def _get(self, t_s: float, function: int, address: int, count: int) -> list[int]:
         position = divmod(round(self._platform.now(t_s)[0] * self._pulses_per_deg) & 0xFFFFFFFF, 0x10000)
@@ -45,17 +49,20 @@ class LeadshineEmulator(RtuSlave):
         return ENABLED | (RUNNING if moving else resting) | (HOMED if self._homed else 0) | (FAULT if self.alarm else 0)
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
-        if function == WRITE_REGISTERS and (address, len(values)) == (PATH, 6):
-            self._path = values
-        elif function == WRITE_REGISTER and address == TRIGGER:
-            self._trigger(t_s, values[0])
-        else:
+        written = dict(enumerate(values, address))
+        known = written.keys() <= {TRIGGER, *range(PATH, PATH + WORDS)}
+        if function not in (WRITE_REGISTER, WRITE_REGISTERS) or not known:
             raise Refused(ILLEGAL_ADDRESS)
+        for at in written.keys() - {TRIGGER, AT_ONCE}:
+            self._path[at - PATH] = written[at]
+        for at in (TRIGGER, AT_ONCE):
+            if written.get(at):
+                self._trigger(t_s, written[at])
 
     def _trigger(self, t_s: float, code: int) -> None:
         match code:
             case 0x0010 if self._path[0] == 1 and self._path[3]:
-                _, high, low, rpm, _, _ = self._path
+                _, high, low, rpm, *_ = self._path
                 pulses = (high << 16 | low) - (high >> 15 << 32)
                 self._platform.move(t_s, pulses / self._pulses_per_deg, rpm * 6 / self._gear)
                 self._done = True

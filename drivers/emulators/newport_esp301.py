@@ -10,10 +10,17 @@ from typing import Any
 from drivers.emulators.line import QUEUE, Answers, Lab
 
 COMMAND = re.compile(r"(\d?)([A-Z]{2})(\?|-?\d+\.?\d*|)")
-OUT_OF_RANGE, MOTOR_OFF, UNKNOWN, MISSING = 7, 113, 6, 38
-MAX_RATE = 40.0
+UNKNOWN, OUT_OF_RANGE, NO_SUCH_AXIS, AXIS_MISSING, MISSING = 6, 7, 9, 37, 38
+BEYOND_PLUS, BEYOND_MINUS, TOO_FAST, MOTOR_OFF = 106, 107, 110, 113  # of axis 1
+MAX_RATE, FARTHEST = 40.0, 720.0
+OF_AN_AXIS = ("ID", "SN", "TP", "MD", "VA", "OH", "OL", "SL", "SR", "PA", "PR", "OR", "MO", "MF")
 TEXTS = {
     OUT_OF_RANGE: "PARAMETER OUT OF RANGE",
+    NO_SUCH_AXIS: "AXIS NUMBER OUT OF RANGE",
+    AXIS_MISSING: "AXIS NUMBER MISSING",
+    BEYOND_PLUS: "POSITIVE SOFTWARE LIMIT EXCEEDED",
+    BEYOND_MINUS: "NEGATIVE SOFTWARE LIMIT EXCEEDED",
+    TOO_FAST: "MAXIMUM VELOCITY EXCEEDED",
     MOTOR_OFF: "MOTOR NOT ENABLED",
     UNKNOWN: "COMMAND DOES NOT EXIST",
     MISSING: "COMMAND PARAMETER MISSING",
@@ -61,11 +68,13 @@ class Esp301Emulator(Answers):
             case ("1", "MO", "?"):
                 return f"{self._on:d}"
             case ("1", "SL" | "SR" as side, "?"):
-                return "-720" if side == "SL" else "720"
+                return f"{-FARTHEST if side == 'SL' else FARTHEST:g}"
             case ("1", "PA", "?"):
                 return f"{self._platform.now(t_s)[0]:.4f}"
             case ("1", what, value):
                 self._act(t_s, what, value)
+            case (axis, what, _) if what in OF_AN_AXIS:
+                self._errors.append(NO_SUCH_AXIS if axis else AXIS_MISSING)
             case _:
                 self._errors.append(UNKNOWN)
         return ""
@@ -80,17 +89,23 @@ class Esp301Emulator(Answers):
                 self._platform.stop(t_s)
             case "WS":
                 self._free_s = max(t_s, self._platform.pieces[-1][0]) + float(value or 0) / 1000
-            case "VA" | "OH" | "OL" | "PA" if value in ("", "?"):
+            case "VA" | "OH" | "OL" | "PA" | "PR" if value in ("", "?"):
                 self._errors.append(MISSING)
             case "VA" | "OH" | "OL" if 0 < float(value) <= MAX_RATE:
                 self._rates[what] = float(value)
-            case "PA" | "OR" if not self._on:
+            case "PA" | "PR" | "OR" if not self._on:
                 self._errors.append(MOTOR_OFF)
-            case "PA":
-                self._platform.move(t_s, float(value), self._rates["VA"])
+            case "PA" | "PR":
+                self._move(t_s, float(value) + (float(self._platform.now(t_s)[0]) if what == "PR" else 0.0))
             case "OR":
                 self._platform.move(t_s, 0.0, self._rates["OH"])
             case "VA" | "OH" | "OL":
-                self._errors.append(OUT_OF_RANGE)
+                self._errors.append(TOO_FAST if float(value) > 0 else OUT_OF_RANGE)
             case _:
                 self._errors.append(UNKNOWN)
+
+    def _move(self, t_s: float, to_deg: float) -> None:
+        if abs(to_deg) > FARTHEST:
+            self._errors.append(BEYOND_PLUS if to_deg > 0 else BEYOND_MINUS)
+        else:
+            self._platform.move(t_s, to_deg, self._rates["VA"])

@@ -9,7 +9,9 @@ from typing import Any
 from drivers.emulators.line import Answers, Lab
 
 COMMAND = re.compile(r"(\d+)([A-Z]{2})(\?|-?\d+\.?\d*|)")
-NOT_REFERENCED, HOMING, MOVING, READY = 0x0A, 0x1E, 0x28, 0x33
+NOT_REFERENCED, HOMING, MOVING, HAS_HOMED, HAS_MOVED = 0x0A, 0x1E, 0x28, 0x32, 0x33
+READY = (HAS_HOMED, HAS_MOVED)
+REFUSED = {NOT_REFERENCED: "H", HOMING: "L", MOVING: "M", HAS_HOMED: "K", HAS_MOVED: "K"}
 MAX_RATE = HOME_RATE = 20.0
 
 
@@ -60,10 +62,9 @@ class Smc100Emulator(Answers):
     def _state(self, t_s: float) -> int:
         if not self._homed:
             return NOT_REFERENCED
-        if not self._platform.moving(t_s):
-            self._homing = False
-            return READY
-        return HOMING if self._homing else MOVING
+        if self._platform.moving(t_s):
+            return HOMING if self._homing else MOVING
+        return HAS_HOMED if self._homing else HAS_MOVED
 
     def _act(self, t_s: float, what: str, value: str) -> str:
         """The error letter."""
@@ -77,12 +78,12 @@ class Smc100Emulator(Answers):
                 self._platform.move(t_s, 0.0, HOME_RATE)
             case "VA" if 0 < float(value) <= MAX_RATE:
                 self._rate = float(value)
-            case "PA" if self._state(t_s) == READY:
-                self._platform.move(t_s, float(value), self._rate)
-            case "PR" if self._state(t_s) == READY:
-                self._platform.move(t_s, self._platform.now(t_s)[0] + float(value), self._rate)
-            case "PA" | "PR":
-                return "H" if not self._homed else "M"
+            case "PA" | "PR" if self._state(t_s) in READY:
+                here = float(self._platform.now(t_s)[0]) if what == "PR" else 0.0
+                self._homing = False
+                self._platform.move(t_s, here + float(value), self._rate)
+            case "OR" | "PA" | "PR":
+                return REFUSED[self._state(t_s)]
             case "VA":
                 return "C"
             case _:

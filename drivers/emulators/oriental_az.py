@@ -17,14 +17,15 @@ from drivers.emulators.modbus_rtu import (
     RtuSlave,
 )
 
-DIRECT, INPUTS, OUTPUTS, ALARM = 0x58, 0x7C, 0x7E, 0x80
+DIRECT, INPUTS, OUTPUTS, ALARM, RESET = 0x58, 0x7C, 0x7E, 0x80, 0x180
+ABSOLUTE, FROM_COMMAND, FROM_ENCODER, ALL_DATA = 1, 2, 3, 1
 POSITIONS = (0xC6, 0xCC, 0x120, 0x122)
 READY, ALM, MOVE, IN_POS = 1 << 5, 1 << 7, 1 << 13, 1 << 14
 STOP = 1 << 5
 
 
 class AzEmulator(RtuSlave):
-    """Starts a move when sixteen registers of direct data arrive, unless STOP is held; `alarm` is its code."""
+    """Starts a move when direct data arrive with the trigger of all, unless STOP is held; `alarm` is its code."""
 
     more = (DIAGNOSTICS,)
 
@@ -50,13 +51,16 @@ class AzEmulator(RtuSlave):
             self._held = bool(values[-1] & STOP)
             if self._held:
                 self._platform.stop(t_s)
+        elif (function, address, len(values)) in ((WRITE_REGISTERS, RESET, 2), (WRITE_REGISTER, RESET + 1, 1)):
+            self.alarm = 0 if values[-1] == 1 else self.alarm
         else:
             raise Refused(ILLEGAL_ADDRESS)
 
     def _move(self, t_s: float, data: list[int]) -> None:
-        _, kind, position, speed, *_ = data
-        if kind != 1 or not speed:
+        _, kind, position, speed, *_, trigger = data
+        if kind not in (ABSOLUTE, FROM_COMMAND, FROM_ENCODER) or not speed or trigger not in (0, ALL_DATA):
             raise Refused(ILLEGAL_VALUE)
-        if not self._held and not self.alarm:
+        if trigger and not self._held and not self.alarm:
+            from_deg = 0.0 if kind == ABSOLUTE else float(self._platform.now(t_s)[0])
             position -= (position >> 31) << 32
-            self._platform.move(t_s, position * 360 / self._steps, speed * 360 / self._steps)
+            self._platform.move(t_s, from_deg + position * 360 / self._steps, speed * 360 / self._steps)

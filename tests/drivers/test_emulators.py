@@ -13,8 +13,10 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.links import EmulatedLink
 from labcal.twin import open_twin
 
+AZ_MOVE = "0000 0000 0000 0002 0000 0032 0000 03E8 0000 03E8 0000 03E8 0000 03E8"  # 50 steps further, at 1 kHz
 ROLES = {
     "zaber": "platform", "oriental-az": "platform", "newport-esp301": "platform", "newport-smc100": "platform",
+    "leadshine": "platform",
     "hmr2300": "reference", "metrolab": "reference",
     "waveshare-relay": "polarity",
 }  # fmt: skip
@@ -44,6 +46,8 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"*00WE\r*00B\r", b"OK\rBINARY ON\r"),
         (b"*00WE\r*00R=21\r", b"OK\rRe-enter\r"),
         (b"*00]S\r", b"SET\r"),
+        (b"*00WE\rnoise\r*00A\r", b"OK\rRe-enter\rWE OFF\r"),
+        (b"*00WE\r*07P\r*00A\r", b"OK\rASCII ON\r"),  # another's words are not its own
     ]),
     ("tti-pl", [
         (b"*ESR?\nV1V 5.0\n*ESR?\nV1?\n", b"128\r\n0\r\nV1 5.000\r\n"),
@@ -101,6 +105,12 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (rtu("0006 232A 4000"), rtu("0006 232A 4000")),  # no more current than this
         (rtu("0006 01F5 4001"), rtu("0086 04")),
         (rtu("0006 01F5 4000"), rtu("0006 01F5 4000")),
+        (rtu("0006 01F4 4000"), rtu("0006 01F4 4000")),
+        (rtu("0006 0229 2000"), rtu("0006 0229 2000")),  # its over-current protection below its set-point
+        (rtu("0005 0195 FF00"), rtu("0005 0195 FF00")),
+        (rtu("0003 01FA 0001"), rtu("0003 02 8803")),  # off, and an alarm
+        (rtu("0005 019B FF00"), rtu("0005 019B FF00")),
+        (rtu("0003 01FA 0001"), rtu("0003 02 0803")),  # acknowledged
     ]),
     ("ea-ps2000b", [
         (bytes.fromhex("73 00 04 00 77"), bytes.fromhex("83 00 04 43 20 00 00 00 EA")),  # 160 W
@@ -116,6 +126,26 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (rtu("0108 0000 1234"), rtu("0108 0000 1234")),
         (rtu("0108 0001 1234"), rtu("0188 01")),
         (rtu("0106 007D 0020"), rtu("0106 007D 0020")),
+        (rtu("0106 007D 0000"), rtu("0106 007D 0000")),
+        (rtu("0110 0058 0010 20" + AZ_MOVE + "0000 0000"), rtu("0110 0058 0010")),  # held, and not begun
+        (rtu("0103 00CC 0002"), rtu("0103 04 0000 0000")),
+        (rtu("0110 0058 0010 20" + AZ_MOVE + "0000 0001"), rtu("0110 0058 0010")),
+        (rtu("0103 00CC 0002"), rtu("0103 04 0000 0032")),  # 50 steps from where it stood
+        (rtu("0110 0058 0010 20" + AZ_MOVE + "0000 0001"), rtu("0110 0058 0010")),
+        (rtu("0103 00CC 0002"), rtu("0103 04 0000 0064")),
+        (rtu("0110 0058 0010 20" + AZ_MOVE.replace("0002", "0009") + "0000 0001"), rtu("0190 03")),
+        (rtu("0106 0181 0001"), rtu("0106 0181 0001")),
+    ]),
+    ("leadshine", [
+        (rtu("0106 6200 0001"), rtu("0106 6200 0001")),
+        (rtu("0110 6201 0003 06 0000 0064 003C"), rtu("0110 6201 0003")),  # 100 pulses at 60 rpm
+        (rtu("0103 602C 0002"), rtu("0103 04 0000 0000")),
+        (rtu("0106 6002 0010"), rtu("0106 6002 0010")),
+        (rtu("0103 602C 0002"), rtu("0103 04 0000 0064")),
+        (rtu("0110 6200 0008 10 0001 0000 00C8 003C 0064 0064 0000 0010"), rtu("0110 6200 0008")),
+        (rtu("0103 602C 0002"), rtu("0103 04 0000 00C8")),  # the last word has triggered it
+        (rtu("0103 1003 0001"), rtu("0103 02 0032")),
+        (rtu("0106 6208 0001"), rtu("0186 02")),
     ]),
     ("keysight-e36300", [
         (b"INST:NSEL 1\nVOLT 5\nVOLT?\nINSTrument:NSELect?\n", b"+5.00000000E+00\n1\n"),
@@ -146,12 +176,19 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"1MO?\r1SL?\r1SR?\r", b"0\r\n-720\r\n720\r\n"),
         (b"1MO;1VA10;1PA1;1WS200;1TP;1MD?\r", b""),
         (b"", b"1.0000\r\n1\r\n"),  # 1.1 s later
+        (b"1VA41\r1PA721\r1PR-800\r2TP\rTP\r", b""),
+        (b"TE?\rTE?\rTE?\rTE?\rTE?\rTE?\r1VA?\r", b"110\r\n106\r\n107\r\n9\r\n37\r\n0\r\n10.0000\r\n"),
+        (b"1PR0.5\r", b""),
+        (b"1TP\r1VA0\rTE?\r", b"1.5000\r\n7\r\n"),
     ]),
     ("newport-smc100", [
         (b"1AC?\r\n1PW?\r\n", b"1AC80\r\n1PW0\r\n"),
         (b"1PR5\r\n1TE\r\n", b"1TEH\r\n"),
-        (b"1OR\r\n1PR0.01\r\n1TE\r\n", b"1TE@\r\n"),
-        (b"1TP\r\n", b"1TP0.01000\r\n"),
+        (b"1OR\r\n1TE\r\n1TS\r\n", b"1TE@\r\n1TS000032\r\n"),
+        (b"1PR0.01\r\n1TE\r\n", b"1TE@\r\n"),
+        (b"1TP\r\n1TS\r\n", b"1TP0.01000\r\n1TS000033\r\n"),
+        (b"1OR\r\n1TE\r\n", b"1TEK\r\n"),  # it is referenced, and ready
+        (b"1PA90\r\n1OR\r\n1TE\r\n1PA5\r\n1TE\r\n1TS\r\n", b"1TEM\r\n1TEM\r\n1TS000028\r\n"),
     ]),
     ("metrolab", [
         (b":FETC:TIM?;:FETC:TEMP?;*STB?\n", b"0x0;8123;0\n"),
