@@ -306,7 +306,7 @@ def verify(
         same_chain=same_chain,
         expired=until is not None and date.fromisoformat(until) < now.date(),
         trusted=trusted,
-        ahead=bool(issued := calibration.issued_utc) and datetime.fromisoformat(issued) > now + CLOCKS_DIFFER,
+        ahead=datetime.fromisoformat(calibration.issued_utc or NEVER.isoformat()) > now + CLOCKS_DIFFER,
     )
 
 

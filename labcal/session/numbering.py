@@ -90,10 +90,7 @@ def against_the_register(stated: Calibration) -> tuple[str, ...]:
 
     A number that the audit log alone still knows stands: the register was lost, or put back as it was before.
     """
-    if stated.number is None:
-        given_none = stated.approvers and stated.format != FIRST_VERSION
-        return ("number: none is stated, and an approval gives one",) if given_none else ()
-    if not (home() / register.FILE).exists():
+    if stated.number is None or not (home() / register.FILE).exists():
         return ()
     given = next((one for one in register.listed(home()) if one.number == stated.number), None)
     if given is None and noted_number(stated.number):

@@ -132,7 +132,7 @@ def test_what_nobody_stated_is_said_to_be_so(issued: Calibration, tmp_path: Path
     checked = verify(path, (), frozenset(), NOW)
     bare = replace(RUN, reference=Reference("vector", "H-1"), environment=None, channels=())
     page = words(calibration_page(replace(issued, number=None, issued_utc=None, budget=()), checked, "now", bare))
-    for says in ("Without a number", "Laboratory not stated", "Customer not stated", "not issued: a draft",
+    for says in ("Without a number", "Laboratory not stated", "Customer not stated", "no date of issue is stated",
                  "Traceability to the SI is not shown", "Nothing is stated of temperature"):  # fmt: skip
         assert says in page, says
     assert "not known here: the run is not in this lab" in words(page_of(path, issued, run=None))

@@ -69,7 +69,7 @@ def identity(c: Calibration, run: Run | None, said: Circumstances) -> Facts:
         ("Condition of the item", (item and item.condition) or NOT_STATED),
         ("Received", (item and item.received) or NOT_STATED),
         ("Calibrated", _when(run)),
-        ("Issued", c.issued_utc[:10] if c.issued_utc else "not issued: a draft"),
+        ("Issued", c.issued_utc[:10] if c.issued_utc else "no date of issue is stated"),
         ("Place", _place(stated)),
         ("Method", _method(c, said)),
         ("Run", c.run_id),
