@@ -33,6 +33,11 @@ def charts(
     bench: Path | None = typer.Option(None, help="The bench file whose [check_standard] is meant, with its settings."),
     repeats: int = typer.Option(1, min=1, max=50, help="Runs that are one point; a bench file states its own."),
     baseline: int = typer.Option(20, min=8, max=1000, help="Points that the limits are made of."),
+    archive: str | None = typer.Option(
+        None,
+        metavar="URL",
+        help="Runs of the archive, of all benches, not of the store: postgresql://USER@HOST/DATABASE.",
+    ),
     json: str | None = JSON,
     out: Path | None = OUT,
     force: bool = FORCE,
@@ -48,14 +53,17 @@ def charts(
     from labcal.years.documents import charts_document
     from labcal.years.pages import charts_page
 
+    if bench is not None and archive is not None:
+        raise InputError("the archive does not know which bench a run was recorded on: say a SERIAL with --archive")
     if bench is not None and serial is None:
         found = charts_of_bench(bench)
     elif serial is not None and bench is None:
-        found = charts_of(_stated(serial, repeats, baseline))
+        found = charts_of(_stated(serial, repeats, baseline), archive=archive)
     else:
         raise InputError("say a SERIAL, or --bench FILE whose check standard is meant")
     if not found.points:
-        raise InputError(f"the store has no finished run of {found.serial} by {found.stated.procedure}")
+        place = "store" if archive is None else "archive"
+        raise InputError(f"the {place} has no finished run of {found.serial} by {found.stated.procedure}")
     _give("charts", charts_document(found), charts_page(found), json, out, read, force=force)
     return NEGATIVE if found.out else DONE
 

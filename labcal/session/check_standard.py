@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -18,12 +18,15 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.quality.control_chart import Chart, control_chart
 from labcal.session.figures import SensorFigure, figures_of_run
+from labcal.session.from_archive import runs_from_archive
+from labcal.session.sources import Source
 from labcal.store import RunSummary, Store
 from labcal.store.listing import FILE as STORE
 
 KIND = "override"  # of the event in the record
 NAMESPACE = "labcal-override"
 MEASURED = ("finished", "imported")
+KEPT = "from-archive"  # bundles that charts were made of, in labcal's folder
 First = tuple[str, str, Mapping[str, Any]]
 
 
@@ -57,15 +60,19 @@ class Charts:
         return {name: c for name, c in self.of.items() if isinstance(c, Chart) and c.out_of_control}
 
 
-def charts(stated: CheckStandardConfig, *, bench: str | None = None, simulated: bool | None = None) -> Charts:
+def charts(
+    stated: CheckStandardConfig, *, bench: str | None = None, simulated: bool | None = None, archive: str | None = None
+) -> Charts:
     """The charts of what the local store has of the check standard, of one bench's runs where it is named.
 
-    Raises InputError where the store cannot be read, or simulated runs stand among real ones.
+    With `archive`, its URL, of all runs there that this role may see. Raises InputError where store or archive cannot
+    be read, or simulated runs stand among real ones.
     """
     measured, values, left_out = list[RunSummary](), list[Mapping[str, SensorFigure]](), list[str]()
-    for run in _runs(stated, bench, simulated):
+    found = _runs(stated, bench, simulated) if archive is None else _runs_of_archive(stated, archive)
+    for run, source in sorted(found, key=lambda one: one[0].started_utc):
         try:
-            values.append(figures_of_run(run.run_id))
+            values.append(figures_of_run(source))
             measured.append(run)
         except InputError as fault:
             left_out.append(f"{run.run_id}: {fault.what}")
@@ -141,8 +148,8 @@ def _statement(
     return {"statement": text, "key": override.key, "signature": signed(text.encode(), key, NAMESPACE)}
 
 
-def _runs(stated: CheckStandardConfig, bench: str | None, simulated: bool | None) -> list[RunSummary]:
-    """The runs that count, the oldest first."""
+def _runs(stated: CheckStandardConfig, bench: str | None, simulated: bool | None) -> list[tuple[RunSummary, Source]]:
+    """The runs of the store that count."""
     if not (home() / STORE).is_file():
         return []
     with Store.open() as store:
@@ -151,8 +158,17 @@ def _runs(stated: CheckStandardConfig, bench: str | None, simulated: bool | None
         found = [r for r in found if simulated is None or r.simulated == simulated]
         if len({r.simulated for r in found}) > 1:
             raise InputError(f"of {stated.serial} there are simulated and real runs: name its bench file")
-        mine = [r for r in found if bench is None or _bench_of(store, r) == bench]
-    return sorted(mine, key=lambda run: run.started_utc)
+        return [(r, r.run_id) for r in found if bench is None or _bench_of(store, r) == bench]
+
+
+def _runs_of_archive(stated: CheckStandardConfig, given: str) -> list[tuple[RunSummary, Source]]:
+    """The runs of the archive that count, each with its bundle, kept in labcal's folder."""
+    names = [field.name for field in fields(RunSummary)]
+    there = runs_from_archive(given, home() / KEPT, stated.serial)
+    found = [(RunSummary(*(row[name] for name in names)), place) for row, place in there]
+    if len({run.simulated for run, _ in found}) > 1:
+        raise InputError(f"of {stated.serial} the archive has simulated and real runs: they make no chart together")
+    return [(run, place) for run, place in found if run.procedure in (stated.procedure, "")]
 
 
 def _bench_of(store: Store, run: RunSummary) -> str:

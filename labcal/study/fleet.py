@@ -17,6 +17,7 @@ from labcal.fit.registry import methods
 from labcal.loop.refit import refit
 from labcal.model import Calibration, EffectRecord
 from labcal.model.effects import find
+from labcal.session.from_archive import calibrations_from_archive, runs_from_archive
 from labcal.session.signing import CALIBRATIONS
 from labcal.session.working_out import made_by, version, way_of, work_out
 from labcal.store import Bundle, load_bundle
@@ -26,6 +27,16 @@ from labcal.uncertainty.conformity.change import SHOWN
 from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 
 COVERAGE = 2.0
+FETCHED = "archive"  # in the folder of results
+
+
+def fetched(study: FleetStudy, file: Path, folder: Path) -> FleetStudy:
+    """The same study of what the archive holds, brought to `folder`. Raises InputError where that cannot be."""
+    if study.runs or study.calibrations:
+        raise InputError("archive: runs and calibrations come from there; leave out their folders", file=file)
+    runs_from_archive(study.archive, folder / "runs")
+    calibrations_from_archive(study.archive, folder / "calibrations")
+    return study.model_copy(update={"runs": folder / "runs", "calibrations": folder / "calibrations"})
 
 
 def fleet_jobs(study: FleetStudy) -> tuple[list[Job], list[str]]:

@@ -14,6 +14,7 @@ from labcal.files.outputs import Output, claim
 from labcal.study import folder
 from labcal.study.cluster import on_cluster
 from labcal.study.engine import on_processes
+from labcal.study.fleet import FETCHED, fetched
 from labcal.study.job import Job, Row
 from labcal.study.jobs import jobs_of
 from labcal.study.page import study_page
@@ -52,6 +53,8 @@ def run_study(
     """
     study = read_study(file)
     outputs = _claimed(out, file, force)
+    if isinstance(study, FleetStudy) and study.archive is not None:
+        study = fetched(study, file, out / FETCHED)
     jobs, remarks = jobs_of(study, file)
     for remark in remarks:
         on_remark(remark)

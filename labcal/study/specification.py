@@ -91,6 +91,7 @@ class FleetStudy(_Stated):
     kind: Literal["fleet"]
     runs: Path | None = None  # a folder of bundles; else this lab's store
     calibrations: Path | None = None  # a folder; else that of the runs, else this lab's own
+    archive: str | None = None  # its URL, without a password: all that is there, fetched into the folder of results
     by: str = "as-made"  # or close-loop, or a method of fit
     effect: NamedEffect | None = None
 

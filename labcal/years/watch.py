@@ -7,10 +7,10 @@ goes on where it was, and nobody is notified twice. A run that cannot be worked 
 from __future__ import annotations
 
 import json
-import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +19,12 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
 from labcal.session import archiving
+from labcal.session.from_archive import run_from_archive
 from labcal.years.notify import Way, notify
 
 COMMAND, STATE, FORMAT = "watch", "watched.json", "labcal-watch/1"
 SETTLED_S = 5.0  # a file that was written to since may not be whole yet
 GOOD = ("clean", "explained")
-SHA256 = re.compile("[0-9a-f]{64}")
 Say = Callable[[str], None]
 New = Iterator[tuple[str, str, Callable[[], Path]]]  # key, name and the way to the bundle
 
@@ -168,17 +168,7 @@ def _of_archive(given: str | None, known: frozenset[str], out: Path) -> New:
     rows = {row["sha256"]: row for row in archiving.archived_runs(given)}  # two sites may have the same run
     for row in rows.values():
         if row["sha256"] not in known:
-            yield row["sha256"], row["run_id"], lambda row=row: _fetched(given, row, out)  # type: ignore[misc]
-
-
-def _fetched(given: str | None, row: dict[str, Any], out: Path) -> Path:
-    if not SHA256.fullmatch(row["sha256"]):  # whoever may push writes the row: it would be part of a path
-        raise InputError(f"its SHA-256 in the archive is none: {row['sha256'][:80]!r}")
-    place = out / "bundles" / f"{row['sha256']}.zip"
-    place.parent.mkdir(exist_ok=True)
-    if not place.exists():
-        archiving.fetch_from_archive(given, row["sha256"], None, place)
-    return place
+            yield row["sha256"], row["run_id"], partial(run_from_archive, given, row, out / "bundles")
 
 
 def _changed(place: Path) -> tuple[float, int] | None:

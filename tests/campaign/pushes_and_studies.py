@@ -124,7 +124,9 @@ class Pushing:
     def wait(self) -> tuple[int | None, str]:
         """How it ended, and what it said then."""
         self.process.join(WITHIN_S)
-        return self.process.exitcode, (self.heard.recv() if self.heard.poll() else "")
+        with suppress(EOFError):  # it said nothing
+            return self.process.exitcode, (self.heard.recv() if self.heard.poll() else "")
+        return self.process.exitcode, ""
 
 
 def pushed_in_a_process(url: str) -> Pushing:
