@@ -200,8 +200,8 @@ class CertificatePage(QWidget):
         quiet = QSignalBlocker(self.list)  # with none chosen for a moment, what has the focus would lose it
         self.list.clear()
         for one in files:
-            simulated = f"  {translated('SIMULATED')}" if one.simulated else ""
-            self.list.addItem(f"{standing_word(one.standing)}  {one.dut.serial}{simulated}\n{Path(one.path).stem}")
+            simulated = f"\n{translated('SIMULATED')}" if one.simulated else ""
+            self.list.addItem(f"{standing_word(one.standing)}  {one.dut.serial}\n{Path(one.path).stem}{simulated}")
             self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one.path)
         paths = list(self._files)
         self.list.setCurrentRow(paths.index(kept) if kept in paths else 0)

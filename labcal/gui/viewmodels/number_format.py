@@ -25,9 +25,9 @@ def format_number(value: float, decimals: int = 1, *, signed: bool = True) -> st
     return text.replace(",", NARROW_SPACE).replace("-", MINUS).replace(".", QLocale().decimalPoint())
 
 
-def short_number(value: float) -> str:
-    """`value` as it was stated, a limit: 0.5 or, by the language, 0,5."""
-    return f"{value:g}".replace("-", MINUS).replace(".", QLocale().decimalPoint())
+def short_number(value: float | None) -> str:
+    """`value` as it was stated, a limit: 0.5 or, by the language, 0,5; – where none was."""
+    return "–" if value is None else f"{value:g}".replace("-", MINUS).replace(".", QLocale().decimalPoint())
 
 
 def format_field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:

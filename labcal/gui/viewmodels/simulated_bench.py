@@ -14,5 +14,5 @@ OPENING = QT_TRANSLATE_NOOP("Words", "Opening the simulated lab …")
 def open_simulated_bench(app_state: AppState) -> None:
     """Ask where its file is and open that; says so at once, because the first answer of a worker takes seconds."""
     if not app_state.run.alive:
-        app_state.lab.update(message=translated(OPENING))
+        app_state.lab.update(message=translated(str(OPENING)))
     app_state.request(FindSimulatedBench(), app_state.open_bench)

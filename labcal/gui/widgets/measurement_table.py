@@ -151,6 +151,6 @@ class Measurements(Table):
         self.set_cell(row, 1, format_number(one.value, decimals), right=True)
         self.set_cell(row, 2, format_number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
         self.set_cell(row, 3, one.unit)
-        self.set_cell(row, 4, "–" if one.limit is None else short_number(one.limit), right=True)
+        self.set_cell(row, 4, short_number(one.limit), right=True)
         shape, state = STATES.get(one.verdict, ("", "text"))
         self.set_cell(row, 5, f"{shape} {translated(one.verdict)}".strip() or "–", colour=getattr(self._theme, state))
