@@ -29,6 +29,7 @@ from labcal.bench.driver_kit.roles import (
     Magnetometer,
     RotationPlatform,
 )
+from labcal.bench.greeting import Greetings, Greets
 from labcal.bench.guarded_greeting import all_greeted
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.listening import Listening
@@ -131,12 +132,13 @@ class Bench:
         who = f"{known.model} {known.serial}".strip() if known else stated.driver
         return f"{name} ({who} at {stated.link})"
 
-    def identities(self) -> dict[str, Identity]:
+    def identities(self, begun: Greetings | None = None) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
 
-        A supply that answers at the links of two coils is another for both.
+        A supply that answers at the links of two coils is another for both. `begun`: those that were asked already.
         """
-        self._known = all_greeted(self._instruments, self.config, self.clock)
+        asked: Mapping[str, Greets] = self._instruments if begun is None else begun.instead(self._instruments)
+        self._known = all_greeted(asked, self.config, self.clock)
         links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
         refuse_one_at_two_links({name: self._known[name] for name in links}, links)
         return dict(self._known)
