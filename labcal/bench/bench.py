@@ -31,6 +31,7 @@ from labcal.bench.driver_kit.roles import (
 )
 from labcal.bench.guarded_identification import all_identified
 from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.identification import Identifications, Identifies
 from labcal.bench.listening import Listening
 from labcal.bench.named_links import named_links
 from labcal.bench.platform import BenchPlatform
@@ -131,12 +132,13 @@ class Bench:
         who = f"{known.model} {known.serial}".strip() if known else stated.driver
         return f"{name} ({who} at {stated.link})"
 
-    def identities(self) -> dict[str, Identity]:
+    def identities(self, begun: Identifications | None = None) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
 
-        A supply that answers at the links of two coils is another for both.
+        A supply that answers at the links of two coils is another for both. `begun`: those that were asked already.
         """
-        self._known = all_identified(self._instruments, self.config, self.clock)
+        asked: Mapping[str, Identifies] = self._instruments if begun is None else begun.instead(self._instruments)
+        self._known = all_identified(asked, self.config, self.clock)
         links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
         refuse_one_at_two_links({name: self._known[name] for name in links}, links)
         return dict(self._known)

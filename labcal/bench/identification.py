@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
 from typing import Protocol
 
 from labcal.bench.clock import Clock, RealClock
@@ -23,15 +24,45 @@ class Identifies(Protocol):
         ...
 
 
+class Identifications:
+    """Those on lines of the session's own, asked while the guardian still brings the coils to zero: each only once."""
+
+    def __init__(self) -> None:
+        self._begun: dict[str, Future[Answers]] = {}
+
+    def begin(self, instruments: Mapping[str, Identifies], apart: Mapping[str, str], clock: Clock) -> None:
+        """Ask them, each line in a thread of its own; `apart` as in `identified`. In simulated time nobody is asked."""
+        lines = _lines(apart, clock)
+        with suppress(RuntimeError):  # no thread to be had: they are asked with the others
+            pool = ThreadPoolExecutor(max(len(lines), 1), "identify")
+            for names in lines.values():
+                self._begun |= dict.fromkeys(names, pool.submit(_apart, clock, instruments, names))
+            pool.shutdown(wait=False)
+
+    def instead(self, instruments: Mapping[str, Identifies]) -> dict[str, Identifies]:
+        """The same, where those that have answered are not asked again."""
+        return {n: Asked(n, one, self._begun[n]) if n in self._begun else one for n, one in instruments.items()}
+
+
+class Asked:
+    """One that was asked already; where it did not answer then, with a busy computer, it is asked again."""
+
+    def __init__(self, name: str, one: Identifies, begun: Future[Answers]) -> None:
+        self._name, self._one, self._begun = name, one, begun
+
+    def identify(self) -> Identity:
+        """Its answer, as soon as it is there. Raises InstrumentError."""
+        answer = self._begun.result().get(self._name)
+        return answer if isinstance(answer, Identity) else self._one.identify()
+
+
 def identified(instruments: Mapping[str, Identifies], apart: Mapping[str, str], clock: Clock) -> dict[str, Identity]:
     """Each one's identity by name. Raises the InstrumentError of the first, in their order, that is silent or another.
 
     `apart`: the lines of those that may be asked in a thread of their own. All others are asked here, one after
     another; meanwhile, and until all have answered, this thread alone looks at every line, as waiting does.
     """
-    lines: dict[str, list[str]] = {}
-    for name, line in apart.items() if isinstance(clock, RealClock) else ():
-        lines.setdefault(line, []).append(name)
+    lines = _lines(apart, clock)
     elsewhere = {name for names in lines.values() for name in names}
     with ThreadPoolExecutor(max(len(lines), 1), "identify") as pool:
         begun = [pool.submit(_apart, clock, instruments, names) for names in lines.values()]
@@ -47,6 +78,13 @@ def lines_apart(config: BenchConfig) -> dict[str, str]:
     """The lines of the session's own instruments that are real ones, and not the guardian's."""
     ours = ((name, one.link) for name, one in config.instruments.items() if one.link not in config.guarded_links)
     return {name: link for name, link in ours if not link.startswith(("emulated://", "manual://"))}
+
+
+def _lines(apart: Mapping[str, str], clock: Clock) -> dict[str, list[str]]:
+    lines: dict[str, list[str]] = {}
+    for name, line in apart.items() if isinstance(clock, RealClock) else ():
+        lines.setdefault(line, []).append(name)
+    return lines
 
 
 def _apart(clock: Clock, instruments: Mapping[str, Identifies], names: Iterable[str]) -> Answers:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -17,11 +18,12 @@ from labcal.bench.driver_kit.roles import CoilSupply, DutStream, Instrument, Pol
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
+from labcal.bench.identification import Identifications, lines_apart
 from labcal.bench.listening import temperatures_of
 from labcal.bench.loading import Loader, speaks_modbus
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
-from labcal.errors import InputError, LimitError
+from labcal.errors import InputError, InstrumentError, LimitError
 
 
 def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None, identify: bool = True) -> Bench:
@@ -32,17 +34,21 @@ def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = Non
     `clock`: the real one unless all links are emulated, then a virtual one. `seed` repeats a simulated lab exactly.
     Raises InputError for a bad file, InstrumentError where an instrument cannot be reached or is another.
     """
-    bench = load_bench(Path(path), clock, seed)
+    begun = Identifications() if identify else None
+    bench = load_bench(Path(path), clock, seed, begun)
     if identify:
         with ExitStack() as on_failure:
             on_failure.callback(bench.close)
-            bench.identities()
+            bench.identities(begun)
             on_failure.pop_all()
     return bench
 
 
-def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
-    """Open every instrument of `path` and put it in its role; links are let go of where one of them fails."""
+def load_bench(path: Path, clock: Clock | None, seed: int | None, begun: Identifications | None = None) -> Bench:
+    """Open every instrument of `path` and put it in its role; links are let go of where one of them fails.
+
+    `begun`: with these, who is on a line of the session's own is asked who it is while the guardian begins with zero.
+    """
     config, cage = calibrated(read_config(path), path)
     if clock is None:
         clock = VirtualClock(datetime.now(UTC)) if config.simulated else RealClock()
@@ -52,24 +58,61 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
     loader.look_over()  # what is wrong with the file is said here, not by another process
     loader.meet_group()
     with ExitStack() as on_failure:
-        guardian = _guardian(loader)
+        own = OwnInstruments(loader)
+        on_failure.callback(own.close)
+        guardian = _guardian(loader, (lambda: None) if begun is None else partial(own.identify, begun))
         if guardian is not None:
             on_failure.callback(guardian.close)
         instruments: dict[str, Instrument] = {}
         for name in config.instruments:
-            instruments[name] = _instrument(loader, name, guardian)
+            instruments[name] = own.taken(name) or _instrument(loader, name, guardian)
             on_failure.callback(instruments[name].close)
         bench = _in_roles(loader, instruments, guardian, cage)
         on_failure.pop_all()
         return bench
 
 
-def _guardian(loader: Loader) -> GuardianClient | None:
+class OwnInstruments:
+    """Those on lines of the session's own, opened before the guardian answers."""
+
+    def __init__(self, loader: Loader) -> None:
+        self._loader, self._apart = loader, lines_apart(loader.config)
+        self._opened: dict[str, Instrument] | None = None
+        self._fault: InputError | InstrumentError | None = None  # of the first that could not be opened
+
+    def identify(self, begun: Identifications) -> None:
+        """Open them and begin to ask them who they are, once however often it is called; `taken` raises what fails."""
+        if self._opened is not None:
+            return
+        self._opened = {}
+        try:
+            for name in self._apart:
+                self._opened[name] = self._loader.instrument(name)
+        except (InputError, InstrumentError) as fault:
+            self._fault = fault
+        begun.begin(dict(self._opened), {name: self._apart[name] for name in self._opened}, self._loader.clock)
+
+    def taken(self, name: str) -> Instrument | None:
+        """The instrument, from now on another's to close; None where it was not to be opened here."""
+        if self._opened is None or name not in self._apart:
+            return None
+        if name not in self._opened and self._fault is not None:
+            raise self._fault
+        return self._opened.pop(name, None)
+
+    def close(self) -> None:
+        """Let go of those that nobody has taken."""
+        with ExitStack() as steps:
+            for instrument in (self._opened or {}).values():
+                steps.callback(instrument.close)
+
+
+def _guardian(loader: Loader, meanwhile: Callable[[], None]) -> GuardianClient | None:
     """The guardian of a bench with real supplies or contacts; those of a simulated one die with the session."""
     config = loader.config
     if not config.guarded_links:
         return None
-    return GuardianClient(loader.path, config, loader.clock)
+    return GuardianClient(loader.path, config, loader.clock, meanwhile)
 
 
 def _instrument(loader: Loader, name: str, guardian: GuardianClient | None) -> Instrument:

@@ -9,6 +9,8 @@ from served_lab import Served, all_gone
 
 from labcal.bench import open_bench
 from labcal.bench.guarded_identification import AskedSupply
+from labcal.bench.guardian import client
+from labcal.bench.loading import Loader
 from labcal.errors import InstrumentError
 
 SUPPLIES = {"supply_x", "supply_y", "supply_z"}
@@ -42,6 +44,42 @@ def test_no_supply_waits_for_another_to_say_who_it_is(lab: Served, monkeypatch: 
             assert asked == SUPPLIES
     finally:
         all_gone(lab.file)
+
+
+def test_the_sessions_own_are_asked_once_while_the_guardian_begins(
+    lab: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked, stage, found = list[bytes](), lab.emulator("stage"), client.found
+    take = stage.take
+
+    def heard(t_s: float, data: bytes) -> None:
+        asked.append(data)
+        take(t_s, data)
+
+    monkeypatch.setattr(stage, "take", heard)
+    monkeypatch.setattr(client, "found", lambda urls: found(urls) if asked else None)  # it is not there before
+    try:
+        with open_bench(lab.file) as bench:
+            assert bench.platform.name == "stage"
+        assert sum(b"get deviceid" in data for data in asked) == 1
+    finally:
+        all_gone(lab.file)
+
+
+def test_a_line_of_its_own_that_does_not_open_is_named_and_the_guardian_is_let_go(
+    lab: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    instrument = Loader.instrument
+
+    def opened(loader: Loader, name: str) -> Any:
+        if name == "stage":
+            raise InstrumentError("stage: there is no such port", fault="link lost")
+        return instrument(loader, name)
+
+    monkeypatch.setattr(Loader, "instrument", opened)
+    with pytest.raises(InstrumentError, match="stage: there is no such port"):
+        open_bench(lab.file)
+    all_gone(lab.file)
 
 
 def test_a_guardian_that_is_gone_meanwhile_is_named() -> None:

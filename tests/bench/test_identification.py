@@ -11,7 +11,7 @@ import pytest
 
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.identification import identified
+from labcal.bench.identification import Identifications, identified
 from labcal.bench.links import open_link
 from labcal.errors import InstrumentError
 
@@ -59,6 +59,38 @@ def test_the_first_of_the_file_that_is_at_fault_is_told(apart: str) -> None:
     there: dict[str, Any] = {name: Waits(name, fault="silent" if name in "bd" else "") for name in "abcd"}
     with pytest.raises(InstrumentError, match="b: nothing came"):
         identified(there, dict.fromkeys(apart, "tcp://1"), RealClock())
+
+
+def test_those_that_were_asked_while_others_were_not_there_yet_are_asked_once() -> None:
+    asked = list[str]()
+
+    class Counts(Waits):
+        def identify(self) -> Identity:
+            asked.append(self.name)
+            return super().identify()
+
+    there, lines, begun = {name: Counts(name) for name in "abc"}, {"a": "tcp://1", "b": "tcp://1"}, Identifications()
+    begun.begin({name: there[name] for name in lines}, lines, RealClock())
+    who = identified(begun.instead(there), lines, RealClock())
+    assert [one.model for one in who.values()] == list("abc")
+    assert sorted(asked) == list("abc")
+
+
+def test_one_that_was_silent_when_it_was_asked_too_early_is_asked_again() -> None:
+    there: dict[str, Any] = {name: Waits(name, fault="silent" if name in "bc" else "") for name in "abc"}
+    lines, begun = {"b": "tcp://1", "c": "tcp://1"}, Identifications()
+    begun.begin({name: there[name] for name in lines}, lines, RealClock())
+    with pytest.raises(InstrumentError, match="b: nothing came"):
+        identified(begun.instead(there), lines, RealClock())
+    there["b"]._fault = there["c"]._fault = ""
+    assert list(identified(begun.instead(there), lines, RealClock())) == list("abc")
+
+
+def test_in_simulated_time_nobody_is_asked_before_the_others_are_there() -> None:
+    there: dict[str, Any] = {"a": Waits("a")}
+    begun = Identifications()
+    begun.begin(there, {"a": "tcp://1"}, VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)))
+    assert begun.instead(there) == there
 
 
 def test_while_others_are_asked_waiting_here_looks_at_every_line_and_waiting_there_at_none() -> None:

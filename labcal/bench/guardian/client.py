@@ -112,9 +112,14 @@ class Connection:
 
 
 class GuardianClient:
-    """A session's guardian: the orders of `Server`, as methods. Reconnects to the successor of one that was killed."""
+    """A session's guardian: the orders of `Server`, as methods. Reconnects to the successor of one that was killed.
 
-    def __init__(self, path: Path, config: BenchConfig, clock: Clock) -> None:
+    `meanwhile` is called, more than once, while one that was just started begins; it raises nothing.
+    """
+
+    def __init__(
+        self, path: Path, config: BenchConfig, clock: Clock, meanwhile: Callable[[], None] = lambda: None
+    ) -> None:
         self._bench, self._clock = Briefing(path, config, wire.fingerprint(path)), clock
         self._urls = config.guarded_links
         self._connection: Connection | None = None
@@ -126,7 +131,7 @@ class GuardianClient:
         self.zero_is_ordered = False  # the last that was sent: nothing was lost since
         self._read = LastRead(clock)
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
-        self.facts: dict[str, dict[str, Any]] = self._meet()
+        self.facts: dict[str, dict[str, Any]] = self._meet(meanwhile)
         clock.while_waiting(self._beat)
 
     def ask(self, order: str, **what: Any) -> Any:
@@ -243,7 +248,7 @@ class GuardianClient:
 
             self._started = spawn(self._bench, *([SUCCESSOR] if self._start_after_s else []))
 
-    def _meet(self) -> dict[str, dict[str, Any]]:
+    def _meet(self, meanwhile: Callable[[], None] = lambda: None) -> dict[str, dict[str, Any]]:
         """Find the guardian of these ports, or start one, and be its session."""
         me, deadline = f"session {os.getpid()}", time.monotonic() + (AGAIN_S if self._failed else START_S)
         self._failed = True
@@ -261,6 +266,7 @@ class GuardianClient:
                     return dict(hello["facts"])
                 if time.monotonic() > self._start_after_s:
                     self._start_another()
+                    meanwhile()
             except OSError:
                 self._forget()
             except InstrumentError as fault:
