@@ -48,12 +48,10 @@ def test_what_is_not_asked_again_is_told_as_that_with_its_age(bench: Bench) -> N
     assert not any(end.abrupt for end in ended)
 
 
-def test_a_coil_whose_fault_names_it_is_named_once(bench: Bench) -> None:
+def test_a_coil_whose_fault_names_it_is_named_once() -> None:
     still = InstrumentError("coil x: 0.6 A still flows 1 s after zero was set.", fault="not zero")
-    bench.guardian._note_ends([AtZero("x", None, False, still), AtZero("y", None, False, InstrumentError("no reply."))])
-    assert bench.noted[-1] == (
-        "NOT confirmed at zero: coil x: 0.6 A still flows 1 s after zero was set.; coil y: no reply."
-    )
+    assert AtZero("x", None, False, still).why_left == "coil x: 0.6 A still flows 1 s after zero was set."
+    assert AtZero("y", None, False, InstrumentError("no reply.")).why_left == "coil y: no reply."
 
 
 def fails_once(bench: Bench, axis: str) -> None:

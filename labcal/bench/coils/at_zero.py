@@ -45,6 +45,11 @@ class AtZero:
         return ended if self.fault is None else f"{ended}; before that: {self.fault.what.removesuffix('.')}"
 
     @property
+    def why_left(self) -> str:
+        """The axis, and why it was not read back at zero; a fault of the coil names it itself."""
+        return f"coil {self.axis}: {self.words.removeprefix(f'coil {self.axis}: ')}"
+
+    @property
     def age_words(self) -> str:
         """When it was read back, where that is not just now."""
         age_s = 0.0 if self.read_s is None else time.monotonic() - self.read_s

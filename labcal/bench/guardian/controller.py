@@ -201,7 +201,7 @@ class Guardian:
         if known:
             self._note(f"{BY_WORD}, read back: {'; '.join(map(_read_back, known))}")
         if left := [end for end in ended if end.current_A is None]:
-            self._note(f"NOT confirmed at zero: {'; '.join(map(_not_read, left))}")
+            self._note(f"NOT confirmed at zero: {'; '.join(end.why_left for end in left)}")
 
     def look_at_duty(self) -> None:
         """Zero where a winding has borne enough, whatever the session believes."""
@@ -303,11 +303,6 @@ def _given_back(coils: Sequence[GuardedCoil]) -> None:
         with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is reported to nobody
             if coil.unresolved is None and not coil.energised:
                 coil.bare.make_safe()
-
-
-def _not_read(end: AtZero) -> str:
-    """Why an axis was not read back at zero; a fault of the coil names it itself."""
-    return f"coil {end.axis}: {end.words.removeprefix(f'coil {end.axis}: ')}"
 
 
 def _read_back(end: AtZero) -> str:
