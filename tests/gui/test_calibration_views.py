@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Standing
+from labcal.gui.ipc.messages import ListCalibrations
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS, parameter_rows
 from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION, change_rows, specification_rows, verdict
@@ -138,3 +140,17 @@ def test_below_the_parameters_stands_what_makes_most_of_each_uncertainty_and_all
         "|b| 50 µT along x", "k = 2.00", "reference: zero 84.0 %", "noise 16.0 %"
     ]  # fmt: skip
     assert not views.remark.isVisibleTo(views)
+
+
+def test_a_draft_of_a_simulated_run_says_so_and_its_list_leaves_the_focus_alone(still, qtbot):
+    draft = replace(calibration(path="home/r2.json"), simulated=True, operator="J. Doe")
+    page = still.page("Certificate")
+    still.open_page("Certificate")
+    still.app_state.quick_worker.answer(ListCalibrations, (draft,))
+    assert page.list.item(0).text().endswith("r2\nSIMULATED")
+    assert "SIMULATED: it describes no real sensor." in page.standing.text()
+    assert page.next.text().startswith("Another person than J. Doe approves, and signs; without a key, New key")
+    page.signer.setFocus()
+    page.refresh()
+    still.app_state.quick_worker.answer(ListCalibrations, (draft,))
+    assert page.signer.isAncestorOf(QApplication.focusWidget()) or page.signer.hasFocus()

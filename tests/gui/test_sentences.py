@@ -12,6 +12,7 @@ from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.sentences import COILS, form_of, in_words
+from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.parameter_form import title_of
 from labcal.record.stream import Prompt
 from labcal.runner import catalogue
@@ -108,3 +109,11 @@ def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new
     run.answer("done")
     assert Answer("mount-x", "done") in new_window.app_state.bench_worker.said
     assert "Feld" in in_words("Each coil goes to ±50 µT, then the field rotates. Hands off?")
+
+
+def test_limits_and_readings_in_sentences_have_the_decimal_mark_of_the_language(german):
+    assert short_number(0.5) == "0,5"
+    assert short_number(None) == "–"
+    assert in_words("coils on: x +0.1060 A") == "Spulen an: x +0,1060 A"
+    assert in_words("offset x") == "Nullpunkt x"
+    assert in_words("tcp://127.0.0.1:4002") == "tcp://127.0.0.1:4002"
