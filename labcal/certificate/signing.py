@@ -110,6 +110,8 @@ class Verification:
             return lacking
         if c.format == FIRST_VERSION:
             return f"{FIRST_VERSION} has no place for what a released one states: number, budget, what is not covered"
+        if c.number is None or c.issued_utc is None:
+            return "it has no number and date of issue, which an approval gives: nobody's approval is on record"
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
 
     def signed_at(self, check: SignatureCheck) -> str:

@@ -342,6 +342,14 @@ def test_one_that_is_issued_in_the_future_is_provisional(released: Path):
     assert "issued_utc is later than this computer's clock" in " ".join(found.sentences())
 
 
+def test_one_that_was_approved_past_the_register_is_provisional(released: Path):
+    edited(released, lambda c: c.update(number=None))
+    signed_elsewhere(released)
+    found = session.verify(released)
+    assert found.status == "provisional"
+    assert "no number and date of issue, which an approval gives" in " ".join(found.sentences())
+
+
 def test_one_that_nobody_measured_is_provisional_whoever_signs_it(tmp_path: Path):
     path = recorded(tmp_path / "cal.json", operator="")
     edited(path, lambda c: c.update(approvers=["bob"], number="SIM-CAGE-2026-0001", issued_utc="2026-11-21T12:00:00Z"))

@@ -32,10 +32,15 @@ def check(path: Path, lab: tuple[Signer, ...]) -> Verification:
     return verify(path, lab, frozenset(), NOW)
 
 
+def numbered(draft: Calibration) -> Calibration:
+    """With what an approval gives."""
+    return replace(draft, number="LAB-CAGE-2026-0001", issued_utc="2026-11-21T11:00:00Z")
+
+
 @pytest.fixture
 def signed(draft: Path, lab: tuple[Signer, ...], key: Ed25519PrivateKey, other_key: Ed25519PrivateKey) -> Path:
     """Approved by bob, signed by ada and bob."""
-    approve(draft, "bob")
+    approve(draft, "bob", issue=numbered)
     sign(draft, "ada", key, lab)
     sign(draft, "bob", other_key, lab)
     return draft

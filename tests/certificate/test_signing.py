@@ -32,7 +32,8 @@ def objection(path: Path, lab: Lab) -> str:
 
 
 def test_two_persons_sign_and_both_hold(draft: Path, lab: Lab, key: Ed25519PrivateKey, other_key: Ed25519PrivateKey):
-    approve(draft, "bob")
+    numbered = {"number": "LAB-CAGE-2026-0001", "issued_utc": "2026-11-21T11:00:00Z"}
+    approve(draft, "bob", issue=lambda draft: replace(draft, **numbered))
     assert sign(draft, "ada", key, lab).name == "cal.json.sshsig"
     assert check(draft, lab).provisional == "named as approver, but has not signed: bob"
     assert sign(draft, "bob", other_key, lab).name == "cal.json.2.sshsig"
