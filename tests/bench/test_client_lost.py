@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +45,7 @@ class Guardian:
 class Client(GuardianClient):
     """It finds the next guardian at once."""
 
-    def _meet(self) -> dict[str, dict[str, Any]]:
+    def _meet(self, meanwhile: Callable[[], None] = lambda: None) -> dict[str, dict[str, Any]]:
         self._connection: Any = Guardian()
         return {axis: {} for axis in "xyz"}
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ class Config:
 class Met(GuardianClient):
     """It has found its guardian."""
 
-    def _meet(self) -> dict[str, dict[str, Any]]:
+    def _meet(self, meanwhile: Callable[[], None] = lambda: None) -> dict[str, dict[str, Any]]:
         self._connection: Any = self
         self.hung_up = 0
         return {}
