@@ -68,13 +68,18 @@ def fetch_from_archive(given: str | None, run: str, site: str | None, out: Path,
     [output] = claim("archive", out, force=force)
     if out.suffix.lower() != ".zip":
         raise InputError("a bundle from the archive is a zip: name it so", file=out)
+    bundle = bundle_from_archive(given, run, site)
+    with output.writing():
+        save_bundle(bundle, out)
+
+
+def bundle_from_archive(given: str | None, run: str, site: str | None = None) -> Bundle:
+    """The bundle of a run of the archive, its SHA-256 looked at."""
     with opened(given) as archive:
         from labcal.archive.queries import runs_named
         from labcal.session.archive_check import bundle_of_row
 
-        bundle = _first_whole(partial(bundle_of_row, place_of_bundles(archive)), runs_named(archive, run, site))
-    with output.writing():
-        save_bundle(bundle, out)
+        return _first_whole(partial(bundle_of_row, place_of_bundles(archive)), runs_named(archive, run, site))
 
 
 def _first_whole(bundle: Callable[[dict[str, Any]], Bundle], rows: list[dict[str, Any]]) -> Bundle:

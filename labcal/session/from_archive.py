@@ -9,8 +9,9 @@ from typing import Any
 
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
-from labcal.session.archiving import archived_runs, fetch_from_archive
+from labcal.session.archiving import archived_runs, bundle_from_archive
 from labcal.session.opened_archive import opened
+from labcal.store import save_bundle
 
 SHA256 = re.compile(r"[0-9a-f]{64}")
 
@@ -22,7 +23,7 @@ def run_from_archive(given: str | None, row: dict[str, Any], folder: Path) -> Pa
     place = folder / f"{row['sha256']}.zip"
     folder.mkdir(parents=True, exist_ok=True)
     if not place.exists():
-        fetch_from_archive(given, row["sha256"], None, place)
+        save_bundle(bundle_from_archive(given, row["sha256"]), place)
     return place
 
 
