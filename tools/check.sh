@@ -28,36 +28,15 @@ if ! command -v initdb >/dev/null && ! compgen -G "/usr/lib/postgresql/*/bin/ini
     fi
 fi
 
-# Two processes share the tests, whole files each and in order, where there are two cores; `PROCESSES=1 make test`: one.
-SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
-processes = int(os.environ["PROCESSES"] or min(2, os.cpu_count() or 1))
-print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
-
-# The others wait a quarter of their time for a line or a guardian: these rooms only compute, and get the time that is left.
-# At the lowest priority they keep no other test waiting, nor the checks that use one core. Not where a quota rations the
-# processor, as in some containers: what they used up the others would lack, whatever the priority.
-COMPUTING=(tests/fit tests/loop tests/model tests/papers tests/quality tests/record tests/twin tests/uncertainty)
-BESIDE=
-QUOTA=$(cat /sys/fs/cgroup/cpu.max /sys/fs/cgroup/cpu/cpu.cfs_quota_us 2>/dev/null || true)
-if [ -n "$SHARED" ] && [ $# = 0 ] && [[ $QUOTA =~ ^(max|-1|$) ]]; then
-    COMPUTED=$(mktemp)
-    # shellcheck disable=SC2086  # several words
-    nice -n 19 "$BIN/pytest" $SHARED -m "not slow" -p no:cacheprovider "${COMPUTING[@]}" >"$COMPUTED" 2>&1 &
-    BESIDE=$!
-    trap 'kill "$BESIDE" 2>/dev/null || true; rm -f "$COMPUTED"' EXIT
-fi
-
 "$BIN/ruff" check .
 "$BIN/ruff" format --check --quiet .
 "$BIN/mypy"
 "$BIN/lint-imports" --no-cache
 
+# Two processes share the tests, whole files each and in order, where there are two cores; `PROCESSES=1 make test`: one.
+# A process waits a quarter of its time for a line or a guardian: `PROCESSES=3` gives two cores more to do, in more memory.
+SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
+processes = int(os.environ["PROCESSES"] or min(2, os.cpu_count() or 1))
+print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
 # shellcheck disable=SC2086  # several words
-[ -n "$BESIDE" ] || exec "$BIN/pytest" $SHARED -m "not slow" "$@"
-RESULT=0
-# shellcheck disable=SC2086  # several words
-"$BIN/pytest" $SHARED -m "not slow" "${COMPUTING[@]/#/--ignore=}" || RESULT=$?
-echo "Those that only compute: ${COMPUTING[*]}"
-wait "$BESIDE" || RESULT=$?
-cat "$COMPUTED"
-exit "$RESULT"
+exec "$BIN/pytest" $SHARED -m "not slow" "$@"
