@@ -19,11 +19,24 @@ SEED = "3"
 
 
 @pytest.fixture(scope="module")
-def demo(tmp_path_factory):
-    """One demo, run as a person would; what it printed and where it wrote."""
+def finished(tmp_path_factory):
+    """One demo, run as a person would, into a pipe; where it wrote."""
     folder = tmp_path_factory.mktemp("demo")
-    finished = run(folder, home_of(folder))
-    return folder, finished.stdout
+    return folder, run(folder, home_of(folder))
+
+
+@pytest.fixture(scope="module")
+def demo(finished):
+    """Where it wrote, and what it printed."""
+    folder, process = finished
+    return folder, process.stdout
+
+
+def test_into_a_pipe_it_says_every_few_seconds_what_it_is_at(finished):
+    lines = finished[1].stderr.splitlines()
+    assert len(lines) >= 3
+    assert all(line.startswith("  ... ") for line in lines)
+    assert any("scoring" in line for line in lines)
 
 
 def home_of(folder):

@@ -21,6 +21,24 @@ if TYPE_CHECKING:
     from labcal.record.stream import Item
 
 
+OPENING = "opening the simulated bench"
+EVERY_S = 3.0
+
+
+class LogLines:
+    """What is being done, where it goes into a file or a pipe: a line every few seconds shows that it goes on."""
+
+    def __init__(self) -> None:
+        self._began_s = self._last_s = time.monotonic()
+
+    def __call__(self, doing: str) -> None:
+        """Say it, where nothing was said for a while."""
+        now = time.monotonic()
+        if now - self._last_s >= EVERY_S:
+            self._last_s = now
+            print(f"  ... {now - self._began_s:.0f} s, {doing}", file=sys.stderr, flush=True)
+
+
 @app.command("demo", rich_help_panel="Begin")
 def demo(
     seed: int = typer.Option(0, min=0, help="Repeats everything: the simulated lab and the effect that it hides."),
@@ -37,12 +55,18 @@ def demo(
     began = time.monotonic()
     columns = (TextColumn("{task.description:<34}", markup=False), BarColumn(), TimeElapsedColumn())
     with at_a_terminal(Progress(*columns, console=console(stderr=True))) as progress:
-        task = progress.add_task("opening the simulated bench", total=None)
+        task = progress.add_task(OPENING, total=None)
+        log = (lambda doing: None) if progress.console.is_terminal else LogLines()
 
         def stage(name: str) -> None:
             progress.update(task, description=name, total=None, completed=0)
+            log(name)
 
-        done = run_demo(out, seed, stage=stage, on_item=lambda item: _step(progress, task, item))
+        def on_item(item: Item) -> None:
+            _step(progress, task, item)
+            log(progress.tasks[task].description)
+
+        done = run_demo(out, seed, stage=stage, on_item=on_item)
         progress.update(task, description="done", total=1, completed=1)
     _show(done, time.monotonic() - began)
 

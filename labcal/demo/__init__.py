@@ -42,8 +42,8 @@ class Demo:
 def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, on_item: Callable[[Item], None]) -> Demo:
     """Run the line into `folder`, where `demo_folder.make_room` has been. Two files repeat byte for byte from `seed`.
 
-    These are `run.zip` and `calibration.json`. `stage` hears the names in STAGES as they begin, `on_item` every item of
-    the run. Raises InstrumentError where an emulated instrument fails.
+    These are `run.zip` and `calibration.json`. `stage` hears the names in STAGES as they begin and what the loop is at,
+    `on_item` every item of the run. Raises InstrumentError where an emulated instrument fails.
     """
     stage(STAGES[0])
     cage = _record(
@@ -54,7 +54,7 @@ def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, on
     with Store.open(folder / STORE) as store:
         save_bundle(store.bundle(outcome.run_id, with_chain=True), folder / RUN)
     stage(STAGES[2])
-    closed = session.close_loop(str(folder / RUN), folder / CALIBRATION, report=folder / REPORT)
+    closed = session.close_loop(str(folder / RUN), folder / CALIBRATION, stage, report=folder / REPORT)
     stage(STAGES[3])
     sign_simulated(folder / CALIBRATION, folder / TRUST)
     verification = session.verify(folder / CALIBRATION, folder / TRUST, str(folder / RUN))

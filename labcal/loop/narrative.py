@@ -42,9 +42,9 @@ def summary(
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     if shape is None and declared is None:  # nothing is left but the rows that were set aside
-        most = 100 * policy.POLICY.max_outlier_share
+        most = f"{policy.POLICY.max_outlier_share:.0%}".replace("%", " %")
         sentences["partly-explained"] = (
-            f"{named} {verb} the residual: {change}; but of a run with more than {most:.0f} % of its rows set aside as "
+            f"{named} {verb} the residual: {change}; but of a run with more than {most} of its rows set aside as "
             "outliers nothing is called explained."
         )
     left = f" What is left: {shape.says}" if shape is not None else ""
