@@ -41,10 +41,10 @@ class Identifications:
 
     def instead(self, instruments: Mapping[str, Identifies]) -> dict[str, Identifies]:
         """The same, where those that have answered are not asked again."""
-        return {n: Asked(n, one, self._begun[n]) if n in self._begun else one for n, one in instruments.items()}
+        return {n: AlreadyAsked(n, one, self._begun[n]) if n in self._begun else one for n, one in instruments.items()}
 
 
-class Asked:
+class AlreadyAsked:
     """One that was asked already; where it did not answer then, with a busy computer, it is asked again."""
 
     def __init__(self, name: str, one: Identifies, begun: Future[Answers]) -> None:

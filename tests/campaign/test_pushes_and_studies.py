@@ -40,7 +40,7 @@ def test_the_judge_sees_a_row_and_a_bundle_that_are_gone(place: Place) -> None:
         pushing.process.join(1800)
         lost = sorted(Path(place.folder, f"trial-{place.used}", "bundles").rglob("*.zip"))[0]
         lost.unlink()
-        with place.server.connect(f"lab{len(databases(place)) - 1}") as connection:
+        with place.server.connect(newest_database(place)) as connection:
             connection.execute("DELETE FROM labcal.instrument")
 
     faults = cut_push(place, random.Random(0), damage)["faults"]
@@ -49,6 +49,8 @@ def test_the_judge_sees_a_row_and_a_bundle_that_are_gone(place: Place) -> None:
     assert any("half there" in one for one in faults)
 
 
-def databases(place: Place) -> list[object]:
+def newest_database(place: Place) -> str:
+    """Its number counts those of all tests of this process."""
     with place.server.connect() as connection:
-        return connection.execute("SELECT datname FROM pg_database WHERE datname LIKE 'lab%'").fetchall()
+        found = connection.execute("SELECT datname FROM pg_database WHERE datname LIKE 'lab%'").fetchall()
+    return max((name for (name,) in found), key=lambda name: int(name.removeprefix("lab")))
