@@ -63,6 +63,15 @@ def whole_way(stated: Calibration, made: Calibration) -> Recomputed:
     return Recomputed(not found, found, holds=not found)
 
 
+def not_stated(calibration: Calibration) -> str | None:
+    """What a released calibration states and this one does not; None where it states all."""
+    if calibration.format == FIRST_VERSION:
+        return f"{FIRST_VERSION} has no place for what a released one states: number, budget, what is not covered"
+    if calibration.number is None or calibration.issued_utc is None:
+        return "it has no number and date of issue, which an approval gives: nobody's approval is on record"
+    return None
+
+
 def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
     """`stated` beside the final fit with the same effects by another version: where they differ the signature stands.
 

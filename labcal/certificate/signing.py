@@ -20,7 +20,7 @@ from labcal.certificate.agent import Key, public_half, signed
 from labcal.certificate.allowed_signers import NEVER, Signer, own_line, with_revocations
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration
 from labcal.certificate.keys import SIMULATED
-from labcal.certificate.recomputed import FIRST_VERSION, Recomputed
+from labcal.certificate.recomputed import Recomputed, not_stated
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.certificate.timestamp import ShownTime, claimed
 from labcal.errors import InputError
@@ -108,10 +108,8 @@ class Verification:
             return f"named as approver, but has not signed: {', '.join(missing)}"
         if lacking := roles.objection(c, self.signers, self.trusted):
             return lacking
-        if c.format == FIRST_VERSION:
-            return f"{FIRST_VERSION} has no place for what a released one states: number, budget, what is not covered"
-        if c.number is None or c.issued_utc is None:
-            return "it has no number and date of issue, which an approval gives: nobody's approval is on record"
+        if unstated := not_stated(c):
+            return unstated
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
 
     def signed_at(self, check: SignatureCheck) -> str:
