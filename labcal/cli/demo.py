@@ -12,7 +12,7 @@ import typer
 from labcal.cli import app
 from labcal.cli.progress import at_a_terminal
 from labcal.cli.results import FORCE
-from labcal.cli.screen import console
+from labcal.cli.screen import console, say
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -36,7 +36,7 @@ class LogLines:
         now = time.monotonic()
         if now - self._last_s >= EVERY_S:
             self._last_s = now
-            print(f"  ... {now - self._began_s:.0f} s, {doing}", file=sys.stderr, flush=True)
+            say(f"  ... {now - self._began_s:.0f} s, {doing}", err=True)
 
 
 @app.command("demo", rich_help_panel="Begin")
