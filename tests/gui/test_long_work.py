@@ -84,7 +84,13 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
 @pytest.mark.parametrize(
     ("left_nT", "stated_nT", "words", "state"),
     [
-        (11.0, 10.0, "ml: ✓ Good: 11.0 nT of |b| are left over, no more than the stated noise, 10.0 nT.", "good"),
+        (
+            11.0,
+            10.0,
+            "ml: ✓ Good in size: 11.0 nT of |b| are left over, no more than the stated noise, 10.0 nT. "
+            "What is left of the direction, the loop judges.",
+            "good",
+        ),
         (
             11.6,
             10.0,

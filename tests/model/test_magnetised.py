@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
+import pytest
 from scipy.integrate import solve_ivp
 
 from labcal.model.effects import Scene, Shape, Term
 from labcal.model.effects.hysteresis import kernel
-from labcal.model.effects.magnetised import magnetised
+from labcal.model.effects.magnetised import langevin, magnetised
 from labcal.model.effects.regressors import per_axis
 
 A_nT, K_nT, FAR_nT, RATE = 15e3, 6e3, 40e3, 1.0
@@ -42,6 +45,45 @@ def test_what_a_core_was_is_forgotten_by_a_part_in_e_over_its_pinning_field() ->
     (here, left), (there, _) = (magnetised(drive, A_nT, 5e3, np.array([0]), off=off) for off in (0.0, -1e-3))
     assert np.isclose(left[50, 0], np.exp(-1))
     assert np.allclose(here - there, 1e-3 * left)
+
+
+def row_by_row(drive: np.ndarray, starts: list[int], before: tuple[float, float], off: float) -> tuple[list, list]:
+    """One column's state, each row from the one before it, and what is left of its beginning."""
+    curve, (last, state) = langevin(drive / A_nT), before
+    was, remains, states, left = float(langevin(np.array([last / A_nT]))[0]), 1.0, [], []
+    for row, (field, there) in enumerate(zip(drive.tolist(), curve.tolist(), strict=True)):
+        rise, way = there - was, abs(field - last) / K_nT
+        if row in starts:
+            state, remains = there + off, 1.0
+        elif rise and (state - there) / rise < 0:
+            part = min((there - state) / rise, 1.0)
+            start = state if part < 1.0 else was
+            keep = math.exp(-way * part)
+            state = there + (state - start) * keep - (there - start) * (1 - keep) / (way * part)
+            remains *= keep
+        last, was = field, there
+        states.append(state)
+        left.append(remains)
+    return states, left
+
+
+@pytest.mark.parametrize("walk", ["sine", "noise", "steps", "at rest", "a sine with noise"])
+def test_all_rows_at_once_are_what_they_are_one_after_the_other(walk: str) -> None:
+    rng, t = np.random.default_rng(5), np.arange(3000)
+    drive = {
+        "sine": FAR_nT * np.sin(t / 40.0),
+        "noise": rng.normal(0, FAR_nT, 3000),
+        "steps": rng.choice([-5e4, -2e4, -1e3, 0.0, 1e4, 5e4], 3000 // 20).repeat(20),
+        "at rest": np.full(3000, 2e4),
+        "a sine with noise": FAR_nT * np.sin(t / 40.0) + rng.normal(0, 50.0, 3000),
+    }[walk]
+    for starts, before, off in (([0, 700, 701], (0.0, 0.0), 0.02), ([900], (-3e4, 0.4), 0.0)):
+        M, left = magnetised(
+            drive[:, None], A_nT, K_nT, np.array(starts), (np.array(before[:1]), np.array(before[1:])), off
+        )
+        states, remains = row_by_row(drive, starts, before, off)
+        assert np.allclose(M[:, 0], states, rtol=0, atol=1e-11)
+        assert np.allclose(left[:, 0], remains, rtol=0, atol=1e-11)
 
 
 def test_a_core_goes_on_from_a_piece_as_if_it_had_not_been_cut() -> None:

@@ -5022,7 +5022,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.</source>
+        <source>✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5022,8 +5022,8 @@
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.</source>
-        <translation>✓ Gut: {0} nT von |b| bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT.</translation>
+        <source>✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ Im Betrag gut: {0} nT von |b| bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt »Rest erklären«.</translation>
     </message>
     <message>
         <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>

@@ -5022,8 +5022,8 @@
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
     <message>
-        <source>✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.</source>
-        <translation>✓ Bon : il reste {0} nT de |b|, pas plus que le bruit indiqué, {1} nT.</translation>
+        <source>✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ Bon en module : il reste {0} nT de |b|, pas plus que le bruit indiqué, {1} nT. Ce qui reste de la direction, « Expliquer le résidu » en juge.</translation>
     </message>
     <message>
         <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>

@@ -19,7 +19,11 @@ from labcal.uncertainty.conformity import Judged
 STATES = ("", "good", "warning", "bad")
 LISTED = 2  # lines of the specification that are not within their limits; the others are counted
 REACHED = 1.15  # of the noise: as the loop calls a run clean
-GOOD = QT_TRANSLATE_NOOP("Words", "✓ Good: {0} nT of |b| are left over, no more than the stated noise, {1} nT.")
+GOOD = QT_TRANSLATE_NOOP(
+    "Words",
+    "✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. "
+    "What is left of the direction, the loop judges.",
+)
 DOUBT = QT_TRANSLATE_NOOP(
     "Words", "▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual."
 )

@@ -134,6 +134,15 @@ class CandidateSet:
         shared: dict[str, Any] = {"shared": self.store, "tell": self.tell}
         return CandidateSet(self.problem, self.candidates, rows, self.min_noise_level, ~outlying, **shared)
 
+    def among(self, candidates: tuple[Candidate, ...]) -> CandidateSet:
+        """Some of these candidates on the same rows, with the columns that are known."""
+
+        def made() -> CandidateSet:
+            few: dict[str, Any] = {"part": self.part, "shared": self.store, "tell": self.tell}
+            return CandidateSet(self.problem, list(candidates), self.rows, self.min_noise_level, self.valid, **few)
+
+        return self if len(candidates) == len(self.candidates) else self.cached("among", candidates, made)
+
     def restricted_to(self, candidates: list[Candidate]) -> CandidateSet:
         """Fewer candidates on the same rows."""
         return CandidateSet(self.problem, candidates, self.rows, self.min_noise_level, self.valid)

@@ -120,11 +120,27 @@ class LinearProblem:
 
     def all_columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p) in every direction."""
-        if self.bins is not None and self.whole is not None:
-            if not self.whole.whiten.strides[0]:  # one W for all rows commutes with the mean
-                return np.asarray(self.whole.whiten[0] @ self.bins.averaged(candidate.columns(self.whole.scene)))
-            return self.bins.averaged(self.whole.all_columns(candidate))
-        return np.asarray(self.whiten @ candidate.columns(self.scene))
+        return self.whitened(candidate.columns((self.whole or self).scene))
+
+    def whitened(self, columns: Array) -> Array:
+        """Columns (N, 3, p) on every row as y is: whitened, and taken together as the rows of bins are (n, q, p)."""
+        if self.bins is None or self.whole is None:
+            return np.asarray(self.whiten @ columns)
+        flat = self._whitened_means @ columns.reshape(-1, columns.shape[2])
+        return np.asarray(flat.reshape(*self.y.shape, -1))
+
+    @cached_property
+    def _whitened_means(self) -> Any:
+        """The sparse matrix (n q, 3 N) that whitens every row and averages those of each bin."""
+        from scipy.sparse import coo_array
+
+        assert self.bins is not None
+        assert self.whole is not None
+        bin_of = self.bins.spread(np.arange(len(self)))
+        W = self.whole.whiten / np.sqrt(self.bins.count)[bin_of][:, None, None]
+        row, j, of_axis = np.nonzero(W)
+        at = bin_of[row] * W.shape[1] + j, row * W.shape[2] + of_axis
+        return coo_array((W[row, j, of_axis], at), shape=(self.y.size, W.shape[2] * len(W))).tocsr()
 
     def length_nT(self, residual_nT: Array) -> Array:
         """What the reported rms is over (n,): the residual vector's length, or the magnitude residual."""

@@ -12,7 +12,7 @@ from labcal.loop.empirical.build import Shortlist, best_smooth, shortlist
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate
 from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.heldout_rules import improves
-from labcal.loop.selection.proof import Evidence, nested_selection
+from labcal.loop.selection.proof import Evidence, in_play, nested_selection
 
 
 def with_smooth(found: Evidence) -> Evidence | None:
@@ -66,7 +66,8 @@ def _held_out(found: Evidence, own: HeldOutErrors, inputs: Shortlist) -> HeldOut
     """The error of all that was chosen, chosen again without each fold but for its inputs; before it, the base's."""
     after, known = own, found.accepted
     if known:
-        nested = nested_selection(found.level, found.blocks, len(known))
+        offered = in_play(found.pool, known, found.rankings)
+        nested = nested_selection(found.level, found.blocks, len(known), offered=offered)
 
         def again(part: CandidateSet) -> list[Candidate]:
             chosen = nested(part)

@@ -19,7 +19,7 @@ from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
-from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, mistimed, scaled, whitened
+from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, mistimed, scaled
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
@@ -84,7 +84,7 @@ def discrepancy(pool: CandidateSet, chosen: Candidate) -> Span:
         scene = pool.problem.scene if pool.problem.whole is None else pool.problem.whole.scene
         drives = list(_drives(scene, chosen.term.channels))
         columns = np.concatenate([on_each_axis(drive) for drive in drives], axis=2)
-        return Span(principal_span(pool.transformed(whitened(pool, columns))))
+        return Span(principal_span(pool.transformed(pool.problem.whitened(columns))))
 
     return pool.cached(("discrepancy", chosen.term.channels), (), made)
 

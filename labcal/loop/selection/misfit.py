@@ -103,17 +103,9 @@ def _transformed(pool: CandidateSet, chosen: Candidate, forms: Callable[[Scene, 
     shape = pool.whole.scene.field_nT.shape
 
     def on_all_rows() -> Array:
-        return whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
+        return pool.problem.whitened(np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
 
     return pool.transformed(pool.store.memo.get(forms, (chosen,), on_all_rows))
-
-
-def whitened(pool: CandidateSet, columns: Array) -> Array:
-    """Columns (N, 3, p) of all rows as the pool's problem has them: whitened, and averaged where it is binned."""
-    problem = pool.problem
-    if problem.bins is None or problem.whole is None:
-        return np.asarray(problem.whiten @ columns)
-    return problem.bins.averaged(problem.whole.whiten @ columns)
 
 
 def _otherwise_driven(scene: Scene, chosen: Candidate) -> Iterator[Array]:

@@ -22,6 +22,7 @@ from labcal.loop.selection.stepwise import MAX_EFFECTS
 from labcal.loop.selection.surrogates import null_distribution
 
 Array = NDArray[np.float64]
+PLAYS = 0.5  # of the evidence of what was taken, or of a name: a fifth of the rows less makes no more of it
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,7 +58,9 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
     accepted, blocks = selection.accepted, selection.blocks
     while True:
         pool.tell(pool, accepted, "the selection on each part of the blocks")
-        cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted), selection.barred))
+        offered = in_play(pool, selection.accepted, selection.rankings)
+        choose = nested_selection(level, blocks, len(accepted), selection.barred, offered)
+        cv_error = cross_validate(pool, blocks, choose)
         own = against_own_base(base_set, pool, blocks, cv_error)
         if accepted and own.after > policy.POLICY.equivalent_rms * own.before:
             return _of_the_base_alone(base_set, pool, selection, level)
@@ -66,7 +69,7 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         equivalents = tuple(
             tuple(e for e in some if e.scored.candidate.cause not in selection.barred) for some in every
         )
-        judged = _of_this_choice(pool, blocks, accepted, cv_error, level, selection.barred)
+        judged = _of_this_choice(pool, blocks, accepted, cv_error, choose)
         reportable = n_reportable(pool, judged, level, accepted, equivalents)
         if reportable == len(accepted):
             break
@@ -114,34 +117,60 @@ def _of_this_choice(
     blocks: BlockFolds,
     accepted: Sequence[Candidate],
     nested: HeldOutErrors,
-    level: NoiseFloor,
-    barred: frozenset[Cause],
+    choose: Callable[[CandidateSet], Sequence[Candidate]],
 ) -> HeldOutErrors:
     """The held-out error by which names are judged: of this very choice, where most folds choose the same causes.
 
     A fold that finds less in its rows makes the error of the procedure larger, and says nothing of these names.
     """
-    choose, causes = nested_selection(level, blocks, len(accepted), barred), {c.cause for c in accepted}
+    causes = {c.cause for c in accepted}
     numbers = np.unique(blocks.fold[blocks.fold != NEVER]).tolist()
     parts = [pool.on(blocks.training(pool.problem.scene.t_s, fold) & pool.rows) for fold in numbers]
     same = sum({c.cause for c in choose(part)} == causes for part in parts)
     return cross_validate(pool, blocks, fixed_choice(accepted)) if 2 * same > len(parts) else nested
 
 
+def in_play(
+    pool: CandidateSet, chosen: Sequence[Candidate], rankings: Sequence[Sequence[Scored]]
+) -> tuple[Candidate, ...]:
+    """The candidates that a selection on four fifths of the rows might take, in their order.
+
+    Of causes that by the rankings of one on all rows had at some step half the evidence of the one taken there, or of a
+    name; of relatives in the same channels, which stand for what a form misses; and what is bound to the run.
+    """
+    known, causes = {part.cause for c in chosen for part in c.parts}, set[Cause]()
+    for ranking in rankings:
+        taken = (s.evidence for s in ranking if any(part.cause in known for part in s.candidate.parts))
+        least = PLAYS * max([policy.POLICY.min_evidence, *taken])
+        causes |= {part.cause for s in ranking if s.evidence >= least for part in s.candidate.parts}
+    causes |= known
+    some = (c for c in pool.candidates if c.cause in causes)
+    causes |= {(other, c.term.channels) for c in some for other in (*c.family.related, *c.family.extends)}
+    return tuple(c for c in pool.candidates if c.cause in causes or c.family.bound_to_run)
+
+
 def nested_selection(
-    level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS, barred: frozenset[Cause] = frozenset()
+    level: NoiseFloor,
+    blocks: BlockFolds,
+    most: int = MAX_EFFECTS,
+    barred: frozenset[Cause] = frozenset(),
+    offered: tuple[Candidate, ...] | None = None,
 ) -> Callable[[CandidateSet], Sequence[Candidate]]:
-    """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation)."""
+    """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation).
+
+    Of all candidates, or of those `offered`.
+    """
 
     def choose(part: CandidateSet) -> Sequence[Candidate]:
         inner = blocks.restricted_to(part.rows)
 
         def made() -> Sequence[Candidate]:
-            accepted = select(part, level, inner, most, barred).accepted
-            part.forget_columns()
+            here = part if offered is None else part.among(offered)
+            accepted = select(here, level, inner, most, barred).accepted
+            here.forget_columns()
             return accepted
 
-        return part.cached(("nested", most, barred, inner.guard_s, inner.fold.tobytes()), (), made)
+        return part.cached(("nested", most, barred, offered, inner.guard_s, inner.fold.tobytes()), (), made)
 
     return choose
 

@@ -14,7 +14,7 @@ from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.selection.misfit import bends, evidence_over_misfit, likeliest, whitened
+from labcal.loop.selection.misfit import bends, evidence_over_misfit, likeliest
 from labcal.model.effects.regressors import moving, on_each_axis
 
 Array = NDArray[np.float64]
@@ -49,4 +49,4 @@ def _of_each_channel(pool: CandidateSet) -> list[Span]:
 
 def _span(pool: CandidateSet, values: Array) -> Span:
     columns = np.concatenate([on_each_axis(bend) for bend in bends(values).T], axis=2)
-    return Span(cosine_transform(whitened(pool, columns)[pool.transformed_rows]))
+    return Span(cosine_transform(pool.problem.whitened(columns)[pool.transformed_rows]))

@@ -128,7 +128,7 @@ def kernel(term: Term, scene: Scene) -> Array:
         return np.concatenate([on_each_axis(loop[:, 0]) for loop in loops], axis=2)
     else:
         loops = _stopped(term, scene, s)
-    return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
+    return _along_axes(loops, scene)
 
 
 def _astray(term: Term, scene: Scene) -> float:
@@ -160,7 +160,12 @@ def _of_a_core(term: Term, scene: Scene, s: Array) -> Array:
     for name, _ in term.parameters[2 * len(AXES) :: len(AXES)]:
         number = int(name.removeprefix(BODY).split("_")[0].removeprefix("m"))
         drives.append(left * (scene.of_the_fit & (scene.segment == number))[:, None])
-    return np.concatenate([drive[:, None, :] * scene.axes for drive in drives], axis=2)
+    return _along_axes(drives, scene)
+
+
+def _along_axes(drives: Sequence[Array], scene: Scene) -> Array:
+    """Three columns (n, 3, 3 m) for each of m drives (n, 3): each axis by its own."""
+    return np.concatenate(drives, axis=1)[:, None, :] * np.tile(scene.axes, len(drives))
 
 
 def in_c(term: Term) -> CForm:

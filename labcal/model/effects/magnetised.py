@@ -3,19 +3,21 @@
 Walls that are pinned follow the curve L of a core without pins, L(u) = coth u − 1/u, behind it by a field:
 dM/ds = (L(s / a) − M) / ± k, where s moves M towards L; where it moves away, M stays. What the mean field adds is
 another a and k. M is a state: whatever it was when a recording began is forgotten over a way k of the field.
+
+A row's state grows with the one before it, at a rate between e^(−way / k), where M follows, and 1, where it stays, and
+the rate has no steps: all rows are found together by Newton, whose linear recursions are scans.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
-
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.effects.recursion import affine_recursion
+
 Array = NDArray[np.float64]
+ROUNDS, ARRIVED = 50, 1e-13  # of Newton, who mostly needs six; and the change that ends them
 SMALL = 1e-2  # of u: below it the series of L is exact to 1e-12
-Way = tuple[float, float, float, bool]  # of a row: the way over k, the curve's rise, the curve, whether all begins
 Before = tuple[Array, Array]  # drive and state (k,) each, of the row before the first
 
 
@@ -46,32 +48,28 @@ def magnetised(
     `before` it where it is no start. Exact where L is straight from row to row.
     """
     last, state = (drive[0], langevin(drive[0] / bend_nT)) if before is None else before
-    step, curve = np.diff(drive, axis=0, prepend=last[None]), langevin(drive / bend_nT)
+    way = np.abs(np.diff(drive, axis=0, prepend=last[None])) / pin_nT
+    curve = langevin(drive / bend_nT)
     rise = np.diff(curve, axis=0, prepend=langevin(last / bend_nT)[None])
-    anew = np.zeros(len(drive), dtype=bool)
-    anew[starts] = True
-    out, left = np.empty_like(drive), np.empty_like(drive)
-    for k in range(drive.shape[1]):
-        ways = zip(*(one.tolist() for one in (np.abs(step[:, k]) / pin_nT, rise[:, k], curve[:, k], anew)), strict=True)
-        out[:, k], left[:, k] = _followed(ways, float(state[k]), off, part)
-    return out, left
+    begins, M = part * curve[starts] + off, curve
+    for _ in range(ROUNDS):
+        keep, there = _followed(np.vstack([state[None], M[:-1]]), curve, rise, way)
+        keep[starts], there[starts] = 0.0, begins
+        was, M = M, affine_recursion(keep, there, state)
+        if float(np.abs(M - was).max(initial=0.0)) < ARRIVED:
+            break
+    ones = np.zeros_like(M)
+    ones[starts] = 1.0
+    return M, affine_recursion(keep, ones, 1.0)
 
 
-def _followed(ways: Iterable[Way], state: float, off: float, part: float) -> tuple[list[float], list[float]]:
-    """The state of one column and what is left of its beginning, in every row."""
-    out, left, remains = list[float](), list[float](), 1.0
-    for way, rise, curve, anew in ways:
-        if anew:
-            state, remains = part * curve + off, 1.0
-        elif rise:
-            ahead = (state - curve + rise) / rise  # of this row's way, until the curve has come to where M is
-            if ahead < 1.0:
-                start = curve - rise if ahead <= 0.0 else state
-                way *= 1.0 - max(ahead, 0.0)
-                keep = math.exp(-way)
-                ramp = (1.0 - keep) / way if way > 0.0 else 1.0
-                state = curve + (state - start) * keep - (curve - start) * ramp
-                remains *= keep
-        out.append(state)
-        left.append(remains)
-    return out, left
+def _followed(before: Array, curve: Array, rise: Array, way: Array) -> tuple[Array, Array]:
+    """Of each row's state as it follows from the one `before` it: how fast it grows with that, and what is beside.
+
+    Of a row's way the part counts on which M follows: from where the curve comes to it, if at all.
+    """
+    inside = np.clip(before, np.minimum(curve - rise, curve), np.maximum(curve - rise, curve))
+    part = np.divide(curve - inside, rise, out=np.zeros_like(rise), where=rise != 0)
+    keep = np.exp(-way * part)
+    ramp = np.divide(1.0 - keep, way, out=np.zeros_like(way), where=way > 0)
+    return keep, curve - rise * ramp - keep * inside

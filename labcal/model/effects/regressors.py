@@ -45,7 +45,9 @@ def powered(order: int) -> str:
 
 def on_each_axis(drive: Array) -> Array:
     """The same drive (n,) on each body axis, (n, 3, 3)."""
-    return np.asarray(drive[:, None, None] * np.eye(3))
+    out = np.zeros((len(drive), 3, 3))
+    out[:, range(3), range(3)] = drive[:, None]
+    return out
 
 
 def driving(term: Term, scene: Scene) -> Array:
