@@ -29,6 +29,7 @@ STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
 ALIKE = 0.999  # correlation of currents that a run does not tell apart
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 LEARNED = 10.0  # time constants from a beginning on: what happens there says what may have happened before
+FEWEST = 5  # rows that make a line
 TRIED = 32  # rows of them at which it is begun anew
 Ends = tuple[float, float]
 
@@ -160,7 +161,7 @@ def low_passed(
     add = (ramp - keep) * np.concatenate([[driven], drive[:-1]]) + (1 - ramp) * drive
     for start, stop in pairwise([*np.flatnonzero(anew).tolist(), len(t_s)]):
         rows = slice(start, start + int(np.sum(t_s[start:stop] <= t_s[start] + LEARNED * tau_s)))
-        add[start] = _begun(t_s[rows], drive[rows], tau_s)
+        add[start] = _begun(t_s[rows], drive[rows], tau_s, np.zeros(1, dtype=np.intp))[0]
         if start < past.own:
             past.until_s = max(past.until_s, t_s[start] + tau_s * LEARNED)
         like_a_line = 1.0
@@ -197,8 +198,8 @@ def _begun_anew(t_s: Array, drive: Array, tau_s: float) -> tuple[NDArray[np.intp
     """Some later rows, the state as begun anew in each, and the time constants between them."""
     later = np.flatnonzero(t_s > t_s[0])
     later = later[t_s[later] <= t_s[0] + (LEARNED - 1) * tau_s][:: max(len(later) // TRIED, 1)]
-    anew = np.array([_begun(t_s[row:], drive[row:], tau_s) for row in later])
-    return later, anew, float(t_s[later[-1]] - t_s[0]) / tau_s / len(later) if len(later) else 0.0
+    each = float(t_s[later[-1]] - t_s[0]) / tau_s / len(later) if len(later) else 0.0
+    return later, _begun(t_s, drive, tau_s, later), each
 
 
 def _unknown_beginning(
@@ -220,9 +221,13 @@ def _unknown_beginning(
     return float(np.sqrt(square / known))
 
 
-def _begun(t_s: Array, drive: Array, tau_s: float) -> float:
-    """A state in the first row that follows the drive and of which nothing is known from before."""
-    return float(drive[0] - tau_s * _slope(t_s, drive, tau_s))
+def _begun(t_s: Array, drive: Array, tau_s: float, at: NDArray[np.intp]) -> Array:
+    """In each row of `at` (k,) a state that follows the drive and of which nothing is known from before."""
+    stop = np.searchsorted(t_s, t_s[at] + tau_s, side="right")
+    along, both, moved = _line_through(t_s - t_s[0], drive - drive[0], at, stop)
+    enough = (stop - at >= FEWEST) & (t_s[stop - 1] - t_s[at] >= tau_s / 4)
+    slope = both / np.where(enough, along, np.inf)
+    return np.asarray(drive[at] - tau_s * np.where(moved - slope * both < STRAIGHT * moved, slope, 0.0))
 
 
 def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -> Array:
@@ -239,22 +244,17 @@ def slopes(t: Array, x: Array, reach_s: float) -> Array:
     rows = np.arange(len(t))
     first = np.maximum(np.minimum(np.searchsorted(t, t - reach_s), rows - 1), 0)
     last = np.minimum(np.maximum(np.searchsorted(t, t + reach_s, side="right"), rows + 2), len(t))
-    t, x = t - t.mean(), x - x.mean()
-    powers = np.stack([np.ones_like(t), t, x, t * x, t * t], axis=1)
-    sums = np.concatenate([np.zeros((1, 5)), np.cumsum(powers, axis=0)])
-    n, s_t, s_x, s_tx, s_tt = (sums[last] - sums[first]).T
-    spread = n * s_tt - s_t**2
-    return np.asarray((n * s_tx - s_t * s_x) / np.where(spread > 0, spread, np.inf))
+    along, both, _ = _line_through(t - t.mean(), x - x.mean(), first, last)
+    return np.asarray(both / np.where(along > 0, along, np.inf))
 
 
-def _slope(t: Array, x: Array, tau_s: float) -> float:
-    head = t <= t[0] + tau_s
-    if head.sum() < 5 or np.ptp(t[head]) < tau_s / 4:
-        return 0.0
-    span, moved = t[head] - t[head].mean(), x[head] - x[head].mean()
-    slope = float(span @ moved / (span @ span))
-    left = moved - slope * span
-    return slope if left @ left < STRAIGHT * (moved @ moved) else 0.0
+def _line_through(t: Array, x: Array, first: NDArray[np.intp], stop: NDArray[np.intp]) -> tuple[Array, Array, Array]:
+    """Σ t², Σ t x and Σ x² (k,) about their means over rows from each `first` to before its `stop`."""
+    powers = np.stack([t, x, t * t, t * x, x * x], axis=1)
+    sums = np.concatenate([np.zeros((1, powers.shape[1])), np.cumsum(powers, axis=0)])
+    s_t, s_x, s_tt, s_tx, s_xx = (sums[stop] - sums[first]).T
+    n = stop - first
+    return s_tt - s_t**2 / n, s_tx - s_t * s_x / n, s_xx - s_x**2 / n
 
 
 def delayed(t_s: Array, segment: NDArray[np.intp], drive: Array, by_s: float) -> Array:
