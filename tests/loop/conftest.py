@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -15,6 +16,7 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.loop import parallel
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
@@ -79,6 +81,13 @@ def written(
     }  # fmt: skip
     (folder / "run.json").write_text(json.dumps(head))
     return folder
+
+
+@pytest.fixture(autouse=True)
+def one_core_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where several processes share the tests, each works on one core: threads beside them only wait for each other."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        monkeypatch.setattr(parallel, "CORES", 1)
 
 
 @pytest.fixture
