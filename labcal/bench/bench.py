@@ -216,10 +216,10 @@ class Bench:
             steps.callback(self.rest_instruments)
             steps.callback(self.cage.zero)
 
-    def hear_ends(self) -> None:
-        """What the guardian reads of coils that this session could not read, for which it is waited a while."""
+    def wait_for_ends(self) -> None:
+        """Where the guardian still tries to read a coil back at zero it is waited for, once and for a while."""
         if self._guardian is not None:
-            self.cage.hear(self._guardian.wait_for_ends())
+            self._guardian.wait_for_ends()
 
     @property
     def ended(self) -> tuple[AtZero, ...]:

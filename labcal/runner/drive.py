@@ -324,8 +324,8 @@ class Drive:
         """
         currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
         if None in currents:
-            self.bench.hear_ends()
-            currents = [coil.current_A for coil in self.bench.cage.coils()]
+            self.bench.wait_for_ends()
+            currents = [_measured(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
         now = self.read_at_s
         zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three

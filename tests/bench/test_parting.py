@@ -7,7 +7,7 @@ import time
 from typing import Any
 
 import pytest
-from served_lab import Served, example, log, until
+from served_lab import Served, all_gone, example, log, until
 
 from labcal import session
 from labcal.bench.coils.at_zero import AtZero
@@ -19,12 +19,12 @@ from labcal.runner import Control
 from labcal.runner.prompts import first_choice
 
 NOT_READ = "NOT confirmed at zero: coil y"
-SILENT = InstrumentError("supply_y: no reply in 0.5 s, nothing came.", fault="silent")
+SILENT = InstrumentError("supply_y: no reply in 1.5 s, nothing came.", fault="silent")
 
 
 @pytest.fixture
 def bench_text() -> str:
-    return example(timeout_s=0.5)
+    return example(timeout_s=1.5)
 
 
 class Mute:
@@ -63,7 +63,7 @@ def held(lab: Served, mute: Mute) -> session.Outcome:
 def test_a_coil_that_its_guardian_reads_at_last_is_said_to_be_at_zero(lab: Served) -> None:
     mute = Mute(lab, for_ever=False)
     outcome = held(lab, mute)
-    assert NOT_READ in log()
+    assert NOT_READ in log(), f"{mute.said}\n{outcome}\n{log()}"
     assert outcome.at_rest.startswith((AT_ZERO, BY_WORD)), f"{outcome.at_rest}\n{log()}"
     assert NOT_CONFIRMED not in outcome.ending
     assert not [text for text in mute.said if NOT_CONFIRMED in text]
@@ -80,6 +80,7 @@ def test_one_that_never_answers_is_not_confirmed_and_waited_for_once(lab: Served
         assert time.monotonic() - begun < 60.0
     finally:
         mute.speak()
+        all_gone(lab.file)
 
 
 @pytest.mark.parametrize(

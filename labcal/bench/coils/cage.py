@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -149,11 +149,6 @@ class Cage:
     def coils(self) -> tuple[CoilReading, ...]:
         """Each axis as it was last read, on the bench's clock."""
         return tuple(self._read.values())
-
-    def hear(self, ended: Iterable[AtZero]) -> None:
-        """What the guardian has read of coils since this session could not."""
-        unread = [axis for axis, coil in self._read.items() if coil.current_A is None]
-        self._note([end for end in ended if end.axis in unread], self._clock.now())
 
     def zero(self) -> None:
         """Ramp every coil to zero, see it below its `zero_current_A`, open its output where it can open.

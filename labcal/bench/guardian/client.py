@@ -174,17 +174,16 @@ class GuardianClient:
                 self._read.keep(end.axis, end.current_A, end.read_s)
         return ended
 
-    def wait_for_ends(self) -> list[AtZero]:
-        """How the coils ended as their guardian read them last; waits a while, once, until each was read at zero.
+    def wait_for_ends(self) -> None:
+        """Hear how the coils `ended`, as their guardian read them last; wait, once, until each was read back at zero.
 
-        Empty where none answers. It goes on trying what did not answer, and alone knows when that came to zero.
+        It goes on trying what did not answer, and alone knows when that came to zero.
         """
         deadline = time.monotonic() + CLOSE_S * (not self._in_vain)
         while _left(ended := self._ends()) and time.monotonic() < deadline:
             self._clock.wait_until(self._clock.now() + ASK_AGAIN_S)
         self._in_vain = _left(ended)
         self.ended = ended or self.ended
-        return ended or []
 
     def close(self) -> None:
         """End the session, and wait until the guardian has let go of the ports, as far as it can."""
