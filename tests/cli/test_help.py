@@ -32,3 +32,8 @@ def test_the_file_that_is_loaded_for_a_command_registers_it():
 def test_a_number_is_converted_and_one_that_is_none_refused(capsys):
     assert cli.execute(["demo", "--seed", "many"]) == 2
     assert "--seed" in capsys.readouterr().err
+
+
+def test_what_finds_effects_and_statistics_are_loaded_by_nobody_who_needs_none():
+    said = "import sys, labcal.session; print('scipy.stats' in sys.modules, 'labcal.loop.close' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", said], capture_output=True, text=True).stdout == "False False\n"
