@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.clock import Clock
-from labcal.bench.coils.at_zero import words_of_slow_zero
+from labcal.bench.coils.at_zero import AtZero, words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
@@ -215,6 +215,16 @@ class Bench:
         with ExitStack() as steps:
             steps.callback(self.rest_instruments)
             steps.callback(self.cage.zero)
+
+    def wait_for_ends(self) -> None:
+        """Where the guardian still tries to read a coil back at zero it is waited for, once and for a while."""
+        if self._guardian is not None:
+            self._guardian.wait_for_ends()
+
+    @property
+    def ended(self) -> tuple[AtZero, ...]:
+        """How the coils ended by the guardian's last word, times on the monotonic clock; empty where there is none."""
+        return tuple(self._guardian.ended) if self._guardian is not None else ()
 
     def slow_zero(self) -> str:
         """What may be said of a way to zero that takes long, while it does; "" else."""

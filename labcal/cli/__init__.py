@@ -17,6 +17,7 @@ from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, 
 from labcal.files.home import SECRETS
 from labcal.files.text_safety import in_utf8, without_passwords
 from labcal.system.private_memory import kept_private
+from labcal.version import __version__
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
 
@@ -33,6 +34,17 @@ COMMANDS = (
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "numbers", "conformity", "compare"),
     *("push", "archive", "study", "charts", "rr", "intervals", "intercompare", "fleet", "watch", "plugins", "effect"),
 )
+# The file here that registers a command, where it has not the command's own name.
+FILES = {
+    **dict.fromkeys(("show", "import", "export", "check-store"), "runs"),
+    **dict.fromkeys(("fit", "apply"), "fitting"),
+    **dict.fromkeys(("approve", "sign", "verify"), "signing"),
+    **dict.fromkeys(("charts", "rr", "intervals", "intercompare", "fleet"), "years"),
+    "self-test": "self_test",
+    "close-loop": "loop",
+    "compare": "conformity",
+    "push": "archive",
+}
 
 
 class InTheOrderOfTheWork(TyperGroup):
@@ -41,6 +53,38 @@ class InTheOrderOfTheWork(TyperGroup):
     def list_commands(self, ctx: Any) -> list[str]:
         """The names of all commands; one that COMMANDS does not know is a fault of ours."""
         return sorted(super().list_commands(ctx), key=COMMANDS.index)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """The command of this name, which converts no option that was not given."""
+        command = super().get_command(ctx, cmd_name)
+        for one in (command, *getattr(command, "commands", {}).values()):
+            _convert_less(one)
+        return command
+
+    def get_params(self, ctx: Any) -> Any:
+        """Its own options, likewise."""
+        return [_taken_as_it_is(param) for param in super().get_params(ctx)]
+
+
+def _convert_less(command: Any) -> None:
+    if command is not None and "get_params" not in vars(command):
+        params = command.get_params
+        command.get_params = lambda ctx: [_taken_as_it_is(param) for param in params(ctx)]
+
+
+def _taken_as_it_is(param: Any) -> Any:
+    """What was not given is not converted: typer loads pydantic for that, which takes longer than a short command."""
+    if "process_value" in vars(param) or param.nargs != 1 or param.multiple:
+        return param
+    convert, call = param.process_value, param.callback
+
+    def process_value(ctx: Any, value: Any) -> Any:
+        if value is None and not param.required:
+            return None if call is None else call(ctx, param, None)
+        return convert(ctx, value)
+
+    param.process_value = process_value
+    return param
 
 
 app = typer.Typer(
@@ -51,6 +95,19 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"labcal {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def root(
+    version: bool = typer.Option(False, "--version", callback=_version, is_eager=True, help="Print the version."),
+) -> None:
+    """Calibrate a magnetometer before it flies: run the bench, fit, close the loop, sign."""
 
 
 def main() -> None:
@@ -65,8 +122,7 @@ def main() -> None:
 def execute(arguments: list[str]) -> int:
     """Run one command, such as ["runs"]; every fault ends in one sentence on stderr. Returns the exit code."""
     try:
-        import labcal.cli.commands  # noqa: F401  registers every command on `app`
-
+        _load(arguments)
         code = app(arguments, prog_name="labcal", standalone_mode=False)
         if code == STOPPED:  # typer answers Ctrl-C with this code and no word
             return _say("stopped", STOPPED)
@@ -90,6 +146,14 @@ def execute(arguments: list[str]) -> int:
         return _say(f"{place}{error.strerror or error}", WRONG_INPUT)
     except Exception as error:
         return _say(_report_of(error), WRONG_INPUT)
+
+
+def _load(arguments: list[str]) -> None:
+    """Register the command that these words begin with, and no other; all of them where that is none."""
+    from importlib import import_module
+
+    first = arguments[0] if arguments else ""
+    import_module(f"labcal.cli.{FILES.get(first, first) if first in COMMANDS else 'commands'}")
 
 
 def _report_of(error: Exception) -> str:

@@ -82,7 +82,7 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, override=lets, **options)
         else:
             return _list()
-    said = _told_once(outcome.ending, outcome.at_rest)
+    said = told_once(outcome.ending, outcome.at_rest)
     if outcome.resumable:
         said = f"{said}; `{_goes_on(procedure, outcome.run_id, _bench(bench))}` goes on with it"
     as_json = progress is ProgressChoice.json
@@ -91,8 +91,12 @@ def run(
     return outcome.raise_fault()
 
 
-def _told_once(ending: str, lab: str) -> str:
-    """How it ended, and of the lab what that does not say already."""
+def told_once(ending: str, lab: str) -> str:
+    """How it ended, and of the lab what that does not say already, or what was read since."""
+    from labcal.bench.coils.state import NOT_CONFIRMED
+
+    if NOT_CONFIRMED in ending and NOT_CONFIRMED not in lab:
+        return f"{ending}; since then: {lab}"
     first, *rest = lab.split("; ", 1)
     return "; ".join([ending, *([] if first in ending else [first]), *rest])
 

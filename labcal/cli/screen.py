@@ -19,21 +19,32 @@ def say(*texts: object, err: bool = False, end: str = "\n") -> None:
 
 def say_lines(lines: Iterable[object], *, err: bool = False) -> None:
     """Print each on a line of its own."""
-    for line in lines:
-        say(line, err=err)
+    if said := [one_line(str(line)) for line in lines]:
+        print("\n".join(said), file=sys.stderr if err else sys.stdout, flush=True)
 
 
 def aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
     """The rows as lines, each column as wide as its widest cell: ten thousand of them at once."""
-    widths = [max(map(_width, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = (cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True))
-        yield "  ".join(cells).rstrip()
+    columns = [[*_of_one_width(column)] for column in zip(*rows, strict=True)]
+    return ("  ".join(row).rstrip() for row in zip(*columns, strict=True))
+
+
+def _of_one_width(cells: Sequence[str]) -> Iterator[str]:
+    if _one_place_each("".join(cells)):
+        width = max(map(len, cells))
+        return (cell.ljust(width) for cell in cells)
+    width = max(map(_width, cells))
+    return (cell + " " * (width - _width(cell)) for cell in cells)
+
+
+def _one_place_each(text: str) -> bool:
+    """Whether each of its characters takes one place on a terminal."""
+    return text.isascii() and text.isprintable()
 
 
 def _width(cell: str) -> int:
     """How many places the cell takes on a terminal."""
-    if cell.isascii() and cell.isprintable():
+    if _one_place_each(cell):
         return len(cell)
     from rich.cells import cell_len
 

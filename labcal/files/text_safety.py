@@ -40,6 +40,8 @@ def replace_unseen(text: str) -> str:
 
 def one_line(text: str) -> str:
     """`text` as `seen`, with a blank in place of tabs and line ends: nothing in it begins a line of its own."""
+    if text.isascii() and text.isprintable():
+        return text
     return replace_unseen(re.sub(r"[\t\r\n]+", " ", text))
 
 

@@ -323,6 +323,9 @@ class Drive:
         measures again.
         """
         currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
+        if None in currents:
+            self.bench.wait_for_ends()
+            currents = [_measured(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
         now = self.read_at_s
         zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three

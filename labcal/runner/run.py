@@ -8,13 +8,14 @@ import time
 import tomllib
 import traceback
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.coils.state import NOT_READ, LabState
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.parameters import settings
@@ -62,6 +63,10 @@ class Outcome:
     def at_rest(self) -> str:
         """What may be said of the coils now: "coils at zero" only as long as that was read back just now."""
         return self.lab.sentence(time.monotonic()) if self.lab is not None else NOT_READ
+
+    def parted(self, ended: Iterable[AtZero]) -> Outcome:
+        """With the guardian's last word of the coils, as the session parted from it."""
+        return self if self.lab is None else replace(self, lab=self.lab.with_ends(ended))
 
     def raise_fault(self) -> None:
         """Raise what went wrong, or LimitNotMet where a measurement failed; return where all is well."""

@@ -164,7 +164,8 @@ def run(
             specification=specification_of(lab.config, bench), run_id=run_id if first is None else named,
             remark=remark, control=control, on_item=on_item, show=show, first=first,
         )  # fmt: skip
-        return note_run(outcome, kept, operator) if store is None else outcome
+        outcome = note_run(outcome, kept, operator) if store is None else outcome
+    return outcome.parted(lab.ended)
 
 
 def resume(
@@ -191,7 +192,8 @@ def resume(
             lab, found, run, store=kept, answer=ask, dut_serial=dut, remark=remark, control=control, on_item=on_item,
             show=show,
         )  # fmt: skip
-        return note_run(outcome, kept, kept.header(run).operator)
+        outcome = note_run(outcome, kept, kept.header(run).operator)
+    return outcome.parted(lab.ended)
 
 
 def hand_out(calibration: Path, folder: Path) -> None:

@@ -20,7 +20,6 @@ from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
 from labcal.fit import Fit, draft_calibration, fit
 from labcal.fit.registry import methods
-from labcal.loop.refit import refit
 from labcal.model import Calibration, EffectRecord
 from labcal.model.effects import find
 from labcal.record import Run
@@ -147,6 +146,8 @@ def _final_fit(stated: Calibration, bundle: Bundle, how: MadeBy, progress: Progr
 
 
 def _refitted(run: Run, stated: Calibration, progress: Progress) -> Fit:
+    from labcal.loop.refit import refit  # and all that finds effects
+
     try:
         with np.errstate(all="ignore"):
             return refit(run, _fitted_effects(stated), progress)

@@ -6,6 +6,7 @@ import json
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from labcal.errors import InputError
 from labcal.files.home import home
@@ -51,7 +52,8 @@ def summaries(connection: Connection, path: Path, number: int | None = None) -> 
         rows = connection.execute(
             f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run{chosen} ORDER BY number"
         ).fetchall()
-    return [_summary(path, *row) for row in rows]
+    heads = json.loads(f"[{','.join(head or 'null' for _, head, _, _ in rows)}]")  # read at once: there may be many
+    return [_summary(path, row[0], head, *row[2:]) for row, head in zip(rows, heads, strict=True)]
 
 
 def true_status(path: Path, run_id: str, written: str) -> str:
@@ -71,8 +73,8 @@ def corrected(event: str | None) -> str:
     return str(json.loads(event)["data"]["to"]) if event else ""
 
 
-def _summary(path: Path, run_id: str, head: str | None, status: str, correction: str | None) -> RunSummary:
-    started_utc, serial, simulated, operator, procedure = json.loads(head) if head else [None] * 5
+def _summary(path: Path, run_id: str, head: list[Any] | None, status: str, correction: str | None) -> RunSummary:
+    started_utc, serial, simulated, operator, procedure = head or [None] * 5
     if started_utc is None or serial is None or simulated is None:
         raise InputError(f"the store is damaged: the header of run {run_id!r}", file=path)
     return RunSummary(

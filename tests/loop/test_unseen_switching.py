@@ -10,7 +10,7 @@ from labcal.loop import close_loop
 from labcal.loop.close import candidates_of, prepare, relinearised
 from labcal.loop.refit import refit
 from labcal.loop.selection.select import select
-from labcal.loop.selection.unseen_switching import misses_more, switched_unseen
+from labcal.loop.selection.unseen_switching import by_chance, misses_more, switched_unseen
 from labcal.record import Channel, Run
 from labcal.testing.made_up_runs import made_up_run
 
@@ -78,3 +78,12 @@ def test_a_fit_with_named_effects_leaves_out_the_same_rows() -> None:
     assert [p.value for p in again.effects[0].parameters] == pytest.approx(
         [p.value for p in closed.accepted[0].parameters], rel=1e-6
     )
+
+
+@pytest.mark.parametrize(
+    ("n", "m", "k"), [(30, 5, 0), (30, 5, 1), (30, 5, 3), (30, 5, 5), (30, 20, 12), (9_000, 400, 31)]
+)
+def test_the_share_by_chance_is_that_of_the_hypergeometric_distribution(n: int, m: int, k: int) -> None:
+    from scipy.stats import hypergeom
+
+    assert by_chance(n, m, k) == pytest.approx(float(hypergeom.sf(k - 1, n, m, m)), rel=1e-9)

@@ -158,6 +158,11 @@ class LabState:
             field=replace(self.field, read_s=_later(self.field.read_s, by_s)),
         )
 
+    def with_ends(self, ended: Iterable[AtZero]) -> LabState:
+        """With how a guardian says that coils ended, where nobody has read them since; on the monotonic clock."""
+        newer = {end.axis: _coil(end) for end in ended}
+        return replace(self, coils=tuple(_latest(coil, newer.get(coil.axis)) for coil in self.coils))
+
     def as_json(self, now_s: float) -> dict[str, Any]:
         """With ages in place of times: for the record, and for another process."""
         plain: dict[str, Any] = json.loads(json.dumps(asdict(self.shifted(-now_s))))  # lists, as whoever reads it has
@@ -202,6 +207,12 @@ def _coil(end: AtZero) -> CoilReading:
     """One axis as it ended: what has a current was read back below its zero."""
     known, fault = end.current_A is not None, "" if end.fault is None else str(end.fault)
     return CoilReading(end.axis, 0.0 if known else None, end.current_A, known, end.opened, end.read_s, fault)
+
+
+def _latest(known: CoilReading, other: CoilReading | None) -> CoilReading:
+    if other is None or other.read_s is None:
+        return other or known
+    return known if known.read_s is not None and known.read_s > other.read_s else other
 
 
 def _later(t_s: float | None, by_s: float) -> float | None:

@@ -8,7 +8,7 @@ import select
 import socket
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -35,6 +35,7 @@ REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 LOOK_S = 0.04
 UNHEARD_S, STOPPED_S = 1.0, 0.1  # so long zero goes unheard by one that hangs; by one that was stopped
 CLOSE_S = 5.0
+ENDS_S, ASK_AGAIN_S = 1.0, 0.1  # to say how the coils ended waits for no line
 FREED_S = 0.2  # until the kernel has freed the ports of a process that was killed
 
 NOT_OURS = InstrumentError(
@@ -130,6 +131,8 @@ class GuardianClient:
         self._started: subprocess.Popen[bytes] | None = None
         self.zero_is_ordered = False  # the last that was sent: nothing was lost since
         self._read = LastRead(clock)
+        self.ended: list[AtZero] = []  # how the coils ended, as last heard of
+        self._in_vain = False  # waited until all of them were read back at zero
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet(meanwhile)
         clock.while_waiting(self._beat)
@@ -171,16 +174,44 @@ class GuardianClient:
                 self._read.keep(end.axis, end.current_A, end.read_s)
         return ended
 
+    def wait_for_ends(self) -> None:
+        """Hear how the coils `ended`, as their guardian read them last; wait, once, until each was read back at zero.
+
+        It goes on trying what did not answer, and alone knows when that came to zero.
+        """
+        deadline = time.monotonic() + CLOSE_S * (not self._in_vain)
+        while _left(ended := self._ends()) and time.monotonic() < deadline:
+            self._clock.wait_until(self._clock.now() + ASK_AGAIN_S)
+        self._in_vain = _left(ended)
+        self.ended = ended or self.ended
+
     def close(self) -> None:
         """End the session, and wait until the guardian has let go of the ports, as far as it can."""
+        self.wait_for_ends()
         connection, self._connection = self._connection, None
         if connection is None:
             return
         connection.close()
+        if self._in_vain:  # it keeps the ports
+            return
         deadline = time.monotonic() + CLOSE_S
         with suppress(OSError):  # who cannot look, out of handles, does not wait, and can say how the run ended
             while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
                 time.sleep(0.01)
+
+    def _ends(self) -> list[AtZero] | None:
+        """Asked as anybody may, so that the successor of one that was lost is heard too; None: it is at work still."""
+        with suppress(OSError):
+            if (connection := found(self._urls)) is not None:
+                with closing(connection):
+                    return None if wire.another_user(connection.uid) else self._said_of_ends(connection)
+        return []
+
+    def _said_of_ends(self, connection: Connection) -> list[AtZero] | None:
+        number, deadline = connection.order("ends"), time.monotonic() + ENDS_S
+        while (reply := connection.reply(number, 0.002)) is None and time.monotonic() < deadline:
+            self._clock.wait_until(self._clock.now() + 1e-4)  # the beat goes on
+        return None if reply is None else [wire.zero_of(end) for end in reply.get("value", [])]
 
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
@@ -281,6 +312,10 @@ class GuardianClient:
         if self._connection is not None:
             self._connection.close()
         self._connection = None
+
+
+def _left(ended: Iterable[AtZero] | None) -> bool:
+    return ended is None or any(end.current_A is None for end in ended)
 
 
 def ask_once(connection: Connection, order: str, **what: Any) -> Any:

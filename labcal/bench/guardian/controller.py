@@ -54,6 +54,7 @@ class Guardian:
         }
         self._zeroing = RLock()
         self._workers = LineWorkers(len({coil.line.url for coil in self.coils.values()}))
+        self._ended = dict[str, AtZero]()  # how each axis was last brought to zero
         self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
         self.changed = Event()  # what is handed over to a successor
@@ -219,6 +220,11 @@ class Guardian:
                 if end.current_A is not None:
                     self._note(f"at last, {BY_WORD}: {_read_back(replace(end, fault=None))}")
 
+    def ends(self) -> list[AtZero]:
+        """How each axis ended that was brought to zero and not let up since; waits for no line."""
+        ended = [self._ended.get(axis) for axis, coil in self.coils.items() if coil.latch.most_A is not None]
+        return [end for end in ended if end is not None]
+
     def handover(self) -> Handover:
         """What a successor must know; waits for no line."""
         return Handover(self._exchanges_s, {axis: coil.held for axis, coil in self.coils.items()}, self.way_down_s)
@@ -283,6 +289,7 @@ class Guardian:
         except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
             self.broken = error
             raise
+        self._ended |= {end.axis: end for end in ended}
         return ended
 
     def _line_down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:

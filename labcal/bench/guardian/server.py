@@ -73,6 +73,7 @@ class Server:
         self.ready = threading.Event()  # set when the first zero has been tried
         self._orders: dict[str, Callable[..., Any]] = {
             "facts": guardian.facts,
+            "ends": lambda: [zero_message(end) for end in guardian.ends()],
             "identify": lambda name: asdict(guardian.identify(name)),
             "reopen": guardian.reopen,
             "modbus": guardian.modbus,

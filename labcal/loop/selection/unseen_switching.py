@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.stats import hypergeom
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import gammaln  # scipy.stats would load for a second
 
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
@@ -78,7 +78,20 @@ def misses_more(squares: Array, ways: Mask) -> bool:
     """Whether more of the largest squares lie on the ways than chance puts there: of n rows m, of the m largest k."""
     n, m = len(squares), int(ways.sum())
     largest = np.argsort(squares)[n - m :]
-    return bool(hypergeom.sf(ways[largest].sum() - 1, n, m, m) < policy.POLICY.significance)
+    return by_chance(n, m, int(ways[largest].sum())) < policy.POLICY.significance
+
+
+def by_chance(n: int, m: int, k: int) -> float:
+    """The probability that m of n rows, drawn without looking, hold k or more of m others (hypergeometric)."""
+    there = np.arange(max(k, 2 * m - n, 0), m + 1)
+    chosen = _ln_choose(m, there) + _ln_choose(n - m, m - there) - _ln_choose(n, m)
+    return float(np.exp(chosen).sum())
+
+
+def _ln_choose(n: int, k: ArrayLike) -> Array:
+    """The logarithm of the number of ways to choose `k` of `n`."""
+    k = np.asarray(k)
+    return np.asarray(gammaln(n + 1) - gammaln(k + 1) - gammaln(n - k + 1))
 
 
 def _misfit(pool: CandidateSet, effects: Sequence[Candidate]) -> Array:
