@@ -73,8 +73,9 @@ class Guardian:
 
         return TogetherLimit(cast("BenchConfig", self._config), DutyRecord(self._config.guarded_links))
 
-    def load(self) -> None:
-        """What a session needs and a zero does not: loaded by one thread, before the first order."""
+    def load(self, config: BenchConfig | Essentials) -> None:
+        """What a session needs and a zero does not, of the whole bench: by one thread, before the first order."""
+        self._config = config
         _ = self._together, self.heartbeats
 
     def facts(self) -> dict[str, dict[str, float | bool | str]]:
@@ -91,9 +92,17 @@ class Guardian:
             for axis, coil in self.coils.items()
         }
 
-    def identify(self, name: str) -> Identity:
-        """Who answers as `name`."""
-        return self._lines[name].identify(name)
+    def identify(self, name: str, within_s: float = 0.0) -> Identity:
+        """Who answers as `name`, or answered within the last `within_s`."""
+        return self._lines[name].identify(name, within_s)
+
+    def meet_others(self) -> None:
+        """Ask those whose line no supply is on who they are, while zero waits for the supplies; silence comes again."""
+        of_coils = {coil.line.url for coil in self.coils.values()}
+        for name, line in self._lines.items():
+            if line.url not in of_coils:
+                with suppress(InstrumentError):
+                    line.identify(name)
 
     def reopen(self, name: str) -> None:
         """Open the lost link of `name` again."""
