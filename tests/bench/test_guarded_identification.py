@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -9,15 +10,16 @@ from served_lab import Served, all_gone
 
 from labcal.bench import bench as bench_module
 from labcal.bench import guarded_identification, open_bench
+from labcal.bench.bench import Bench
 from labcal.bench.guarded_identification import AskedSupply
 from labcal.bench.guardian import client
 from labcal.bench.identification import HOLDS_S
 from labcal.bench.loading import Loader
 from labcal.errors import InstrumentError
 
-LONG_S = 120.0  # longer than a busy machine needs
-ASKED = dict.fromkeys(("supply_x", "supply_y", "supply_z"), b"*IDN?") | {"stage": b"get deviceid"}
+LONG_S = 60.0  # longer than a busy machine needs
 SUPPLIES = {"supply_x", "supply_y", "supply_z"}
+ASKED = dict.fromkeys(SUPPLIES, b"*IDN?") | {"stage": b"get deviceid", "reversers": b"\1\3\x80\0"}
 
 
 def answer_only_together(lab: Served, patch: pytest.MonkeyPatch) -> set[str]:
@@ -102,9 +104,25 @@ def test_who_said_on_its_way_to_zero_who_it_is_is_not_asked_again_by_the_session
             assert times == dict.fromkeys(ASKED, 1)
             assert bench.reconnect("stage") == who["stage"]
             assert bench.identities() == who
-            assert times == {"supply_x": 1, "supply_y": 1, "supply_z": 1, "stage": 3}
+            assert times == dict.fromkeys(ASKED, 1) | {"stage": 3}
     finally:
         all_gone(lab.file)
+
+
+def test_the_relay_board_is_asked_beside_the_way_to_zero(lab: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    times = heard_of(lab, monkeypatch)
+    try:
+        with open_bench(lab.file, identify=False) as bench:
+            wait_until(lambda: times["reversers"] == 1, bench)
+    finally:
+        all_gone(lab.file)
+
+
+def wait_until(true: Callable[[], bool], bench: Bench) -> None:
+    ends_s = bench.clock.now() + LONG_S
+    while not true():
+        assert bench.clock.now() < ends_s
+        bench.clock.wait_until(bench.clock.now() + 0.02)
 
 
 def test_an_answer_that_is_too_old_for_a_record_is_asked_for_again(

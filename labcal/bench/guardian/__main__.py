@@ -12,7 +12,6 @@ import sys
 import threading
 import time
 import traceback
-from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import suppress
 from pathlib import Path
@@ -45,13 +44,13 @@ FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 class Watch:
     """One guardian from its first zero to its last. `succeeds`: the one before it is gone, and currents may flow.
 
-    `bench` may have no more than the essentials; `whole` brings all of it, which is asked for after the first zero.
+    `bench` may have no more than the essentials; then all of `line` is read into `loading` while zero is awaited.
     """
 
     def __init__(
-        self, path: Path, bench: Briefing, handed: Handover, whole: Callable[[], Briefing], *, succeeds: bool
+        self, path: Path, bench: Briefing, handed: Handover, loading: Future[Briefing], line: str, *, succeeds: bool
     ) -> None:
-        self._path, self._bench, self._whole, self._succeeds = path, bench, whole, succeeds
+        self._path, self._bench, self._succeeds, self._loading, self._line = path, bench, succeeds, loading, line
         self._guardian = Guardian(path, bench.config, note, handed)
         self._end_requested = threading.Event()
 
@@ -64,10 +63,11 @@ class Watch:
         signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
-        if not self._succeeds:  # for whoever takes over, nothing but zero
-            threading.Thread(target=self._guardian.meet_others, daemon=True).start()
+        if not self._loading.done():
+            self._guardian.load_supplies()
+            threading.Thread(target=self._load_rest, daemon=True).start()
         self._guardian.zero("the one before is gone, its successor begins" if self._succeeds else "a session begins")
-        whole = self._whole()
+        whole = self._loading.result()
         self._guardian.load(whole.config)
         server.ready.set()
         standbys = Standbys(whole, self._guardian)
@@ -80,6 +80,11 @@ class Watch:
             standbys.dismiss()
             self._guardian.heartbeats.stop()
             self._guardian.close()
+
+    def _load_rest(self) -> None:
+        """What zero does without, by one thread: two that load one library at once may each get half of it."""
+        load_into(self._loading, self._path, self._line)
+        self._guardian.meet_others()
 
     @property
     def in_doubt(self) -> bool:
@@ -195,11 +200,9 @@ def main(path: Path, how: str, line: str) -> None:
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     handed = (zero_first(path, line) if how == SUCCESSOR else None) or Handover()
     loading = Future[Briefing]()
-    some = None if how else essentials_of(line)
+    some = None if how else essentials_of(line)  # where a session begins, zero waits long for the supplies' answers
     if some is None:
         load_into(loading, path, line)
-    else:  # a session begins: it is zero that takes long, by what the supplies answer, and the rest is loaded meanwhile
-        threading.Thread(target=load_into, args=(loading, path, line), daemon=True).start()
     bench = some or loading.result()
     config = bench.config
     with suppress(InputError):  # a session has heard it; who takes over does so without the group's folder too
@@ -215,7 +218,7 @@ def main(path: Path, how: str, line: str) -> None:
     if how and not handed.coils:
         handed = unknown()
     if ports.hold(urls):
-        watch = Watch(path, bench, handed, loading.result, succeeds=how != "")
+        watch = Watch(path, bench, handed, loading, line, succeeds=how != "")
         watch.live()
         ports.let_go(in_doubt=watch.in_doubt)
 

@@ -21,7 +21,7 @@ from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
 from labcal.bench.guardian.line_workers import LineWorkers
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
@@ -72,6 +72,12 @@ class Guardian:
         from labcal.bench.guardian.limits_together import TogetherLimit
 
         return TogetherLimit(cast("BenchConfig", self._config), DutyRecord(self._config.guarded_links))
+
+    def load_supplies(self) -> None:
+        """Load their drivers before another thread loads anything; what is wrong is said on the way to zero."""
+        for coil in self.coils.values():
+            with suppress(InputError):
+                coil.line.loader.driver(coil.name)
 
     def load(self, config: BenchConfig | Essentials) -> None:
         """What a session needs and a zero does not, of the whole bench: by one thread, before the first order."""
