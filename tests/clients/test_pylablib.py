@@ -5,12 +5,21 @@ from __future__ import annotations
 from contextlib import closing
 
 import pytest
+from pylablib.core.devio import comm_backend
 from pylablib.devices.Standa import Standa8SMC
 from pylablib.devices.Trinamic import TMCM1110
 from served_benches import Line
-from waiting import until
+from waiting import LONG_S, until
 
 BY = "pylablib"
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits for a reply as long as a busy machine may need: a second is its own patience."""
+    line = comm_backend.SerialDeviceBackend
+    told = line.set_timeout
+    monkeypatch.setattr(line, "set_timeout", lambda self, s: told(self, LONG_S if s else s))
 
 
 @pytest.mark.met(
@@ -26,10 +35,10 @@ def test_8smc5(line: Line) -> None:
         stage.home()
         begun = stage.get_position()
         stage.move_to(begun + 100_001)
-        stage.wait_move(60.0)
+        stage.wait_move(LONG_S)
         assert stage.get_position() == begun + 100_001
         stage.move_by(-300_002)
-        stage.wait_move(60.0)
+        stage.wait_move(LONG_S)
         assert stage.get_position() == begun - 200_001
         assert stage.get_status().scmd == ("movr", "success")
         stage.move_by(10**8)

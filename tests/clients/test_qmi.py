@@ -40,6 +40,7 @@ def opened(instrument: Any) -> Iterator[Any]:
 )
 def test_smc100(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Newport_SMC100CC, "COMMAND_EXEC_TIME", 0.06)  # half a second after each word is long
+    monkeypatch.setattr(Newport_SMC100CC, "DEFAULT_RESPONSE_TIMEOUT", LONG_S)
     stated = (f"serial:{line.path}", "42", {1: TABLE})
     with opened(Newport_SMC100CC(QMI_Context("smc100"), "stage", *stated)) as stage:
 
@@ -71,7 +72,8 @@ def test_smc100(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
     BY,
     "identity, status, velocity, homing parameters, backlash; homing, moves, a stop, each with its end",
 )
-def test_k10cr1(line: Line) -> None:
+def test_k10cr1(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Thorlabs_K10CR1, "RESPONSE_TIMEOUT", LONG_S)
     with opened(Thorlabs_K10CR1(QMI_Context("k10cr1"), "stage", f"serial:{line.path}")) as stage:
         assert stage.get_idn().model == "K10CR1"
         stage.set_chan_enable_state(True)
