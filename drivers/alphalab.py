@@ -13,12 +13,13 @@ from drivers.framing.polling import Polled, Polls
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 
 PROPERTIES, SETTINGS, READ, NEXT, END_OF_ALL = 0x01, 0x02, 0x03, 0x08, 0xFF
 MORE, LAST, NEXT_S = 0x08, 0x07, 0.05  # it needs that long between two chunks
+CHUNK = 64  # letters; one of its own has twenty
 NT_PER_MG, NT_PER_G = 100.0, 1e5
 
 
@@ -111,7 +112,10 @@ class AlphaLab(Polled):
             text += chunk[:-1]
             if chunk[-1] == LAST:
                 pairs = (pair.partition("=") for pair in text.decode("ascii", "replace").split(":") if "=" in pair)
-                return {key.strip(" \0").upper(): value.strip(" \0") for key, _, value in pairs}
+                found = {key.strip(" \0").upper(): value.strip(" \0") for key, _, value in pairs}
+                if not found:
+                    raise self._another(text)
+                return found
             self._clock.wait_until(self._clock.now() + NEXT_S)
             self._send(NEXT)
         raise InstrumentError(f"{self.name}: its list of settings has no end.", fault="wrong reply")
@@ -120,7 +124,13 @@ class AlphaLab(Polled):
         chunk = b""
         while not chunk or chunk[-1] not in (MORE, LAST):
             chunk += self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
+            if len(chunk) > CHUNK or chunk[-1] >= 0x80:
+                raise self._another(chunk)
         return chunk
+
+    def _another(self, said: bytes) -> InstrumentError:
+        self._link.flush()
+        return InstrumentError(f"{self.name}: {quoted(said)} came, no list of an AlphaLab.", fault="another instrument")
 
     def _look_at_settings(self) -> None:
         settings = self._pairs(SETTINGS)

@@ -13,6 +13,7 @@ NOT_REFERENCED, HOMING, MOVING, HAS_HOMED, HAS_MOVED = 0x0A, 0x1E, 0x28, 0x32, 0
 READY = (HAS_HOMED, HAS_MOVED)
 REFUSED = {NOT_REFERENCED: "H", HOMING: "L", MOVING: "M", HAS_HOMED: "K", HAS_MOVED: "K"}
 MAX_RATE = HOME_RATE = 20.0
+ACCELERATION, FAR_DEG = 80, 10_000
 
 
 class Smc100Emulator(Answers):
@@ -35,7 +36,7 @@ class Smc100Emulator(Answers):
     def _do(self, t_s: float, what: str, value: str) -> str:
         match what, value:
             case "VE", _:
-                return " SMC_CC_2.0.1"
+                return " SMC_CC - Controller-driver version  3. 1. 2"
             case "ID", "?":
                 return "URS50BCC_SN0042"
             case "TS", _:
@@ -49,7 +50,11 @@ class Smc100Emulator(Answers):
             case "OH", "?":
                 return f"{HOME_RATE:g}"
             case "AC", "?":
-                return "80"
+                return f"{ACCELERATION}"
+            case (("SL" | "SR"), "?"):
+                return f"{-FAR_DEG if what == 'SL' else FAR_DEG}"
+            case "PT", way if way and way != "?":  # of a trapezium
+                return f"{abs(float(way)) / self._rate + self._rate / ACCELERATION:.4f}"
             case "PW", "?":
                 return "0"
             case "TE", _:

@@ -11,10 +11,11 @@ from drivers.emulators.line import Lab, Replies
 from drivers.framing import ximc
 
 REPLY_S, PAUSE_S, FAR_DEG = 0.002, 0.4, 1e4
-DIVISION, MODE = 256, 9
+DIVISION, MODE, STEPPER = 256, 9, (3, 2)  # a stepper on the controller's own driver
 MOVE, MOVR, LEFT, RIGHT, STOP, HOME, SOFT = 1, 2, 3, 4, 5, 6, 8  # names of commands in the state
 RUNNING, ERROR, MOVING, AT_SPEED, HOMED, ERRC, ERRD = 0x80, 0x40, 0x01, 0x02, 0x20, 0x01, 0x02
 SIZES = {"smov": 24, "shom": 27, "move": 12, "movr": 12}  # of data from the host, without CRC
+POWERED = 3  # its motor, as always while it holds or moves
 SWITCH_DEG = 3.0  # what it counts at its switch after power-up
 
 
@@ -33,7 +34,7 @@ class StandaEmulator(Replies):
         ten = round(10 * self._per_deg)
         self.held: dict[str, tuple[int, ...]] = {
             "gmov": (ten, 0, ten, ten, ten // 10, 0, 0), "ghom": (ten, 0, ten // 10, 0, 0, 0, 0x172),
-            "geng": (0, 670, 4 * ten, 0, 0xA4, 1800, MODE, 200),
+            "geng": (0, 670, 4 * ten, 0, 0xA4, 1800, MODE, 200), "gent": STEPPER,
         }  # fmt: skip
 
     def take(self, t_s: float, data: bytes) -> None:
@@ -78,7 +79,7 @@ class StandaEmulator(Replies):
             return *place, 0
         motion, command, flags = self._state(t_s)
         flags, self._wrong = flags | self._wrong, 0
-        return motion, command, 1, 0, 0, *place, 0, *self._steps(rate), 0, 2400, 0, 500, 250, flags, 0, 8
+        return motion, command, POWERED, 0, 0, *place, 0, *self._steps(rate), 0, 2400, 0, 500, 250, flags, 0, 8
 
     def _state(self, t_s: float) -> tuple[int, int, int]:
         moving = bool(self._platform.moving(t_s))

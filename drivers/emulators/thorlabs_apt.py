@@ -14,7 +14,7 @@ COUNTS_PER_DEG, VELOCITY = 409_600 / 3, 53.68
 HOMED, CONNECTED, HOMING, FORWARD, BACKWARD, ENABLED = 0x400, 0x100, 0x200, 0x10, 0x20, 0x80000000
 REPLY_S, PAUSE_S, FAR_DEG, ACCELERATION = 0.002, 0.1, 1e4, 15_020
 RELATIVE, UPDATE, UPDATES_S = 0x0448, 0x0481, 0.1
-LONG = {apt.SET_VELOCITY: "<Hiii", apt.SET_HOMING: "<HHHii", apt.MOVE_ABSOLUTE: "<Hi", RELATIVE: "<Hi"}
+LONG = {apt.SET_VELOCITY: "<Hiii", apt.SET_HOMING: "<HHHii", apt.MOVE_ABSOLUTE: "<Hi", RELATIVE: "<Hi", 0x043A: "<Hi"}
 
 
 class AptEmulator(Replies):
@@ -30,7 +30,7 @@ class AptEmulator(Replies):
         self._platform, self._came, self._ends = lab.platform, b"", 0
         self._last_s, self._update_s = -math.inf, math.inf
         self._counts = settings.counts_per_deg or COUNTS_PER_DEG
-        self.homed, self.enabled, self.faults = False, False, 0
+        self.homed, self.enabled, self.faults, self._backlash = False, False, 0, 0
         per_s = self._counts * VELOCITY
         self._velocity = (0, ACCELERATION, round(10 * per_s))
         self._homing, self._last = (
@@ -79,6 +79,8 @@ class AptEmulator(Replies):
                 self._velocity = (least, ramp, most)
             case apt.SET_HOMING, (way, switch, velocity, offset):
                 self._homing = (way, switch, velocity, offset)
+            case 0x043A, (backlash,):
+                self._backlash = backlash
             case apt.SET_ENABLED, ():
                 self.enabled = second == 1
             case apt.HOME, ():
@@ -108,6 +110,8 @@ class AptEmulator(Replies):
                 return self._message(number + 1, struct.pack("<Hi", 1, self._position(t_s)))
             case apt.REQ_VELOCITY:
                 return self._message(apt.GET_VELOCITY, struct.pack("<Hiii", 1, *self._velocity))
+            case 0x043B:
+                return self._message(number + 1, struct.pack("<Hi", 1, self._backlash))
             case apt.REQ_HOMING:
                 return self._message(apt.GET_HOMING, struct.pack("<HHHii", 1, *self._homing))
             case apt.REQ_BITS:

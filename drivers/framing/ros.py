@@ -39,9 +39,10 @@ def parse(cdr: bytes) -> Message | None:
         return None
     sec, nanosec, length = struct.unpack_from(f"{order}iII", body)
     at = -(-(TEXT + 4 + length) // 8) * 8  # numbers of 8 bytes stand at multiples of 8
-    if len(body) < at + 8 * (3 + COVARIANCE):
+    name = body[TEXT + 4 : TEXT + 4 + length]
+    if len(body) != at + 8 * (3 + COVARIANCE) or nanosec >= 10**9 or not name.endswith(b"\0"):
         return None
-    frame = body[TEXT + 4 : TEXT + 4 + length].rstrip(b"\0").decode("utf-8", "replace")
+    frame = name.rstrip(b"\0").decode("utf-8", "replace")
     return Message(sec + 1e-9 * nanosec, frame, struct.unpack_from(f"{order}3d", body, at))
 
 

@@ -14,7 +14,7 @@ NAME, CRC = 4, 2
 REFUSALS = {b"errc": "it does not know the command", b"errd": "the data came damaged", b"errv": "a value was wrong"}
 ANSWERS = {  # data of answers, as the protocol's tables have them
     "geti": "<4s2s8sBBH12x", "gser": "<I", "gets": "<5BihqihhhhhhIIB4x", "gpos": "<ihq6x", "gmov": "<IBHHIBB9x",
-    "ghom": "<IBIBihH9x", "geng": "<HHIBHhBH12x",
+    "ghom": "<IBIBihH9x", "geng": "<HHIBHhBH12x", "gent": "<BB6x",
 }  # fmt: skip
 TELLS = {"move": "<ih6x", "movr": "<ih6x", "smov": "<IBHHIBB9x", "shom": "<IBIBihH9x"}
 

@@ -31,7 +31,7 @@ from labcal.bench.driver_kit.roles import (
 )
 from labcal.bench.guarded_identification import all_identified
 from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.identification import Identifications, Identifies
+from labcal.bench.identification import HOLDS_S, Identifications, Identifies
 from labcal.bench.listening import Listening
 from labcal.bench.named_links import named_links
 from labcal.bench.platform import BenchPlatform
@@ -98,7 +98,7 @@ class Bench:
             blind=blind(config.reference), latch=StoredDoubt(config.guarded_links), where=self._where,
         )  # fmt: skip
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
-        self._links, self._known = links or {}, dict[str, Identity]()
+        self._links, self._known, self._known_s = links or {}, dict[str, Identity](), -math.inf
         self._listening = Listening(config, clock, self.cage, dut, reference, self.reconnect, carry, self._waited_for)
         if isinstance(platform, BenchPlatform):
             platform.bring_back = self._bring_stage_back
@@ -136,15 +136,20 @@ class Bench:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
 
         A supply that answers at the links of two coils is another for both. `begun`: those that were asked already.
+        Who has said so within HOLDS_S, on links that stayed open, is not asked again.
         """
+        if self.clock.now() - self._known_s < HOLDS_S:
+            return dict(self._known)
         asked: Mapping[str, Identifies] = self._instruments if begun is None else begun.instead(self._instruments)
         self._known = all_identified(asked, self.config, self.clock)
         links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
         refuse_one_at_two_links({name: self._known[name] for name in links}, links)
+        self._known_s = self.clock.now()
         return dict(self._known)
 
     def reconnect(self, name: str) -> Identity:
         """Open the lost link of an instrument again. Raises InstrumentError where another one answers than before."""
+        self._known_s = -math.inf
         self._links[name].reopen()
         who, before = self._instruments[name].identify(), self._known.get(name)
         if before is not None:

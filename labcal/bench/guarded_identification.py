@@ -10,12 +10,15 @@ from labcal.bench.config import BenchConfig
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.client import Connection, ask_once, found
 from labcal.bench.guardian.proxies import GuardedInstrument
-from labcal.bench.identification import Identifies, identified, lines_apart
+from labcal.bench.identification import HOLDS_S, Identifies, identified, lines_apart
 from labcal.errors import InstrumentError
 
 
 class AskedSupply:
-    """An instrument of the guardian's, asked who it is beside the session's own orders, which wait for one another."""
+    """An instrument of the guardian's, asked who it is beside the session's own orders, which wait for one another.
+
+    One that said so on its way to zero a moment ago is not asked again.
+    """
 
     def __init__(self, name: str, connection: Connection) -> None:
         self.name, self._connection = name, connection
@@ -23,7 +26,7 @@ class AskedSupply:
     def identify(self) -> Identity:
         """Who answers. Raises InstrumentError as the guardian says, and (guardian lost) where it is gone."""
         try:
-            return Identity(**ask_once(self._connection, "identify", name=self.name))
+            return Identity(**ask_once(self._connection, "identify", name=self.name, within_s=HOLDS_S))
         except OSError as error:
             raise InstrumentError(
                 f"{self.name}: the guardian is gone ({error}); how the coils are is not known.",

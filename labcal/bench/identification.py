@@ -13,6 +13,7 @@ from labcal.bench.driver_kit.roles import Identity
 from labcal.errors import InstrumentError
 
 LOOK_S = 0.005  # how often it is seen whether the others have answered
+HOLDS_S = 5.0  # so long an answer is true of a link that stayed open: nobody changes plugs as fast
 Answers = dict[str, Identity | InstrumentError]
 
 

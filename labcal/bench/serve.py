@@ -44,11 +44,14 @@ if sys.platform != "win32":
         termios.tcsetattr(slave, termios.TCSANOW, state)
 
     def line_of(slave: int) -> tuple[int, ...]:
-        """How the host has set its line, as far as the terminal tells: Linux keeps stop bits and odd, not even."""
+        """How the host has set its line, as far as the terminal tells: Linux keeps odd parity, not even.
+
+        How many stop bits it sends is its own affair: who hears it looks at the first only.
+        """
         state = termios.tcgetattr(slave)
         return state[4], state[5], state[2] & FRAME
 
-    FRAME = termios.PARENB | termios.PARODD | termios.CSTOPB | termios.CSIZE
+    FRAME = termios.PARENB | termios.PARODD | termios.CSIZE
 else:
 
     def set_baud(slave: int, baud: int) -> None:

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 from served_lab import Served, all_gone
 
-from labcal.bench import open_bench
+from labcal.bench import bench as bench_module
+from labcal.bench import guarded_identification, open_bench
+from labcal.bench.bench import Bench
 from labcal.bench.guarded_identification import AskedSupply
 from labcal.bench.guardian import client
+from labcal.bench.identification import HOLDS_S
 from labcal.bench.loading import Loader
 from labcal.errors import InstrumentError
 
+LONG_S = 60.0  # longer than a busy machine needs
 SUPPLIES = {"supply_x", "supply_y", "supply_z"}
+ASKED = dict.fromkeys(SUPPLIES, b"*IDN?") | {"stage": b"get deviceid", "reversers": b"\1\3\x80\0"}
 
 
 def answer_only_together(lab: Served, patch: pytest.MonkeyPatch) -> set[str]:
@@ -37,6 +43,7 @@ def answer_only_together(lab: Served, patch: pytest.MonkeyPatch) -> set[str]:
 
 
 def test_no_supply_waits_for_another_to_say_who_it_is(lab: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(guarded_identification, "HOLDS_S", 0.0)
     try:
         with open_bench(lab.file, identify=False) as bench:
             asked = answer_only_together(lab, monkeypatch)
@@ -62,6 +69,71 @@ def test_the_sessions_own_are_asked_once_while_the_guardian_begins(
         with open_bench(lab.file) as bench:
             assert bench.platform.name == "stage"
         assert sum(b"get deviceid" in data for data in asked) == 1
+    finally:
+        all_gone(lab.file)
+
+
+def heard_of(lab: Served, patch: pytest.MonkeyPatch) -> dict[str, int]:
+    """How often each instrument is asked who it is from now on."""
+    times = dict.fromkeys(ASKED, 0)
+
+    def listened(name: str, emulator: Any, question: bytes) -> None:
+        take = emulator.take
+
+        def heard(t_s: float, data: bytes) -> None:
+            times[name] += data.count(question)
+            take(t_s, data)
+
+        patch.setattr(emulator, "take", heard)
+
+    for name, question in ASKED.items():
+        listened(name, lab.emulator(name), question)
+    return times
+
+
+def test_who_said_on_its_way_to_zero_who_it_is_is_not_asked_again_by_the_session_or_a_run(
+    lab: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(bench_module, "HOLDS_S", LONG_S)
+    monkeypatch.setattr(guarded_identification, "HOLDS_S", LONG_S)
+    times = heard_of(lab, monkeypatch)
+    try:
+        with open_bench(lab.file) as bench:
+            assert times == dict.fromkeys(ASKED, 1)
+            who = bench.identities()
+            assert times == dict.fromkeys(ASKED, 1)
+            assert bench.reconnect("stage") == who["stage"]
+            assert bench.identities() == who
+            assert times == dict.fromkeys(ASKED, 1) | {"stage": 3}
+    finally:
+        all_gone(lab.file)
+
+
+def test_the_relay_board_is_asked_beside_the_way_to_zero(lab: Served, monkeypatch: pytest.MonkeyPatch) -> None:
+    times = heard_of(lab, monkeypatch)
+    try:
+        with open_bench(lab.file, identify=False) as bench:
+            wait_until(lambda: times["reversers"] == 1, bench)
+    finally:
+        all_gone(lab.file)
+
+
+def wait_until(true: Callable[[], bool], bench: Bench) -> None:
+    ends_s = bench.clock.now() + LONG_S
+    while not true():
+        assert bench.clock.now() < ends_s
+        bench.clock.wait_until(bench.clock.now() + 0.02)
+
+
+def test_an_answer_that_is_too_old_for_a_record_is_asked_for_again(
+    lab: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    times = heard_of(lab, monkeypatch)
+    try:
+        with open_bench(lab.file) as bench:
+            bench.clock.wait_until(bench.clock.now() + HOLDS_S)
+            bench.identities()
+            assert times == dict.fromkeys(ASKED, 2)
     finally:
         all_gone(lab.file)
 

@@ -54,7 +54,9 @@ BENCHES: tuple[tuple[Part, ...], ...] = (  # in the order of ROLES
     (table("delta-sm"), table("agilent-e3631a"), ("genesys", {}), RELAY,
      ("thorlabs-apt", {}), ("twinleaf", {}), ("i2c-board", {"chip": "lis3mdl"})),
     (table("keithley-2260b"), table("kikusui-pbz"), table("rohde-schwarz-hmc804x"), RELAY,
-     ("zaber", {}), ("pos-1", {}), LINE),
+     ("trinamic-tmcl", {"address": 1}), ("pos-1", {}), LINE),
+    (table("keithley-2260b"), table("kikusui-pbz"), table("rohde-schwarz-hmc804x"), RELAY,
+     ("standa-8smc5", {}), ("pos-1", {}), LINE),
 )  # fmt: skip
 
 

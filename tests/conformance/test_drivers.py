@@ -12,9 +12,9 @@ from contextlib import closing
 from functools import cache
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any
 
 import pytest
+from stated import DRIVERS, SETTINGS
 
 from drivers.framing import tio
 from drivers.framing.tmcl import summed
@@ -25,23 +25,6 @@ from labcal.testing.drivers import DriverCase, Promise, installed, keep, promise
 from labcal.testing.drivers.every import OUTSIDE, imported
 
 ROOT = Path(__file__).parents[2]
-DRIVERS = {e.name: e for e in entry_points(group="labcal.drivers") if e.value.startswith("drivers.")}
-SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
-    "waveshare-relay": {"x": 0, "y": 1, "z": 2},
-    "replay": {"file": str(ROOT / "tests" / "drivers" / "replayed.csv")},
-    "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
-    "scpi-table": {"model": "rohde-schwarz-hmp"},
-    "can-dbc": {
-        "file": str(ROOT / "tests" / "drivers" / "magnetometer.dbc"),
-        "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
-    },
-    "daq-inputs": {"uT_per_V": (10.0, 10.0, 10.0)},
-    "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
-    "velmex-vxm": {"home": "negative"},
-    "gsm": {"period_s": 0.1},
-    "iaga-2002": {"period_s": 0.1},
-    "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
-}
 FORBIDDEN = {  # a message of each driver's deny-list
     "tti-pl": [b"*RST\n", b"*rst\n", b"SAV1 1\n", b"RCL1 1\n"],
     "rigol-dp800": [b"*RST\n", b"*SAV 1\n", b"*RCL 1\n", b"*TST?\n"],

@@ -138,6 +138,13 @@ def test_a_list_without_end_ends() -> None:
         meter.identify()
 
 
+@pytest.mark.parametrize("said", [b"12.5,48000.0,-3.1\r\n" * 8, b"\xfd\x20\x00\x07", b"\x07", b"$PMAG,1,2,3*4F\x07"])
+def test_another_s_stream_is_no_list_of_its_own(said: bytes) -> None:
+    with scripted(AlphaLab, [STOP, (ask(0x01), said)]) as meter, pytest.raises(InstrumentError) as caught:
+        meter.identify()
+    assert caught.value.fault == "another instrument"
+
+
 @given(st.binary(min_size=31, max_size=31))
 def test_any_31_bytes_give_a_consistent_reading_or_none(frame: bytes) -> None:
     xyz = alphalab.axes(frame, 1.0, 0.01)

@@ -8,6 +8,7 @@ from drivers.newport_smc100 import Smc100Stage
 from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
+VERSION = b"1VE SMC_CC - Controller-driver version  3. 1. 2\r\n"  # as three users of one have written it down
 FINE = (b"1TE\r\n", b"1TE@\r\n")
 AT_6 = [(b"1VA6.0000\r\n", SILENT), FINE, (b"1VA?\r\n", b"1VA6\r\n")]
 MOVE = [*AT_6, (b"1PA30.5000\r\n", SILENT), FINE]
@@ -18,7 +19,7 @@ def status(code: bytes) -> tuple[bytes, bytes]:
 
 
 def test_controller_and_stage_say_who_they_are() -> None:
-    with scripted(Smc100Stage, [(b"1VE\r\n", b"1VE SMC_CC_2.0.1\r\n"), (b"1ID?\r\n", b"1IDURS50BCC\r\n")]) as stage:
+    with scripted(Smc100Stage, [(b"1VE\r\n", VERSION), (b"1ID?\r\n", b"1IDURS50BCC\r\n")]) as stage:
         assert stage.identify().model == "URS50BCC"
 
 

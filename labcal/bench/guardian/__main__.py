@@ -6,19 +6,20 @@ replaced. What they need for that they have read and loaded before; who has the 
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import sys
 import threading
 import time
 import traceback
+from concurrent.futures import Future
 from contextlib import suppress
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
-from labcal.bench.essentials import as_table, of_table
+from labcal.bench.essentials import as_table
 from labcal.bench.guardian import wire
-from labcal.bench.guardian.briefing import BRIEFED, Briefing, briefing_of
+from labcal.bench.guardian.briefing import BRIEFED, Briefing, briefing_of, essentials_of
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
 from labcal.bench.guardian.logbook import note, written
@@ -30,6 +31,9 @@ from labcal.bench.links import ports
 from labcal.bench.loading import drivers_of
 from labcal.errors import InputError
 
+if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig
+
 LOOK_S = 0.02
 RETRY_S = 0.2  # after which what is not confirmed at zero is asked again
 FOUND_S = 0.25  # so often it sees whether others can find it
@@ -38,13 +42,17 @@ FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 
 
 class Watch:
-    """One guardian from its first zero to its last. `succeeds`: the one before it is gone, and currents may flow."""
+    """One guardian from its first zero to its last. `succeeds`: the one before it is gone, and currents may flow.
 
-    def __init__(self, path: Path, bench: Briefing, handed: Handover, *, succeeds: bool) -> None:
-        self._path, self._bench, self._succeeds = path, bench, succeeds
+    `bench` may have no more than the essentials; then all of `line` is read into `loading` while zero is awaited.
+    """
+
+    def __init__(
+        self, path: Path, bench: Briefing, handed: Handover, loading: Future[Briefing], line: str, *, succeeds: bool
+    ) -> None:
+        self._path, self._bench, self._succeeds, self._loading, self._line = path, bench, succeeds, loading, line
         self._guardian = Guardian(path, bench.config, note, handed)
         self._end_requested = threading.Event()
-        self._standbys = Standbys(bench, self._guardian)
 
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
@@ -55,18 +63,28 @@ class Watch:
         signal.signal(signal.SIGTERM, lambda *_: self._end_requested.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
+        if not self._loading.done():
+            self._guardian.load_supplies()
+            threading.Thread(target=self._load_rest, daemon=True).start()
         self._guardian.zero("the one before is gone, its successor begins" if self._succeeds else "a session begins")
-        self._guardian.load()
+        whole = self._loading.result()
+        self._guardian.load(whole.config)
         server.ready.set()
-        self._standbys.start()
+        standbys = Standbys(whole, self._guardian)
+        standbys.start()
         self._guardian.heartbeats.start()
         try:
             self._watch(server, card)
         finally:
             wire.unlisten(listener, card)
-            self._standbys.dismiss()
+            standbys.dismiss()
             self._guardian.heartbeats.stop()
             self._guardian.close()
+
+    def _load_rest(self) -> None:
+        """What zero does without, by one thread: two that load one library at once may each get half of it."""
+        load_into(self._loading, self._path, self._line)
+        self._guardian.meet_others()
 
     @property
     def in_doubt(self) -> bool:
@@ -147,17 +165,22 @@ def briefed(path: Path, line: str) -> Briefing:
     return Briefing(path, config, fingerprint)
 
 
+def load_into(loading: Future[Briefing], path: Path, line: str) -> None:
+    """Read all of the briefing; what fails is raised where it is asked for."""
+    try:
+        loading.set_result(briefed(path, line))
+    except Exception as error:
+        loading.set_exception(error)
+
+
 def zero_first(path: Path, line: str) -> Handover | None:
     """Bring the coils down by the essentials of a briefing, before the rest of it is loaded; what was found then.
 
     None where another has the ports, or the briefing says too little.
     """
-    try:
-        some = of_table(json.loads(line)["config"])
-    except (ValueError, KeyError, TypeError, AttributeError):
+    if (brief := essentials_of(line)) is None:
         return None
-    if some is None:
-        return None
+    some = brief.config
     with suppress(InputError):
         ports.meet(some.safety.group, some.safety.runtime)
     if not ports.hold(some.guarded_links):
@@ -176,14 +199,18 @@ def main(path: Path, how: str, line: str) -> None:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     handed = (zero_first(path, line) if how == SUCCESSOR else None) or Handover()
-    bench = briefed(path, line)
+    loading = Future[Briefing]()
+    some = None if how else essentials_of(line)  # where a session begins, zero waits long for the supplies' answers
+    if some is None:
+        load_into(loading, path, line)
+    bench = some or loading.result()
     config = bench.config
     with suppress(InputError):  # a session has heard it; who takes over does so without the group's folder too
         ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
     if how == STANDBY:
-        with suppress(InputError):
-            drivers_of(path, config)  # a third of a second that is not lost when it counts
+        with suppress(InputError):  # a third of a second that is not lost when it counts
+            drivers_of(path, cast("BenchConfig", loading.result().config))
         ended, handed = stand_by(sys.stdin)
         if ended == DONE:
             return
@@ -191,7 +218,7 @@ def main(path: Path, how: str, line: str) -> None:
     if how and not handed.coils:
         handed = unknown()
     if ports.hold(urls):
-        watch = Watch(path, bench, handed, succeeds=how != "")
+        watch = Watch(path, bench, handed, loading, line, succeeds=how != "")
         watch.live()
         ports.let_go(in_doubt=watch.in_doubt)
 

@@ -8,7 +8,9 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
+
+from labcal.bench.essentials import Essentials, of_table
 
 if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
@@ -19,15 +21,16 @@ LONGEST = 60_000  # bytes: a pipe takes as many before anybody reads
 
 @dataclass(frozen=True, slots=True)
 class Briefing:
-    """The bench as it was read: its file as it was named, what stood in it, and the fingerprint of that."""
+    """The bench as it was read: its file as it was named, what stood in it or the essentials of it, its fingerprint."""
 
     named: Path
-    config: BenchConfig
+    config: BenchConfig | Essentials
     fingerprint: str
 
     def line(self) -> bytes:
         """As one line; empty where it is longer than a pipe takes: then the file is read."""
-        said = {"named": str(self.named), "config": self.config.model_dump(mode="json"), "print": self.fingerprint}
+        config = cast("BenchConfig", self.config).model_dump(mode="json")
+        said = {"named": str(self.named), "config": config, "print": self.fingerprint}
         line = json.dumps(said).encode() + b"\n"
         return line if len(line) <= LONGEST else b"\n"
 
@@ -40,4 +43,14 @@ def briefing_of(line: str) -> Briefing | None:
         said: dict[str, Any] = json.loads(line)
         return Briefing(Path(said["named"]), BenchConfig.model_validate(said["config"]), str(said["print"]))
     except (ValueError, KeyError, TypeError):  # pydantic's are ValueErrors
+        return None
+
+
+def essentials_of(line: str) -> Briefing | None:
+    """As much of it as a way to zero asks for, in a moment; None where it says too little, or is spoilt."""
+    try:
+        said: dict[str, Any] = json.loads(line)
+        some = of_table(said["config"])
+        return Briefing(Path(said["named"]), some, str(said["print"])) if some else None
+    except (ValueError, KeyError, TypeError, AttributeError):
         return None

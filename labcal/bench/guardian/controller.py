@@ -21,7 +21,7 @@ from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
 from labcal.bench.guardian.line_workers import LineWorkers
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
@@ -74,8 +74,15 @@ class Guardian:
 
         return TogetherLimit(cast("BenchConfig", self._config), DutyRecord(self._config.guarded_links))
 
-    def load(self) -> None:
-        """What a session needs and a zero does not: loaded by one thread, before the first order."""
+    def load_supplies(self) -> None:
+        """Load their drivers before another thread loads anything; what is wrong is said on the way to zero."""
+        for coil in self.coils.values():
+            with suppress(InputError):
+                coil.line.loader.driver(coil.name)
+
+    def load(self, config: BenchConfig | Essentials) -> None:
+        """What a session needs and a zero does not, of the whole bench: by one thread, before the first order."""
+        self._config = config
         _ = self._together, self.heartbeats
 
     def facts(self) -> dict[str, dict[str, float | bool | str]]:
@@ -92,9 +99,17 @@ class Guardian:
             for axis, coil in self.coils.items()
         }
 
-    def identify(self, name: str) -> Identity:
-        """Who answers as `name`."""
-        return self._lines[name].identify(name)
+    def identify(self, name: str, within_s: float = 0.0) -> Identity:
+        """Who answers as `name`, or answered within the last `within_s`."""
+        return self._lines[name].identify(name, within_s)
+
+    def meet_others(self) -> None:
+        """Ask those whose line no supply is on who they are, while zero waits for the supplies; silence comes again."""
+        of_coils = {coil.line.url for coil in self.coils.values()}
+        for name, line in self._lines.items():
+            if line.url not in of_coils:
+                with suppress(InstrumentError):
+                    line.identify(name)
 
     def reopen(self, name: str) -> None:
         """Open the lost link of `name` again."""

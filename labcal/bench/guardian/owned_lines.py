@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -33,6 +34,7 @@ class OwnedLine:
     _open: dict[str, Instrument] = field(default_factory=dict)
     _known: dict[str, Identity] = field(default_factory=dict)
     _identified: set[str] = field(default_factory=set)
+    _said_s: dict[str, float] = field(default_factory=dict)  # when it last was who it should be, on its clock
     _shared: dict[str, ModbusLink] = field(default_factory=dict)
 
     @property
@@ -61,13 +63,17 @@ class OwnedLine:
                     raise InstrumentError(f"not reached: {error}.", fault="not reached", remedy=remedy) from error
             return self._open[name]
 
-    def identify(self, name: str) -> Identity:
-        """Who answers. Raises InstrumentError where it is another one than at first."""
+    def identify(self, name: str, within_s: float = 0.0) -> Identity:
+        """Who answers, or did within the last `within_s` on this link. Raises InstrumentError where another does."""
         with self.lock:
+            if self.clock.now() - self._said_s.get(name, -math.inf) < within_s:
+                return self._known[name]
+            self._said_s.pop(name, None)
             who = self.instrument(name).identify()
             before = self._known.setdefault(name, who)
         refuse_other(name, who, before)
         self._identified.add(name)
+        self._said_s[name] = self.clock.now()
         return who
 
     def strangers(self, names: Iterable[str]) -> list[Instrument]:
@@ -111,6 +117,7 @@ class OwnedLine:
         """Open the link again after it was lost. Raises InstrumentError (link lost)."""
         with self.lock:
             self._identified.clear()
+            self._said_s.clear()
             for link in self.loader.links.values():
                 link.reopen()
 

@@ -33,7 +33,9 @@ TOKEN_S = 5.0  # to say who one is
 CALLERS, ORDERS = 32, 64  # at once; and of one caller not worked off yet: then it is not listened to
 STALE_S = 3.0  # a session that has been silent so long, with the coils at zero, makes room for another
 FOR_THE_SESSION = ("set_current", "output", "modbus", "reopen")
-KINDS: dict[str, tuple[type, ...]] = {"current_A": (float, int), "on": (bool,), "axis": (str,), "name": (str,)}
+KINDS: dict[str, tuple[type, ...]] = {
+    "current_A": (float, int), "on": (bool,), "axis": (str,), "name": (str,), "within_s": (float,)
+}  # fmt: skip
 
 
 @dataclass
@@ -74,7 +76,7 @@ class Server:
         self._orders: dict[str, Callable[..., Any]] = {
             "facts": guardian.facts,
             "ends": lambda: [zero_message(end) for end in guardian.ends()],
-            "identify": lambda name: asdict(guardian.identify(name)),
+            "identify": lambda name, within_s=0.0: asdict(guardian.identify(name, within_s)),
             "reopen": guardian.reopen,
             "modbus": guardian.modbus,
             "set_current": guardian.set_current,
