@@ -151,22 +151,11 @@ class Verification:
             said.append(f"It was not made from the run that was named ({what} differs).")
         if self.run_matches and (self.recomputed is None or self.recomputed.same):
             said.append("It was made from the run that was named.")
-        said += _of_working_out(self.recomputed)
+        said += self.recomputed.sentences() if self.recomputed else []
         said += self.limits()
         if self.calibration and self.calibration.simulated:
             said.append("SIMULATED: it describes no real sensor.")
         return said
-
-
-def _of_working_out(found: Recomputed | None) -> list[str]:
-    if found is None:
-        return []
-    if found.same:
-        return ["Worked out again from its run, it is the same."]
-    why = "; ".join(found.why)
-    if found.same is None:
-        return [f"It was not worked out again: {why}."]
-    return [f"Worked out again from its run it differs: {why}.{' The signature stands.' if found.holds else ''}"]
 
 
 def approve(

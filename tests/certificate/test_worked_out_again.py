@@ -159,7 +159,8 @@ def test_two_sign_what_the_run_gives_and_scripts_may_require_it(
         ["named as approver, but has not signed: bob"],
     )
     assert [(s["signer"], s["by"]) for s in two.pop("signatures")] == [("ada", "claimed"), ("bob", "claimed")]
-    assert two == {"valid": True, "status": "released", "signers": ["ada", "bob"], "recomputed": True, "why": []}
+    assert two == {"valid": True, "status": "released", "signers": ["ada", "bob"], "recomputed": True, "why": [],
+                   "as_stated": []}  # fmt: skip
 
 
 @pytest.mark.usefixtures("trusting")
@@ -280,6 +281,10 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
     path.write_bytes(calibration_bytes(stated))
     edited(path, lambda c: c["effects"][0]["domain"][0]["hull"][1].__setitem__(0, 50.0))
     assert working_out.recomputed(read_calibration(path)).why[0].startswith("effects[0].domain[0].hull[1][0]: 50 is")
+    for name in ("holdout_rms_nT", "noise_beside_readings_nT"):  # `apply` takes part of its u_nT from both
+        path.write_bytes(calibration_bytes(stated))
+        edited(path, lambda c, name=name: c["metrics"]["after"].update({name: 0.01}))
+        assert working_out.recomputed(read_calibration(path)).why[0].startswith(f"metrics.after.{name}: 0.01 is stated")
 
 
 def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path, monkeypatch: pytest.MonkeyPatch):
