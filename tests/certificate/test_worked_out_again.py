@@ -287,6 +287,26 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
         assert working_out.recomputed(read_calibration(path)).why[0].startswith(f"metrics.after.{name}: 0.01 is stated")
 
 
+def test_structure_that_is_left_comes_again_between_versions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """What held-out residuals keep is most of its U, and no final fit alone shows it."""
+    made, wander = made_up_run(rows=60, fields_nT=((30e3, 20e3, 25e3),), noise_nT=5.0), np.zeros((180, 3))
+    steps = np.random.default_rng(3).normal(0, 30, wander.shape)
+    for i in range(1, len(wander)):
+        wander[i] = 0.9 * wander[i - 1] + steps[i]
+    write_bundle(made.with_effect(wander), tmp_path / "wanders")
+    run, path = session.import_bundle(tmp_path / "wanders"), tmp_path / "loop.json"
+    assert session.close_loop(run, path).verdict == "unexplained"
+    stated = read_calibration(path)
+    assert any(row["source"].startswith("structure") for one in stated.budget for row in one["rows"])
+    shutil.rmtree(home() / working_out.FOLDER)
+    monkeypatch.setattr(working_out, "__version__", "9.9.9")
+    assert working_out.recomputed(stated).same
+    edited(path, lambda c: c["metrics"]["after"].update(holdout_rms_nT=5.0, holdout_beside_declared_nT=5.0))
+    found = working_out.recomputed(read_calibration(path))
+    assert found.holds
+    assert "metrics.after.holdout_" in "; ".join(found.why)
+
+
 def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(working_out, "of_its_record", lambda stated, bundle: OfRecord())  # the run is imported
     stated = read_calibration(draft)
