@@ -1,13 +1,9 @@
-"""Every leaf of a draft is edited before anybody has seen it: each ends in a refusal, or changes nothing that is shown.
-
-Both as the version that made it would state it and as another would, of which a final fit alone can be worked out.
-"""
+"""Every leaf of a draft is edited before anybody has seen it: each ends in a refusal, or is a person's to state."""
 
 from __future__ import annotations
 
 import json
 import random
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -23,7 +19,6 @@ from labcal.session import working_out
 EXAMPLE = Path(__file__).parents[2] / "examples" / "short-preflight"
 SAFE = 2**53  # of an integer in canonical JSON
 OF_PEOPLE = {"validity.until", "supersedes", "issued_utc"}  # of a draft anybody states them, or the approval does
-STANDS = "|".join(("covariance", r"budget\[\]\.(rows\[\]\.)?(dof|share|u|sensitivity)", r"budget\[\]\.correlations.*"))
 Leaf = tuple[str | int, ...]
 
 
@@ -76,7 +71,7 @@ def place(at: Leaf) -> str:
 def passed(draft: dict[str, Any], path: Path, step: int) -> list[str]:
     """The leaves of every step's whose edit an approver would not be kept from."""
     chance, found = random.Random(17), []
-    for at, _ in list(leaves(draft))[chance.randrange(step) :: step]:
+    for at in [at for at, _ in leaves(draft)][chance.randrange(step) :: step]:
         path.write_bytes(forged(draft, at, chance))
         try:
             session.approve(path, "bob")
@@ -86,30 +81,6 @@ def passed(draft: dict[str, Any], path: Path, step: int) -> list[str]:
     return found
 
 
-def as_another_version(draft: dict[str, Any]) -> dict[str, Any]:
-    draft["made_by"]["version"], draft["software"] = "0.0.9", "labcal 0.0.9"
-    return draft
-
-
 @pytest.mark.parametrize("step", [97, pytest.param(1, marks=pytest.mark.slow)])
 def test_no_leaf_can_be_another(example: dict[str, Any], tmp_path: Path, step: int):
     assert set(passed(example, tmp_path / "cal.json", step)) <= OF_PEOPLE
-
-
-@pytest.mark.parametrize("step", [97, pytest.param(1, marks=pytest.mark.slow)])
-def test_of_another_version_what_no_final_fit_shows_is_named_and_no_more_passes(
-    example: dict[str, Any], tmp_path: Path, step: int
-):
-    """What passes beside that is within what versions may differ in: a tenth of U, half of the degrees of freedom."""
-    draft = as_another_version(example)
-    named = working_out.recomputed(parse_calibration(rfc8785.dumps(draft))).as_stated
-    assert named
-    of_the_rest = [
-        leaf for leaf in passed(draft, tmp_path / "cal.json", step)
-        if leaf not in OF_PEOPLE and not leaf.startswith(named) and not is_little(leaf)
-    ]  # fmt: skip
-    assert of_the_rest == []
-
-
-def is_little(leaf: str) -> bool:
-    return re.fullmatch(STANDS, re.sub(r"\[\d+\]", "[]", leaf).removesuffix("[][]")) is not None
