@@ -151,22 +151,11 @@ class Verification:
             said.append(f"It was not made from the run that was named ({what} differs).")
         if self.run_matches and (self.recomputed is None or self.recomputed.same):
             said.append("It was made from the run that was named.")
-        said += _of_working_out(self.recomputed)
+        said += self.recomputed.sentences() if self.recomputed else []
         said += self.limits()
         if self.calibration and self.calibration.simulated:
             said.append("SIMULATED: it describes no real sensor.")
         return said
-
-
-def _of_working_out(found: Recomputed | None) -> list[str]:
-    if found is None:
-        return []
-    if found.same:
-        return ["Worked out again from its run, it is the same."]
-    why = "; ".join(found.why)
-    if found.same is None:
-        return [f"It was not worked out again: {why}."]
-    return [f"Worked out again from its run it differs: {why}.{' The signature stands.' if found.holds else ''}"]
 
 
 def approve(
@@ -228,9 +217,9 @@ def sign(
 
     `signers` is the trust list: it tells whose the signatures are that are there already. One whose key is revoked,
     and not `shown` to be from before, is set aside (`….revoked`), and the new one takes its place. `examine` sees the
-    calibration that is about to be signed; where nobody has, and it has no number, `issue` gives it number and date,
-    which the file then states. Raises InputError for a file that is no calibration, for somebody who has signed it or
-    whose key is revoked, and where an earlier signature does not hold.
+    calibration that is about to be signed; where nobody has, and it has no number, `issue` gives it number and date.
+    Raises InputError for a file that is no calibration, for somebody who has signed it or whose key is revoked, and
+    where an earlier signature does not hold.
     """
     content = read_limited(path, LARGEST_BYTES)
     calibration = parse_calibration(content, path)
@@ -241,20 +230,21 @@ def sign(
     person = {own} | {s.key for s in signers if same_person(s.principal, name)}
     there, spent = _expected(path), list[Path]()
     for file in there:
-        earlier, armoured = _holding(file, content)
-        at = _at(shown(file, armoured), datetime.now(UTC))
+        earlier, text = _holding(file, content)
+        at = _at(shown(file, text), datetime.now(UTC))
         if (line := revoked.get(earlier.public_key)) and line.objection(NAMESPACE, at):
             spent.append(file)
         elif earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
     examine(calibration)
-    if issue is not None and not there and calibration.number is None:
-        content = calibration_bytes(issue(calibration))
-        atomic.write_bytes(path.resolve(), content)
-    target, armoured_own = spent[0] if spent else _signature_path(path, len(there) + 1), signed(content, key)
+    fresh = issue if not there and calibration.number is None else None
+    content = calibration_bytes(fresh(calibration)) if fresh else content
+    target, armoured = spent[0] if spent else _signature_path(path, len(there) + 1), signed(content, key)
     if spent:
         atomic.write_bytes(target.with_name(f"{target.name}.revoked"), target.read_bytes())
-    atomic.write_text(target, armoured_own)
+    if fresh:  # now that it is signed: an agent may have refused
+        atomic.write_bytes(path.resolve(), content)
+    atomic.write_text(target, armoured)
     return target
 
 
@@ -284,11 +274,10 @@ def verify(
 
     The run is identified by `run_sha256`, and by the head of its hash `chain` where both have one.
     A key is judged at the time at which its signature is `shown` to have been there, else `now`.
-    The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot
-    be read, or a trusted person signed something that is no calibration.
+    The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot be
+    read, or a trusted person signed something that is no calibration.
     """
-    content = read_limited(path, LARGEST_BYTES)
-    trusted = with_revocations(signers)
+    content, trusted = read_limited(path, LARGEST_BYTES), with_revocations(signers)
     checks = _once_each([check_signature(file, content, trusted, revoked, now, shown) for file in _expected(path)])
     if all(check.objection for check in checks):
         return Verification(path, content, checks, None)

@@ -94,6 +94,7 @@ def _document(result: Verification) -> dict[str, object]:
         "signers": list(result.signers),
         "signatures": [_signature(result, check) for check in result.checks],
         "recomputed": None if again is None else again.same,
+        "as_stated": list(again.as_stated) if again else [],
         "why": [*result.faults(), *(again.why if again else ()), *_limits(result)],
     }
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,10 @@ from labcal.fit.vector.observations import SCALAR
 from labcal.loop.beginnings import with_beginnings
 from labcal.loop.close import prepare
 from labcal.loop.data.gaps import unresolved_gaps
+from labcal.loop.data.noise_floor import noise_beside_readings
 from labcal.loop.data.outliers import hampel_outliers
 from labcal.loop.progress_report import Progress
-from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.unseen_switching import misses_more, ways_of
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
@@ -26,12 +27,28 @@ from labcal.record import Run
 Mask = NDArray[np.bool_]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Refit:
+    """The final fit, and of the loop's metrics what it shows: what it leaves of its own rows, before and after.
+
+    What it leaves beside the likeliest errors that the run declares is under `beside_declared_nT`.
+    """
+
+    fit: Fit
+    metrics: Mapping[str, Mapping[str, float]]
+
+
 def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda text: None) -> Fit:
     """Fit `run` with these effects, as `close_loop` does in the end; what is not linear stays as each states it.
 
     The effects come back with their parameters alone. Raises InputError where no installed package describes one, or
     the run lacks what it rests on.
     """
+    return refit_with_metrics(run, effects, progress).fit
+
+
+def refit_with_metrics(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda text: None) -> Refit:
+    """The same with its metrics."""
     progress("fitting the base model")
     here = run.select(~unresolved_gaps(run, {name for effect in effects for name in effect.channels}))
     problem, _, _ = prepare(here)
@@ -48,7 +65,7 @@ def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda
     uncertain = uncertainty_of(found)
     parameters = found.parameters(uncertain.covariance)
     of_file = of_the_file(found, uncertain, [effect.belongs_to == "sensor" for effect in effects])
-    return Fit(
+    fit = Fit(
         method="closed-loop",
         ok=True,
         affine=found.problem.affine,
@@ -59,6 +76,18 @@ def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda
         effects=tuple(replace(e, parameters=found) for e, found in zip(effects, parameters, strict=True)),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
     )
+    return Refit(fit, _metrics(joint_fit(problem, [], found.used), found))
+
+
+def _metrics(before: JointFit, after: JointFit) -> dict[str, dict[str, float]]:
+    left = [float(np.sqrt(np.mean(r.problem.length_nT(r.problem.residual_nT)[r.used] ** 2))) for r in (before, after)]
+    shown = {
+        "train_rms_nT": left[1],
+        "beside_declared_nT": in_sample_rms(after),
+        "noise_beside_readings_nT": noise_beside_readings(after.problem),
+        "holdout_components": 3.0 if after.problem.kind == "vector" else 1.0,
+    }
+    return {"before": {"train_rms_nT": left[0]}, "after": shown}
 
 
 def _term(run: Run, effect: EffectRecord) -> Term:

@@ -9,12 +9,13 @@ from contextlib import suppress
 from dataclasses import asdict, replace
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from labcal import certificate, loop
-from labcal.certificate.recomputed import Recomputed, final_fit, of_its_run, whole_way
+from labcal.certificate.between_versions import final_fit, with_held_out
+from labcal.certificate.recomputed import Recomputed, of_its_run, whole_way
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
@@ -26,6 +27,9 @@ from labcal.record import Run
 from labcal.session.of_its_record import of_its_record
 from labcal.store import Bundle, Store
 from labcal.version import __version__
+
+if TYPE_CHECKING:
+    from labcal.loop.refit import Refit
 
 FOLDER = "worked-out"
 FIT, CLOSE_LOOP = "fit", "close-loop"  # commands that make a calibration
@@ -141,16 +145,20 @@ def work_out(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
 def _final_fit(stated: Calibration, bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
     """The map with the effects that are named, by this version."""
     run = bundle.run()
-    found = _refitted(run, stated, progress) if how["command"] == CLOSE_LOOP else _fitted(run, how, progress)
-    return draft_calibration(run, found, bundle.sha256)
+    if how["command"] != CLOSE_LOOP:
+        return draft_calibration(run, _fitted(run, how, progress), bundle.sha256, made_by=how)
+    found = _refitted(run, stated, progress)
+    again = {**how, "method": found.fit.method, "channels": None}
+    metrics = with_held_out(found.metrics, stated.metrics)
+    return draft_calibration(run, found.fit, bundle.sha256, metrics=metrics, made_by=again)
 
 
-def _refitted(run: Run, stated: Calibration, progress: Progress) -> Fit:
-    from labcal.loop.refit import refit  # and all that finds effects
+def _refitted(run: Run, stated: Calibration, progress: Progress) -> Refit:
+    from labcal.loop.refit import refit_with_metrics  # and all that finds effects
 
     try:
         with np.errstate(all="ignore"):
-            return refit(run, _fitted_effects(stated), progress)
+            return refit_with_metrics(run, _fitted_effects(stated), progress)
     except InputError:
         raise
     except Exception as error:  # the formulas, other packages' too, may stumble over names and counts in many ways
@@ -203,8 +211,9 @@ def _whole_place(stated: Calibration) -> Path:
 
 
 def _final_place(stated: Calibration) -> Path:
-    """Where this version's final fit is kept: by the run's content and the effects that are named."""
-    return _place(stated.run_sha256, dict(way_of(stated)), version(), [asdict(e) for e in _fitted_effects(stated)])
+    """Where this version's final fit is kept: by the run's content, the effects that are named and the metrics."""
+    effects, metrics = [asdict(e) for e in _fitted_effects(stated)], {w: dict(m) for w, m in stated.metrics.items()}
+    return _place(stated.run_sha256, dict(way_of(stated)), version(), effects, metrics)
 
 
 def _place(*made_from: object) -> Path:

@@ -6,10 +6,13 @@ import base64
 import hashlib
 import os
 import shutil
+import socketserver
 import struct
 import subprocess
+import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -116,13 +119,18 @@ def security_key_blob(key: Ed25519PrivateKey, application: bytes = b"ssh:") -> b
     return string(SECURITY_KEY_TYPE.encode()) + string(key.public_key().public_bytes_raw()) + string(application)
 
 
-def by_security_key(content: bytes, key: Ed25519PrivateKey, flags: int, application: bytes = b"ssh:") -> bytes:
-    """What an authenticator with this key signs (PROTOCOL.u2f), armoured as `ssh-keygen -Y sign` does."""
-    digest = hashlib.sha512(content).digest()
-    message = b"SSHSIG" + string(NAMESPACE.encode()) + string(b"") + string(b"sha512") + string(digest)
+def of_authenticator(message: bytes, key: Ed25519PrivateKey, flags: int, application: bytes = b"ssh:") -> bytes:
+    """What an authenticator with this key makes of a message (PROTOCOL.u2f): type, signature, flags and counter."""
     device = bytes([flags]) + struct.pack(">I", 41)
     raw = key.sign(hashlib.sha256(application).digest() + device + hashlib.sha256(message).digest())
-    value = string(SECURITY_KEY_TYPE.encode()) + string(raw) + device
+    return string(SECURITY_KEY_TYPE.encode()) + string(raw) + device
+
+
+def by_security_key(content: bytes, key: Ed25519PrivateKey, flags: int, application: bytes = b"ssh:") -> bytes:
+    """Its signature of a file, armoured as `ssh-keygen -Y sign` does."""
+    digest = hashlib.sha512(content).digest()
+    message = b"SSHSIG" + string(NAMESPACE.encode()) + string(b"") + string(b"sha512") + string(digest)
+    value = of_authenticator(message, key, flags, application)
     public = security_key_blob(key, application)
     parts = [string(public), string(NAMESPACE.encode()), string(b""), string(b"sha512"), string(value)]
     blob = b"SSHSIG" + struct.pack(">I", 1) + b"".join(parts)
@@ -148,6 +156,85 @@ def test_a_security_key_s_signature_holds_here_and_for_openssh(draft: Path, of_a
     if b"unknown" in told.stderr or b"unsupported" in told.stderr:
         pytest.skip("this OpenSSH was built without security keys")
     assert told.returncode == 0, told.stderr
+
+
+IDENTITIES, IDENTITIES_ANSWER, SIGN, SIGN_RESPONSE, FAILURE = 11, 12, 13, 14, 5  # the agent's protocol
+Answer = Callable[[bytes], bytes | None]  # what is to be signed, and the signature
+
+
+@contextmanager
+def agent_of_a_security_key(public: bytes, answer: Answer) -> Iterator[str]:
+    """An SSH agent that knows one FIDO key, whose authenticator is `answer`; the path of its socket."""
+
+    class Handler(socketserver.StreamRequestHandler):
+        def handle(self) -> None:
+            while len(head := self.rfile.read(4)) == 4:
+                asked = self.rfile.read(struct.unpack(">I", head)[0])
+                self.wfile.write(string(self.reply(asked)))
+
+        def reply(self, asked: bytes) -> bytes:
+            if asked[0] == IDENTITIES:
+                return bytes([IDENTITIES_ANSWER]) + struct.pack(">I", 1) + string(public) + string(b"token")
+            of_key = 5 + len(public)
+            if asked[0] != SIGN or asked[1:of_key] != string(public):
+                return bytes([FAILURE])
+            (length,) = struct.unpack(">I", asked[of_key : of_key + 4])
+            made = answer(asked[of_key + 4 : of_key + 4 + length])
+            return bytes([FAILURE]) if made is None else bytes([SIGN_RESPONSE]) + string(made)
+
+    with TemporaryDirectory(prefix="agent") as folder:
+        server = socketserver.ThreadingUnixStreamServer(f"{folder}/socket", Handler)
+        server.daemon_threads = True
+        serving = threading.Thread(target=server.serve_forever, args=(0.05,))
+        serving.start()
+        try:
+            yield f"{folder}/socket"
+        finally:
+            server.shutdown()
+            serving.join()
+            server.server_close()
+
+
+def test_a_security_key_in_an_agent_signs_and_openssh_agrees(
+    draft: Path, of_ada: Path, key: Ed25519PrivateKey, monkeypatch: pytest.MonkeyPatch
+):
+    """`labcal sign` by the system's `ssh-keygen`, which asks an agent, which asks the authenticator for a touch."""
+    keygen, _ = tool("ssh-keygen"), tool("ssh-add")
+    session.trust_keys(of_ada)
+    with agent_of_a_security_key(security_key_blob(key), lambda it: of_authenticator(it, key, TOUCHED)) as socket:
+        monkeypatch.setenv("SSH_AUTH_SOCK", socket)
+        assert execute(["sign", str(draft), "--key", "ada"]) == 0
+    assert session.verify(draft).signers == ("ada",)
+    where = ["-f", str(of_ada), "-s", str(draft.with_name("cal.json.sshsig")), "-I", "ada", "-n", NAMESPACE]
+    told = subprocess.run([keygen, "-Y", "verify", *where], input=draft.read_bytes(), capture_output=True, check=False)
+    assert told.returncode == 0, told.stderr
+    assert b"ED25519-SK" in told.stdout
+
+
+def test_a_security_key_in_an_agent_that_is_not_touched_or_says_no_leaves_no_signature(
+    draft: Path, of_ada: Path, key: Ed25519PrivateKey, other_key: Ed25519PrivateKey, monkeypatch: pytest.MonkeyPatch
+):
+    tool("ssh-keygen"), tool("ssh-add")
+    session.trust_keys(of_ada)
+    answers: list[tuple[Answer, str]] = [
+        (lambda it: of_authenticator(it, key, VERIFIED), "was made without a touch of its security key; nothing was"),
+        (lambda it: None, "the SSH agent did not sign with the key of ada; nothing was written"),
+        (lambda it: of_authenticator(it, other_key, TOUCHED), "did not sign|does not hold"),
+        (lambda it: of_authenticator(it + b" ", key, TOUCHED), "did not sign|does not hold"),
+    ]
+    before = draft.read_bytes()
+    for answer, says in answers:
+        with agent_of_a_security_key(security_key_blob(key), answer) as socket:
+            monkeypatch.setenv("SSH_AUTH_SOCK", socket)
+            with pytest.raises(InputError, match=says):
+                session.sign(draft, "ada", "")
+        assert draft.read_bytes() == before  # no number is in it, so that it can be signed yet
+    assert not list(draft.parent.glob("*.sshsig"))
+    assert {one.state for one in session.numbers()} == {"void"}
+    with agent_of_a_security_key(security_key_blob(key), lambda it: of_authenticator(it, key, TOUCHED)) as socket:
+        monkeypatch.setenv("SSH_AUTH_SOCK", socket)
+        session.sign(draft, "ada", "")
+    assert session.verify(draft).signers == ("ada",)
 
 
 def test_a_security_key_that_nobody_touched_signs_nothing(draft: Path, of_ada: Path, key: Ed25519PrivateKey):

@@ -12,7 +12,7 @@ import pytest
 import rfc8785
 
 from labcal.certificate import parse_calibration
-from labcal.certificate.recomputed import final_fit
+from labcal.certificate.between_versions import final_fit, with_held_out
 from labcal.model import Calibration
 from labcal.model.smooth import Basis
 
@@ -45,8 +45,23 @@ FORGERIES: list[tuple[Edit, str]] = [
     (lambda c: c["budget"][0]["rows"][-1].update(type="B"), ".u x sensitivity: "),
     (lambda c: c["budget"][0]["rows"][-1].update(u=0.1, sensitivity=149.5), ".u: 0.1 "),
     (lambda c: c["budget"][0]["rows"][-1].update(share=0.1), ".share: 0.1 "),
-    (two_of_one_name, "budget: "),
+    (two_of_one_name, "budget.b x at "),
+    (lambda c: _correlated(c).update(correlations=[]), ".correlations."),
+    (lambda c: _correlated(c)["correlations"][0].update(r=0.1), ".correlations."),
+    (lambda c: c["effects"][0]["parameters"][0].update(unit="pT"), "effects[0].parameters[0].unit: "),
+    (lambda c: c["metrics"]["after"].update(train_rms_nT=1.0), "metrics.after.train_rms_nT: 1 "),
+    (lambda c: c["metrics"]["after"].pop("holdout_components"), "metrics.after.holdout_components: none is stated"),
+    (lambda c: c["made_by"].update(method="by hand"), 'made_by.method: "by hand"'),
+    (lambda c: c["specification"].append(JUDGED), "specification: 1 of them is stated"),
 ]
+JUDGED = {"quantity": "residual", "value": 1.0, "U": 0.1, "limit": 5.0, "unit": "nT", "rule": "simple-acceptance",
+          "result": "pass", "risk": 0.0, "tur": 9.0}  # fmt: skip
+
+
+def _correlated(c: dict[str, Any]) -> dict[str, Any]:
+    """A strong correlation's entry of the budget."""
+    strong = (one for one in c["budget"] for pair in one["correlations"] if abs(pair["r"]) > 0.7)
+    return next(strong)
 
 
 @pytest.fixture(scope="module")
@@ -76,6 +91,43 @@ def test_a_term_without_a_name_is_not_shown_by_a_final_fit_and_hides_nothing(mad
     assert found.same is None
     assert found.why[0].startswith("effects[0].basis: another version built it")
     assert final_fit(replace(made, effects=(unnamed,), frame_known=False), made).same is False
+
+
+def test_what_no_final_fit_shows_is_named(made: Calibration):
+    """The reason, the p-value and the rivals of an effect can be anything: they stand as that version stated them."""
+
+    def edit(c: dict[str, Any]) -> None:
+        c["effects"][0].update(why="certified elsewhere", p_value=1e-12, rivals=[])
+        c["made_by"]["version"], c["software"] = "0.0.9", "labcal 0.0.9"
+
+    found = final_fit(forged(edit), made)
+    assert found.same
+    assert {f"effects[0].{name}" for name in ("why", "p_value", "rivals", "provisional")} < set(found.as_stated)
+    assert {f"metrics.{when}.holdout_rms_nT" for when in ("before", "after")} <= set(found.as_stated)
+    assert not [place for place in found.as_stated if "train_rms" in place or "u_nT" in place]
+    again, standing = found.sentences()
+    assert again == "Worked out again from its run, it is the same."
+    assert standing.startswith("Stated by labcal 0.0.9, and not worked out again: effects[0] (provisional, ")
+
+
+def test_other_words_of_what_is_not_covered_are_named(made: Calibration):
+    found = final_fit(forged(lambda c: c["not_covered"].__setitem__(1, "Nothing.")), made)
+    assert found.same
+    assert "not_covered[1]" in found.as_stated
+
+
+def test_no_held_out_error_is_smaller_than_what_the_final_fit_leaves():
+    shown = {"before": {"train_rms_nT": 90.0}, "after": {"train_rms_nT": 8.0, "beside_declared_nT": 7.0}}
+    stated = {"before": {"holdout_rms_nT": 95.0}, "after": {"holdout_rms_nT": 1.0, "holdout_beside_declared_nT": 0.0}}
+    assert with_held_out(shown, stated) == {
+        "before": {"train_rms_nT": 90.0, "holdout_rms_nT": 95.0},
+        "after": {"train_rms_nT": 8.0, "holdout_rms_nT": 8.0, "holdout_beside_declared_nT": 7.0},
+    }
+    assert with_held_out(shown, {"after": {"holdout_rms_nT": 9.0}})["after"] == {
+        "train_rms_nT": 8.0,
+        "holdout_rms_nT": 9.0,
+    }
+    assert with_held_out(shown, {})["after"]["holdout_rms_nT"] == 8.0  # nor is it left out
 
 
 def without_a_row_that_says_nothing(c: dict[str, Any]) -> None:

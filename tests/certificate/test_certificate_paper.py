@@ -22,6 +22,7 @@ from labcal.model import AffineMap, Calibration, EffectRecord, Parameter
 from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
 from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
 from labcal.record.specification import Limit, Specification
+from labcal.uncertainty.conformity import changes
 
 NOW = datetime(2026, 11, 21, tzinfo=UTC)
 BY = {"street": "Gasse 4", "postcode": "3011", "code": "FL", "accreditation": "SCS 0999", "place": "hall 2"}
@@ -190,6 +191,26 @@ def test_what_the_sensor_indicates_is_what_its_map_reads_in_that_field(issued: C
     assert applied == pytest.approx(high, abs=rounding)
     assert indicated == pytest.approx((high + 100.0) / 1.02, abs=rounding)
     assert error == pytest.approx((high + 100.0) / 1.02 - high, abs=rounding)
+    loaded = page_of(tmp_path / "cal.json", replace(made, k_at={"i_load": 1.0})).sections[0].blocks[0]
+    assert loaded.caption.startswith("Before correction, at i_load = 1: what it indicates is its reading")
+
+
+def test_rows_that_were_set_aside_are_counted_without_an_uncertainty(issued: Calibration, tmp_path: Path):
+    rows = Parameter("rows", 3.0, 0.0, "1")
+    found = EffectRecord("outliers", (), {}, "data", (rows,), why="3 rows (0.5 %) set aside")
+    page = words(page_of(tmp_path / "cal.json", replace(issued, findings=(found,))))
+    assert "rows 3 \N{EN DASH} \N{EN DASH} Effects of the data" in page
+
+
+def test_a_limit_and_a_direction_are_printed_as_the_other_numbers_are(issued: Calibration, tmp_path: Path):
+    judged = {**JUDGED, "limit": 5000.0}
+    changed = changes(issued, replace(issued, run_id="r-2025-11-02-01"))
+    path = tmp_path / "cal.json"
+    path.write_bytes(calibration_bytes(replace(issued, specification=(judged,))))
+    checked = verify(path, (), frozenset(), NOW)
+    page = words(calibration_page(replace(issued, specification=(judged,)), checked, "now", RUN, changed))
+    assert "5 000 % PASS" in page
+    assert "|b| at \N{MINUS SIGN}x" in page
 
 
 @pytest.mark.parametrize(

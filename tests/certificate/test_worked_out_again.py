@@ -159,7 +159,8 @@ def test_two_sign_what_the_run_gives_and_scripts_may_require_it(
         ["named as approver, but has not signed: bob"],
     )
     assert [(s["signer"], s["by"]) for s in two.pop("signatures")] == [("ada", "claimed"), ("bob", "claimed")]
-    assert two == {"valid": True, "status": "released", "signers": ["ada", "bob"], "recomputed": True, "why": []}
+    assert two == {"valid": True, "status": "released", "signers": ["ada", "bob"], "recomputed": True, "why": [],
+                   "as_stated": []}  # fmt: skip
 
 
 @pytest.mark.usefixtures("trusting")
@@ -280,6 +281,30 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
     path.write_bytes(calibration_bytes(stated))
     edited(path, lambda c: c["effects"][0]["domain"][0]["hull"][1].__setitem__(0, 50.0))
     assert working_out.recomputed(read_calibration(path)).why[0].startswith("effects[0].domain[0].hull[1][0]: 50 is")
+    for name in ("holdout_rms_nT", "noise_beside_readings_nT"):  # `apply` takes part of its u_nT from both
+        path.write_bytes(calibration_bytes(stated))
+        edited(path, lambda c, name=name: c["metrics"]["after"].update({name: 0.01}))
+        assert working_out.recomputed(read_calibration(path)).why[0].startswith(f"metrics.after.{name}: 0.01 is stated")
+
+
+def test_structure_that_is_left_comes_again_between_versions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """What held-out residuals keep is most of its U, and no final fit alone shows it."""
+    made, wander = made_up_run(rows=60, fields_nT=((30e3, 20e3, 25e3),), noise_nT=5.0), np.zeros((180, 3))
+    steps = np.random.default_rng(3).normal(0, 30, wander.shape)
+    for i in range(1, len(wander)):
+        wander[i] = 0.9 * wander[i - 1] + steps[i]
+    write_bundle(made.with_effect(wander), tmp_path / "wanders")
+    run, path = session.import_bundle(tmp_path / "wanders"), tmp_path / "loop.json"
+    assert session.close_loop(run, path).verdict == "unexplained"
+    stated = read_calibration(path)
+    assert any(row["source"].startswith("structure") for one in stated.budget for row in one["rows"])
+    shutil.rmtree(home() / working_out.FOLDER)
+    monkeypatch.setattr(working_out, "__version__", "9.9.9")
+    assert working_out.recomputed(stated).same
+    edited(path, lambda c: c["metrics"]["after"].update(holdout_rms_nT=5.0, holdout_beside_declared_nT=5.0))
+    found = working_out.recomputed(read_calibration(path))
+    assert found.holds
+    assert "metrics.after.holdout_" in "; ".join(found.why)
 
 
 def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path, monkeypatch: pytest.MonkeyPatch):

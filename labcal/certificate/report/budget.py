@@ -47,7 +47,8 @@ def indication_blocks(c: Calibration, run: Run | None) -> list[Block]:
         if c.dut.unit == "nT"
         else f"its reading times {c.dut.nominal_nT_per_unit:g} nT, the nominal value"
     )
-    note = f"Before correction: what it indicates is {unit}; components in its own axes. U is that of the error."
+    at = f", {c.k_means()}" if c.k_means() else ""
+    note = f"Before correction{at}: what it indicates is {unit}; components in its own axes. U is that of the error."
     header = ("Field", "Component", "Applied nT", "Indicated nT", "Error nT", "U nT", "k")
     return [Table(header, tuple(rows), frozenset({2, 3, 4, 5, 6}), note)] if rows else []
 

@@ -140,6 +140,8 @@ def _effect_table(effect: EffectRecord, k: float) -> Table:
 
 def _parameter_row(p: Parameter, k: float, kind: str | None = None) -> tuple[str, str, str, str]:
     name = f"{p.name} ({kind})" if kind else p.name
+    if p.name == "rows":  # a finding's count
+        return name, number(p.value, 0), NOTHING, NOTHING
     return name, *with_uncertainty(p.value, k * p.u), printed_unit(p.unit)
 
 

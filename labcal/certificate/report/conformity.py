@@ -60,7 +60,8 @@ def title_of(specification: Specification) -> str:
 def _line(line: Judged) -> tuple[str, ...]:
     value, U = with_uncertainty(line.value, line.U)
     risk, tur = risk_in_words(line.risk), ratio_in_words(line.tur)
-    return line.quantity, value, U, f"{line.limit:g}", printed_unit(line.unit), WORDS[line.result], risk, tur
+    limit = f"{line.limit:,g}".replace(",", "\u202f")
+    return line.quantity, value, U, limit, printed_unit(line.unit), WORDS[line.result], risk, tur
 
 
 def change_blocks(found: Changes | None) -> list[Block | None]:
@@ -78,7 +79,7 @@ def _change(row: Change) -> tuple[str, ...]:
     numbers = (with_uncertainty(value, U)[0] for value in (row.found, row.left, row.left - row.found))
     e_n = number(row.e_n, 2)
     return (
-        row.quantity,
+        row.quantity.replace(" -", " −"),
         *numbers,
         with_uncertainty(U, U)[1],
         printed_unit(row.unit),
