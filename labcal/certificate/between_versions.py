@@ -46,7 +46,9 @@ OF_THE_SEARCH = (
     "group",
 )
 HIDES = frozenset({"provisional", "rivals"})  # where they are left out
+WHAT_IT_IS = ("effect", "channels", "reference_value")
 OF_SET_ASIDE = "rows"  # the parameter of a finding that counts rows; only the search says how many
+OF_DATA = "findings (which of them are of the data)"  # outliers, saturation: the search says what was set aside
 TRAINED = "train_rms_nT"
 HELD_OUT = {"holdout_rms_nT": TRAINED, "holdout_beside_declared_nT": "beside_declared_nT"}  # and what is no more
 FIT = "fit"  # the command that searches nothing
@@ -93,9 +95,12 @@ def as_stated(stated: Calibration, made: Calibration) -> Iterator[str]:
     searched = (made.made_by or {}).get("command") != FIT
     for place, effects in (("effects", stated.effects), ("findings", stated.findings)):
         for i, effect in enumerate(effects if searched else ()):
-            counted = any(p.name == OF_SET_ASIDE for p in effect.parameters)
-            told = [name for name in OF_THE_SEARCH if name in HIDES or getattr(effect, name) not in (None, "")]
-            yield from (f"{place}[{i}].{name}" for name in ["parameters"] * counted + told)
+            told = list(WHAT_IT_IS) if effect.belongs_to == "data" else []
+            told += ["parameters"] if any(p.name == OF_SET_ASIDE for p in effect.parameters) else []
+            told += [name for name in OF_THE_SEARCH if name in HIDES or getattr(effect, name) not in (None, "")]
+            yield from (f"{place}[{i}].{name}" for name in told)
+    if searched:
+        yield OF_DATA
     for when, of in stated.metrics.items():
         shown = made.metrics.get(when, {})
         yield from (f"metrics.{when}.{name}" for name in sorted(of) if name not in shown or name in HELD_OUT)

@@ -100,8 +100,8 @@ def _term(run: Run, effect: EffectRecord) -> Term:
     grids = {shape.name: shape.grid for term in like[:1] for shape in term.shape}
     searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
     shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
-    begun = [p for term in like if _alike(term, stated) for p in term.parameters[term.lasting :]]  # of its own segments
-    return replace(stated, parameters=(*stated.parameters, *begun), shape=tuple(shapes), of_beginnings=len(begun))
+    own = next((term for term in like if _alike(term, stated)), stated)  # with its units, and with its own beginnings
+    return replace(stated, parameters=own.parameters, shape=tuple(shapes), of_beginnings=own.of_beginnings)
 
 
 def _shapes(term: Term) -> list[str]:

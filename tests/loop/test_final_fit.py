@@ -19,8 +19,10 @@ from labcal.loop.close import prepare
 from labcal.loop.data.credible import credible, is_beyond_half, min_new_share, without_wild_rows
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.policy import POLICY
+from labcal.loop.refit import refit
 from labcal.loop.selection import final_fit as final
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.model import EffectRecord, Parameter
 from labcal.model.effects import Term
 
 Started = Callable[..., LinearProblem]
@@ -201,3 +203,12 @@ def test_after_is_what_the_accepted_effects_reach(shared: Path, name: str) -> No
     for effect in closed.accepted[-1:]:
         assert effect.holdout_rms_after_nT is not None
         assert closed.after.train_rms_nT <= POLICY.equivalent_rms * effect.holdout_rms_after_nT
+
+
+def test_a_refit_states_the_units_of_its_effects_itself(making: ModuleType, tmp_path: Path) -> None:
+    """Another version's file is compared with it: a unit that only came back as it was stated would show nothing."""
+    rows, segments = making.recorded()
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    stated = tuple(Parameter(f"c_{axis}", 0.0, 0.0, "nT/mA") for axis in "xyz")
+    again = refit(run, [EffectRecord("offset-current", ("i_load",), {"i_load": 0.0}, "sensor", stated)])
+    assert [p.unit for p in again.effects[0].parameters] == ["nT/A"] * 3
