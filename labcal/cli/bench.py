@@ -26,19 +26,22 @@ def check(
         "", metavar="NAME", help="Who answers for a zero that the reference did not see; measures again first."
     ),
 ) -> None:
-    """Ask every instrument of FILE who it is; where the reference did not see a zero, measure that again."""
+    """Ask every instrument of FILE who it is, and each coil's supply what flows; measure a zero in doubt again."""
     from rich.table import Table
     from rich.text import Text
 
     from labcal.session import cage_remark, identify_instruments, look_again
 
     table = Table("instrument", "role", "link", "answers as")
-    silent = 0
-    for one in identify_instruments(file):
+    silent, answered = 0, identify_instruments(file)
+    for one in answered:
         silent += one.fault is not None
         said = Text(f"✕ {one.fault}", "red") if one.fault else Text(f"✓ {one.identity}")
         table.add_row(one.name, one.role, one.link, said)
     console().print(table)
+    for one in answered:
+        if one.flows_A is not None:
+            say(f"! {one.role}: {one.flows_A:+.3f} A, measured just now, and no guardian: `labcal bench off {file}`")
     looked = look_again(file, clear_as)
     if looked is not None:
         say(looked.words)

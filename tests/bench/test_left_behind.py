@@ -50,6 +50,28 @@ def test_off_reaches_what_was_driven_after_others_died_on_its_ports(
     assert said.stdout.count("zero, open") == 3, said
 
 
+@pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
+def test_check_says_which_current_flows_that_nobody_watches(lab: Served, session: Sessions) -> None:
+    """And nothing of one that its guardian watches, or of none."""
+    check = [*LABCAL, "bench", "check", str(lab.file)]
+
+    def said() -> list[str]:
+        shown = subprocess.run(check, capture_output=True, text=True, timeout=LONG_S)
+        assert shown.returncode in (0, 3), shown  # 3: the session holds other instruments
+        return [line for line in shown.stdout.splitlines() if "no guardian" in line]
+
+    processes = session("idle")
+    assert said() == []
+    kill_all(processes)
+    until(lambda: not of_bench(lab.file))
+    found = said()
+    stated = {axis: float(line.split()[2]) for axis, line in zip("xyz", found, strict=True)}
+    assert stated == pytest.approx(lab.currents(), abs=0.02)
+    assert all(f"`labcal bench off {lab.file}`" in line for line in found)
+    subprocess.run([*LABCAL, "bench", "off", str(lab.file)], check=True, capture_output=True, timeout=LONG_S)
+    assert said() == []
+
+
 @pytest.mark.parametrize("bench_text", [example(timeout_s=1.5)], ids=["impatient"])
 def test_off_is_said_again_of_a_coil_that_did_not_answer_the_first_time(lab: Served, session: Sessions) -> None:
     kill_all(session("idle"))
