@@ -15,7 +15,8 @@ from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.design.experiments import experiments
 from labcal.loop.findings.confounded import confounded
-from labcal.model.effects import family
+from labcal.model.effects import Term, family
+from labcal.model.effects.iron import BESIDE
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -63,6 +64,17 @@ def test_every_turned_run_says_what_its_reference_and_fixture_leave_open(started
 
 def test_a_rival_brings_its_twins_as_an_accepted_cause_does(started: Callable[..., LinearProblem]) -> None:
     assert ("a temperature that only rises", "a drift") in _said(started(), "cage-field", "offset-drift")
+
+
+def test_a_lean_of_the_platform_is_a_part_of_iron_beside_the_cage(started: Callable[..., LinearProblem]) -> None:
+    """Turned in the cage, the field is three of the nine columns of what a tensor of the cage makes of it."""
+    problem = started()
+    lean = Term(family("axis-tilt").kernel, tuple((f"cage_{a}", "deg") for a in "xyz")).columns(problem.scene)
+    iron = Term(family("cage-field").kernel, BESIDE).columns(problem.scene)
+    lean, iron = (columns.reshape(-1, columns.shape[2]) for columns in (lean, iron))
+    left = lean - iron @ np.linalg.lstsq(iron, lean, rcond=None)[0]
+    assert np.abs(left).max() < 1e-9 * np.abs(lean).max()
+    assert ("iron beside the cage", "a platform that leans in the cage") in _said(problem, "cage-field")
 
 
 def test_the_bare_platform_says_nothing_of_the_device_and_is_not_proposed_for_it() -> None:

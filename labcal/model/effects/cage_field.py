@@ -136,6 +136,11 @@ def _from_a_moment(run: Run) -> Term:
 
 
 CAGE_OR_ZERO = Confounded("a constant field of the cage", "a zero error of the reference", "turn the reference by 180°")
+IRON_OR_LEAN = Confounded(
+    "iron beside the cage",
+    "a platform that leans in the cage",
+    "take the iron away, or measure how the platform stands",
+)
 FAMILY = Family(
     "cage-field",
     "rig",
@@ -144,6 +149,6 @@ FAMILY = Family(
     shapes=(STEP,),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
     responds={"bare platform": 1.0},
-    confounded=(CAGE_OR_ZERO,),
+    confounded=(CAGE_OR_ZERO, IRON_OR_LEAN),
     drawn_against="angle",
 )
