@@ -137,6 +137,7 @@ def _of_a_final_fit(calibration: Calibration) -> dict[str, Any]:
     stated = document(calibration)
     stated["effects"], stated["findings"] = _shown(stated["effects"]), _shown(stated["findings"])
     stated["covariance"] = stated["covariance"] or []
+    stated.setdefault("specification", [])  # the first version left an empty one out
     if "budget" in stated:
         stated["budget"] = _by_name(
             (f"{one['quantity']} at {one['at']}", _of_a_budget(one)) for one in stated["budget"]

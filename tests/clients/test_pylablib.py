@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from contextlib import closing
 
 import pytest
@@ -66,7 +67,8 @@ def test_tmcm(line: Line) -> None:
         module.move_by(-500, addr=1)
         module.wait_move(addr=1)
         assert module.get_position(addr=1) == begun + 99_500
-        module.instr.write(module._build_command(1, 0, 200_000, addr=1))  # ROR: it turns until it is stopped
+        turns = struct.pack(">BBBBi", 1, 1, 0, 0, 200_000)  # ROR: until it is stopped
+        module.instr.write(turns + bytes([sum(turns) % 256]))
         module.instr.read(9)
         until(lambda: module.get_position(addr=1) > begun + 100_000)
         module.stop(addr=1)
