@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
 from functools import partial
@@ -230,6 +231,11 @@ class Bench:
     def ended(self) -> tuple[AtZero, ...]:
         """How the coils ended by the guardian's last word, times on the monotonic clock; empty where there is none."""
         return tuple(self._guardian.ended) if self._guardian is not None else ()
+
+    def state_with_ends(self) -> LabState:
+        """The state now, with what the guardian read back at last where nobody has read it since."""
+        by_s = time.monotonic() - self.clock.now()
+        return self.state().shifted(by_s).with_ends(self.ended).shifted(-by_s)
 
     def slow_zero(self) -> str:
         """What may be said of a way to zero that takes long, while it does; "" else."""

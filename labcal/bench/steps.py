@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.bench import Bench
+from labcal.bench.coils.state import LabState
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Segment
@@ -231,9 +232,9 @@ def coils_off(bench: Bench) -> Work[None]:
     yield read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
 
 
-def read_back(bench: Bench, kind: str, before: str = "", **data: Any) -> Event:
+def read_back(bench: Bench, kind: str, before: str = "", state: LabState | None = None, **data: Any) -> Event:
     """An event that says how the coils are, by what was read of them last; `before` opens the sentence."""
-    now, state = bench.clock.now(), bench.state()
+    now, state = bench.clock.now(), state or bench.state()
     return Event(now, kind, before + state.sentence(now), data | {"state": state.as_json(now)})
 
 

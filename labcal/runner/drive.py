@@ -327,12 +327,15 @@ class Drive:
             self.bench.wait_for_ends()
             currents = [_measured(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
+        if None in currents:  # what its guardian alone could read
+            self.state = self.bench.state_with_ends()
+            currents = [coil.current_A for coil in self.state.coils]
         now = self.read_at_s
         zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three
         self._at_zero = zero and self.state.reference.verdict != "disagrees"
         self._said = NOT_CONFIRMED if None in currents else self.state.sentence(now)
         sentences = [_sentence(fault) for fault in faults + lost]
-        return read_back(self.bench, "read-back", current_A=currents, faults=sentences)
+        return read_back(self.bench, "read-back", state=self.state, current_A=currents, faults=sentences)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
