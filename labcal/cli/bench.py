@@ -96,7 +96,7 @@ def cage(
     run: str = typer.Argument(..., metavar="RUN", help="A finished run of cage-calibration."),
     name: str = typer.Option(..., "--as", metavar="NAME", help="Who approves it; not the operator."),
     out: Path = typer.Option(
-        ..., "--out", metavar="CAGE.json", help="The file for `[cage] calibration` of bench.toml."
+        ..., "--out", metavar="CAGE.json", help=r"The file for `\[cage] calibration` of bench.toml."
     ),
     force: bool = FORCE,
 ) -> None:

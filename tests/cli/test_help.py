@@ -2,6 +2,11 @@
 
 import subprocess
 import sys
+from collections.abc import Iterator
+from typing import Any
+
+import typer
+from rich.text import Text
 
 from labcal import cli
 
@@ -27,6 +32,23 @@ def test_the_file_that_is_loaded_for_a_command_registers_it():
     said = subprocess.run([sys.executable, "-c", ALL_ALONE], capture_output=True, text=True, check=True)
     assert said.stderr == ""
     assert [name for name in cli.COMMANDS if f"Usage: labcal {name} " not in said.stdout] == []
+
+
+def test_no_word_of_a_help_is_taken_for_markup():
+    cli.execute(["--help"])  # which loads every command
+    lost = [text for text in _helps(typer.main.get_command(cli.app)) if _shown(text) != text.replace("\\[", "[")]
+    assert lost == []
+
+
+def _helps(command: Any) -> Iterator[str]:
+    yield command.help or ""
+    yield from (param.help or "" for param in command.params)
+    for one in getattr(command, "commands", {}).values():
+        yield from _helps(one)
+
+
+def _shown(text: str) -> str:
+    return Text.from_markup(text).plain
 
 
 def test_a_number_is_converted_and_one_that_is_none_refused(capsys):
