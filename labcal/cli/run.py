@@ -93,10 +93,13 @@ def run(
 
 def told_once(ending: str, lab: str) -> str:
     """How it ended, and of the lab what that does not say already, or what was read since."""
-    from labcal.bench.coils.state import NOT_CONFIRMED
+    from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED
 
     if NOT_CONFIRMED in ending and NOT_CONFIRMED not in lab:
         return f"{ending}; since then: {lab}"
+    before, by_reference, _ = ending.partition(NOT_BY_REFERENCE)
+    if by_reference and NOT_BY_REFERENCE in lab:  # the newer of two looks, with what can be done
+        return before + lab[lab.index(NOT_BY_REFERENCE) :]
     first, *rest = lab.split("; ", 1)
     return "; ".join([ending, *([] if first in ending else [first]), *rest])
 

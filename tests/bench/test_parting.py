@@ -11,7 +11,7 @@ from served_lab import Served, all_gone, example, log, until
 
 from labcal import session
 from labcal.bench.coils.at_zero import AtZero
-from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_CONFIRMED, CoilReading, LabState
+from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED, CoilReading, LabState
 from labcal.bench.guardian.client import GuardianClient
 from labcal.cli.run import told_once
 from labcal.errors import InstrumentError
@@ -127,3 +127,9 @@ def test_what_was_not_confirmed_and_was_read_since_is_said_as_that() -> None:
     ending = f"failed: {NOT_CONFIRMED}: it is silent"
     assert told_once(ending, f"{BY_WORD}: no reference") == f"{ending}; since then: {BY_WORD}: no reference"
     assert told_once(ending, NOT_CONFIRMED) == ending
+
+
+def test_of_two_looks_at_the_reference_the_last_is_said_with_what_can_be_done() -> None:
+    ending, lab = f"interrupted: {NOT_BY_REFERENCE}: it sees 1 2 3 nT", f"{NOT_BY_REFERENCE}: it sees 1 2 4 nT. Open it"
+    assert told_once(ending, lab) == f"interrupted: {lab}"
+    assert told_once(f"failed: {NOT_CONFIRMED}: silent; {ending[13:]}", f"{NOT_CONFIRMED}; {lab}").count("it sees") == 1
