@@ -30,7 +30,7 @@ ARCHIVE = typer.Option(None, "--archive", metavar="URL", help="Ask the archive, 
 @app.command(rich_help_panel=PANEL)
 def charts(
     serial: str | None = typer.Argument(None, metavar="[SERIAL]", help="A DUT that is measured again and again."),
-    bench: Path | None = typer.Option(None, help=r"The bench file whose \[check_standard] is meant, with its settings."),
+    bench: Path | None = typer.Option(None, help=r"The bench file whose \[check_standard] is meant; its settings too."),
     repeats: int = typer.Option(1, min=1, max=50, help="Runs that are one point; a bench file states its own."),
     baseline: int = typer.Option(20, min=8, max=1000, help="Points that the limits are made of."),
     archive: str | None = typer.Option(
