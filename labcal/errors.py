@@ -54,3 +54,9 @@ class LimitNotMet(Exception):
 
 class Stopped(Exception):
     """The operator stopped the work."""
+
+
+def words_of_system(error: OSError) -> str:
+    """What the system says of a call that failed, after the file that it was about where it names one."""
+    said = error.strerror or str(error)
+    return f"{error.filename}: {said}" if error.filename else f"a call of the system failed: {said}"

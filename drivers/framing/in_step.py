@@ -11,6 +11,7 @@ from labcal.errors import InstrumentError
 
 QUIET_S = 0.1  # of a line that was out of step, before each question: what is late or said twice has come by then
 REMEDY = "Is it slower than its timeout_s, does another program talk on its line? Begin this step again."
+SIGN = re.compile(r"(?:^|(?<=[\sEe,]))[+-]")
 MAKER = re.compile(r"[A-Za-z][^,]*,")
 
 
@@ -54,5 +55,5 @@ class InStep:
 
 
 def _look(reply: str) -> str:
-    """An answer with all its digits alike, whatever its signs."""
-    return re.sub(r"\d", "0", re.sub(r"[+-]", "", reply.strip()))
+    """An answer with all its digits alike, whatever signs its numbers have; other bytes that came with it stay."""
+    return re.sub(r"\d", "0", SIGN.sub("", reply.strip(" \t\r\n")))

@@ -13,7 +13,7 @@ import typer
 from typer.core import TyperGroup
 
 from labcal.cli.screen import say
-from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
+from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped, words_of_system
 from labcal.files.home import SECRETS
 from labcal.files.text_safety import in_utf8, without_passwords
 from labcal.system.private_memory import kept_private
@@ -142,8 +142,7 @@ def execute(arguments: list[str]) -> int:
     except OSError as error:
         if error.errno in TOO_LITTLE:  # whatever was opened just then is not to blame
             return _say(f"the system gives labcal no more: {error.strerror}", WRONG_INPUT)
-        place = f"{error.filename}: " if error.filename else ""
-        return _say(f"{place}{error.strerror or error}", WRONG_INPUT)
+        return _say(words_of_system(error), WRONG_INPUT)
     except Exception as error:
         return _say(_report_of(error), WRONG_INPUT)
 

@@ -15,7 +15,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
-from labcal.errors import InputError, InstrumentError, Stopped
+from labcal.errors import InputError, InstrumentError, Stopped, words_of_system
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
@@ -383,7 +383,7 @@ def _what_else(fault: Exception | None, said: str) -> str:
 
 def _sentence(fault: BaseException) -> str:
     try:
-        words = str(fault)
+        words = words_of_system(fault) if isinstance(fault, OSError) else str(fault)
     except BaseException:  # of a procedure of one's own, whatever its exceptions do
         words = ""
     return words or type(fault).__name__

@@ -36,6 +36,7 @@ from labcal.store.writer import SAY_S, iso
 from labcal.version import __version__
 
 INTERRUPTED = "interrupted"
+STORE_GONE = "store gone"
 BY_STORE = "interrupted by its store"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
 LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
@@ -234,7 +235,7 @@ def _drive(
     lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
     writer.waits = lambda fault: seen.not_kept(bench.clock.now() + offset_s, fault)
     status, fault, words = _written(writer, ending)
-    lost = getattr(fault, "fault", "") == "store gone"
+    lost = getattr(fault, "fault", "") == STORE_GONE
     resumable = status == INTERRUPTED and procedure.resumable and not lost
     if status == INTERRUPTED and not procedure.resumable:
         words = f"{words}; {procedure.name} cannot be gone on with: start it anew"
@@ -307,7 +308,9 @@ def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | No
     except Exception as fault:
         what = fault.what if isinstance(fault, InputError | InstrumentError) else str(fault)
         first = ending.fault is None or ending.by_store or isinstance(ending.fault, Stopped | KeyboardInterrupt)
-        missing = f"{what.removesuffix('.')}; what was not committed is lost"
+        gone = getattr(fault, "fault", "") == STORE_GONE
+        lost = "what it held is lost where there is no copy" if gone else "what was not committed is lost"
+        missing = f"{what.removesuffix('.')}; {lost}"
         if ending.by_store:
             return INTERRUPTED, fault, f"{BY_STORE}: {missing}"
         words = f"{said}, but the store has not kept its end and shows it as interrupted: {missing}"

@@ -60,6 +60,7 @@ class RunWriter:
         self._since_s: float | None = None  # when the oldest row that is not on the disk was handed in
         self._hand, self._committing = threading.Lock(), threading.Lock()
         self._fault: Exception | None = None  # of the last commit
+        self._looked_s, self._excused = time.monotonic(), (0.0, 0.0)  # `_since_s`, and from when on it counts
         self._closing, self._wanted, self._left = threading.Event(), threading.Event(), threading.Event()
         self._clockwork = threading.Thread(target=self._commit_in_time, name=f"record {run_id}", daemon=True)
         self._clockwork.start()
@@ -83,12 +84,24 @@ class RunWriter:
 
         InputError where the store's file is damaged. What was handed in waits in memory and is tried again.
         """
-        fault, since_s = self._fault, self._since_s
-        late = since_s is not None and time.monotonic() - since_s > self.late_s
+        fault, late = self._fault, self._is_late()
         if fault is not None and (late or getattr(fault, "fault", "") != "store locked"):
             raise self._with_wait(fault) if isinstance(fault, InstrumentError) else fault
         if late:
             raise self._slow()
+
+    def _is_late(self) -> bool:
+        """Whether the oldest row has waited too long.
+
+        Who was kept from looking for so long, as the computer slept, gives the disk its time from now on, once.
+        """
+        since_s, now, unseen_s = self._since_s, time.monotonic(), self._looked_s
+        self._looked_s = now
+        if since_s is None:
+            return False
+        if now - unseen_s > self.late_s and self._excused[0] != since_s:
+            self._excused = (since_s, now)
+        return now - (self._excused[1] if self._excused[0] == since_s else since_s) > self.late_s
 
     def commit(self) -> None:
         """Bring everything written so far to the disk now."""

@@ -274,11 +274,11 @@ def test_zero_is_read_back_where_the_contacts_do_not_answer_and_no_other_current
         """Their link is lost."""
 
         def polarity(self, axis: str) -> int:
-            raise InstrumentError("reversers: the link is lost.")
+            raise InstrumentError("reversers: the link was lost.")
 
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
     assert ReversedSupply("x", SlowSupply(clock, [0.0]), Gone(), clock).measure_current() == 0.0
-    with pytest.raises(InstrumentError, match="the link is lost"):
+    with pytest.raises(InstrumentError, match="the link was lost"):
         ReversedSupply("x", SlowSupply(clock, [0.4]), Gone(), clock).measure_current()
 
 

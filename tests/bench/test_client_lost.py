@@ -61,19 +61,19 @@ def client(tmp_path: Path) -> Client:
 
 def test_a_coil_hears_of_the_loss_that_another_question_met(client: Client) -> None:
     client.kill()
-    with pytest.raises(InstrumentError, match="the connection to the guardian is gone"):
+    with pytest.raises(InstrumentError, match="the connection to the guardian was lost"):
         client.ask("identify", name="reversers")
     for axis in "xy":
-        with pytest.raises(InstrumentError, match="the connection to the guardian is gone"):
+        with pytest.raises(InstrumentError, match="the connection to the guardian was lost"):
             client.ask("set_current", axis=axis, current_A=1.0)
     assert client.ask("measure_current", axis="x") == 0.0
-    with pytest.raises(InstrumentError, match="the connection to the guardian is gone"):
+    with pytest.raises(InstrumentError, match="the connection to the guardian was lost"):
         client.ask("measure_current", axis="z")
 
 
 def test_after_zero_was_told_nobody_hears_of_it_again(client: Client) -> None:
     client.kill()
-    with pytest.raises(InstrumentError, match="the connection to the guardian is gone"):
+    with pytest.raises(InstrumentError, match="the connection to the guardian was lost"):
         client.ask("measure_current", axis="x")
     client.zero("the run ended")
     assert [client.ask("measure_current", axis=axis) for axis in "xyz"] == [0.0, 0.0, 0.0]

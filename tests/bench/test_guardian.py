@@ -86,7 +86,9 @@ def test_a_killed_guardian_is_replaced_by_one_that_begins_with_zero(lab: Served,
     assert successor is not None
     assert int(successor[1]) != first
     _, said = child.communicate(timeout=LONG_S)
-    assert re.search(r"the connection to the guardian is gone; last read \(UTC\): coil x \+1\.0\d* A at", said), said
+    assert re.search(
+        r"the connection to the guardian was lost; this session last read \(UTC\): coil x \+1\.0\d* A at", said
+    ), said
 
 
 def test_a_guardian_killed_with_its_session_is_replaced_all_the_same(lab: Served, session: Sessions) -> None:

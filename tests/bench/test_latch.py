@@ -249,7 +249,7 @@ def test_a_line_that_comes_back_on_the_way_to_zero_brings_zero_to_each_coil_in_t
     bench = Bench(text, tmp_path, monkeypatch)
     bench.energise({"x": 1.0, "y": 0.6, "z": 0.3})
     wire, back = bench.spoil([], 0.0), list[float]()
-    lost = InstrumentError("the link is lost", fault="link lost")
+    lost = InstrumentError("the link was lost", fault="link lost")
 
     def gone() -> None:
         if len(back) <= missed:
@@ -262,7 +262,7 @@ def test_a_line_that_comes_back_on_the_way_to_zero_brings_zero_to_each_coil_in_t
     wire.when = gone
     monkeypatch.setattr(bench._link, "reopen", reopened)
     if asked:  # its link is known to be lost, that of the others not yet
-        with pytest.raises(InstrumentError, match="the link is lost"):
+        with pytest.raises(InstrumentError, match="the link was lost"):
             bench.guardian.measure_current(asked)
     bench.guardian.zero("the session ends", by_session=True)
     while bench.guardian.unresolved:  # as the guardian's process does, and a session that is not content

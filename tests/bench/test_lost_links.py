@@ -83,10 +83,10 @@ def test_one_read_that_fails_is_no_lost_link_and_two_are_said_as_what_they_are(t
     ("error", "says"),
     [
         (OSError(errno.EIO, "Input/output error"), "writing failed"),
-        (OSError(errno.ENODEV, "No such device"), "the link is lost"),
+        (OSError(errno.ENODEV, "No such device"), "the link was lost"),
         (serial.SerialException("write failed: [Errno 38] Function not implemented"), "writing failed"),
         (serial.SerialTimeoutException("Write timeout"), "writing failed"),
-        (ConnectionResetError(errno.ECONNRESET, "Connection reset by peer"), "the link is lost"),
+        (ConnectionResetError(errno.ECONNRESET, "Connection reset by peer"), "the link was lost"),
     ],
 )
 def test_a_link_is_lost_only_where_its_port_is_gone(terminal: tuple[int, WiredLink], error: OSError, says: str) -> None:
@@ -99,7 +99,7 @@ def test_a_link_is_lost_only_where_its_port_is_gone(terminal: tuple[int, WiredLi
         assert ("Plug it in" in str(caught.value)) == ("lost" in says)
 
 
-@pytest.mark.parametrize(("hung_up", "says"), [(False, "writing failed"), (True, "the link is lost")])
+@pytest.mark.parametrize(("hung_up", "says"), [(False, "writing failed"), (True, "the link was lost")])
 def test_a_terminal_that_does_not_take_what_was_written_raises_no_error_of_its_own(
     terminal: tuple[int, WiredLink], hung_up: bool, says: str
 ) -> None:

@@ -204,12 +204,12 @@ def test_another_instrument_in_its_place_is_refused() -> None:
 def test_what_is_gone_is_asked_until_it_answers_and_no_longer() -> None:
     asked = list[str]()
     look = RestPoll([], asked.append)
-    look.gone("stage", InstrumentError("the link is lost.", fault="link lost"), 0.0)
+    look.gone("stage", InstrumentError("the link was lost.", fault="link lost"), 0.0)
     assert look.wrong("stage") == "link lost"
     for t in (0.0, 0.5, 2.0, 4.0):
         look.at(t)
     assert asked == ["stage"]
-    assert [event.text for event in look.news()] == ["stage: the link is lost.", "stage: it answers again"]
+    assert [event.text for event in look.news()] == ["stage: the link was lost.", "stage: it answers again"]
 
 
 def test_nothing_is_missed_while_it_is_waited_for_and_patience_begins_anew() -> None:

@@ -82,14 +82,14 @@ def test_a_coil_in_doubt_that_was_at_zero_came_to_it_by_no_step(bench: Bench) ->
 
 def test_an_instrument_that_took_the_coils_to_zero_is_no_doubt_about_them(bench: Bench) -> None:
     bench.energise({"x": 1.0})
-    opened = InstrumentError("interlock: the link is lost.", fault="link lost")
+    opened = InstrumentError("interlock: the link was lost.", fault="link lost")
     bench.guardian.zero("the interlock is out", fault=opened)
     for ask in (
         bench.guardian.measure_current,
         bench.guardian.set_point,
         lambda axis: bench.guardian.output(axis, True),
     ):
-        with pytest.raises(InstrumentError, match="interlock: the link is lost"):
+        with pytest.raises(InstrumentError, match="interlock: the link was lost"):
             ask("x")
     ended = bench.guardian.zero("the session", by_session=True)
     assert [end.words for end in ended] == ["zero, open"] * 3
@@ -116,9 +116,12 @@ def test_whoever_gives_way_to_zero_is_told_who_ordered_it() -> None:
 
 def test_a_connection_that_is_gone_tells_what_was_read_last_and_when() -> None:
     read = LastRead(VirtualClock(datetime(2026, 1, 1, 7, 8, 9, tzinfo=UTC)))
-    assert read.gone().what == "the connection to the guardian is gone; no current was read through it."
+    assert read.gone().what == "the connection to the guardian was lost; no current was read through it."
     read.keep("x", 0.25)
-    assert read.gone().what == "the connection to the guardian is gone; last read (UTC): coil x +0.2500 A at 07:08:09."
+    assert (
+        read.gone().what
+        == "the connection to the guardian was lost; this session last read (UTC): coil x +0.2500 A at 07:08:09."
+    )
     assert "killed" not in str(read.gone())
 
 

@@ -183,7 +183,10 @@ def second_labcal(trial: Trial) -> None:
 def second_bench(trial: Trial) -> None:
     """Another bench's file names supplies on the same pair."""
     other = trial.home / "other.toml"
-    other.write_text(trial.bench.file.read_text().replace('name = "simulated cage"', 'name = "the other cage"'))
+    named = '"name" = "simulated cage"'
+    text = trial.bench.file.read_text()
+    assert named in text
+    other.write_text(text.replace(named, '"name" = "the other cage"'))
     trial.another("field-hold", "--bench", str(other))
     until(lambda: trial.others[-1].ended, 20.0)
 

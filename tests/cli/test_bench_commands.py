@@ -104,7 +104,7 @@ def test_a_wrong_port_and_one_that_is_in_use_are_told_with_3(
         assert f"(process {os.getpid()}) holds this port" in capsys.readouterr().out
         give_back()
     assert execute(["bench", "check", str(path)]) == 3
-    assert "the link is lost" in capsys.readouterr().out
+    assert "the link was lost" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -245,7 +245,7 @@ def test_a_listener_that_hears_nothing_or_noise_is_silent(name: str, noise: byte
 @pytest.mark.parametrize("name", LISTENING)
 def test_a_listener_says_nothing_and_names_a_pulled_plug(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     def lost(until_s: float) -> None:
-        raise InstrumentError("the link is lost", fault="link lost")
+        raise InstrumentError("the link was lost", fault="link lost")
 
     with scripted(DRIVERS[name], []) as listener:
         for act in (listener.start, listener.stop, listener.make_safe):

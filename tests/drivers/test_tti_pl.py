@@ -103,6 +103,16 @@ def test_one_that_is_like_no_other_is_said_as_it_came() -> None:
             supply.set_current(0.0)
 
 
+@pytest.mark.parametrize("damaged", [b"0.031A\x0c\r\n", b"0.03-1A\r\n"])
+def test_a_damaged_one_is_no_answer_of_an_earlier_question(damaged: bytes) -> None:
+    wire = [(b"I1O?\n", b"0.024A\r\n"), (b"I1 0.0000\n", SILENT), (b"*ESR?\n", damaged)]
+    with scripted(TtiSupply, wire) as supply:
+        assert supply.measure_current() == 0.024
+        with pytest.raises(InstrumentError) as caught:
+            supply.set_current(0.0)
+    assert caught.value.fault != "out of step"
+
+
 def test_who_it_is_is_asked_again_where_an_earlier_answer_came_and_nothing_that_comes_late_counts_from_then_on() -> (
     None
 ):

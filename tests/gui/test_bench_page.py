@@ -111,7 +111,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
 
 def test_a_supply_that_was_read_back_after_coils_off_has_not_failed_any_more(still, bench):
     names = {one.role: name for name, one in still.app_state.facts.instruments.items()}
-    heard = (Heard(names["coil-z"], None, "the link is lost"), Heard(names["dut"], None, "silent"))
+    heard = (Heard(names["coil-z"], None, "the link was lost"), Heard(names["dut"], None, "silent"))
     still.app_state.take_lab(LabState(unread(), instruments=heard))
     assert still.next.text() == f"Next: See to {names['coil-z']}"
     still.app_state.coils_off()

@@ -14,7 +14,7 @@ from labcal.gui.ipc.wire import Fault, fault_of, with_instrument_names
 from labcal.record.stream import Prompt
 
 LINKS = {"reference": "serial:///dev/ttyUSB9", "supply_x": "modbus-rtu:///dev/ttyUSB1"}
-LOST = Fault("instrument", "serial:///dev/ttyUSB9: the link is lost.", "Plug it in.")
+LOST = Fault("instrument", "serial:///dev/ttyUSB9: the link was lost.", "Plug it in.")
 ON, ZERO, UNSURE = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (None, 0.0, 0.0)
 
 
@@ -68,7 +68,7 @@ def test_what_was_read_grows_old_in_the_window(still):
 def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
     still.app_state.run.links = LINKS
     card = fail(still, LOST)
-    assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link is lost."
+    assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link was lost."
     assert ("reference", "fault", "failed") in still.app_state.lab.state.now.lights
     assert with_instrument_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
     for said in ("reference (serial:///dev/ttyUSB9): it is lost.", "reference: serial:///dev/ttyUSB9: it is lost."):

@@ -266,7 +266,7 @@ def test_next_leads_into_the_field_that_is_wanted(still, path, qtbot):
 def test_start_is_not_ready_where_the_side_panel_says_what_is_wrong(still):
     question, lab = still.page("Start").question, still.app_state.lab
     assert question.text().startswith("Ready.")
-    lab.update(now=replace(lab.state.now, lights=(("supply_x", "fault", "the link is lost"),)))
+    lab.update(now=replace(lab.state.now, lights=(("supply_x", "fault", "the link was lost"),)))
     assert question.text() == "✕ Not ready: supply_x. See the Bench page."
     lab.update(now=replace(lab.state.now, coil_words="coils NOT confirmed at zero"))
     assert question.text() == "✕ Not ready: see what is said of the coils."

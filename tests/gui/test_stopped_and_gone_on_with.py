@@ -59,19 +59,19 @@ def test_a_run_that_nobody_stopped_says_why_it_was_left_and_not_that_it_was_stop
 
 
 def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gone_on_with(running):
-    lost = Fault("instrument", "stage: the link is lost.", "Plug it in.")
+    lost = Fault("instrument", "stage: the link was lost.", "Plug it in.")
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "▲ INTERRUPTED"
     assert "Mend what is said above, then go on with it on the Start page" in verdict.next
-    assert running.page("Run").live.fault.text.text() == "stage: the link is lost."
+    assert running.page("Run").live.fault.text.text() == "stage: the link was lost."
 
 
 @pytest.mark.parametrize(("kind", "word"), [("instrument", "▲ INTERRUPTED"), ("input", "✕ FAILED")])
 def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, word):
     still.app_state.resume("r1", "preflight", "EM-07")
     (asked,) = (one for one in still.app_state.bench_worker.asked if isinstance(one.command, ResumeRun))
-    asked.failed(Fault(kind, "stage: the link is lost."))
+    asked.failed(Fault(kind, "stage: the link was lost."))
     run = still.app_state.run
     assert run_verdict(run).word == word
     assert ("go on with it on the Start page" in run_verdict(run).next) == (kind == "instrument")
@@ -79,11 +79,11 @@ def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, wo
 
 
 def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_blue_one(running):
-    long = "x+20uT-nominal: stage (serial:///dev/ttyUSB0): the link is lost. Plug it in. (coils at zero)"
-    choices, drawing = ("stop", "retry", "skip"), {FAULT: "stage: the link is lost. Plug it in."}
+    long = "x+20uT-nominal: stage (serial:///dev/ttyUSB0): the link was lost. Plug it in. (coils at zero)"
+    choices, drawing = ("stop", "retry", "skip"), {FAULT: "stage: the link was lost. Plug it in."}
     running.app_state.bench_worker.items.emit((Prompt(1.0, "failed-x", long, choices, drawing=drawing),))
     card = running.page("Run").live.prompt
-    assert card.text.text() == "stage: the link is lost. Plug it in."
+    assert card.text.text() == "stage: the link was lost. Plug it in."
     assert {choice: made.objectName() for choice, made in card.choices.items()}["retry"] == "primary"
     assert [made.objectName() for made in card.choices.values()].count("primary") == 1
     assert card.choices["retry"].text().startswith("Hands off")

@@ -65,7 +65,7 @@ def too_warm(bench: Bench, lab: Any, patch: pytest.MonkeyPatch) -> None:
 
 def unplugged(bench: Bench, lab: Any, patch: pytest.MonkeyPatch) -> None:
     def lost(*_: object) -> None:
-        raise InstrumentError("supply_z: the link is lost.", fault="link lost", remedy="Plug it in.")
+        raise InstrumentError("supply_z: the link was lost.", fault="link lost", remedy="Plug it in.")
 
     patch.setattr(bench._links["supply_z"], "send", lost)
 

@@ -71,7 +71,7 @@ def pulled(monkeypatch: pytest.MonkeyPatch) -> Callable[[Any], None]:
     """The computer says that the line is gone."""
 
     def lost(*_: object) -> None:
-        raise InstrumentError("reference: the link is lost.", fault="link lost", remedy="Plug it in.")
+        raise InstrumentError("reference: the link was lost.", fault="link lost", remedy="Plug it in.")
 
     def happens(link: Any) -> None:
         for call in ("send", "receive", "reopen"):

@@ -10,7 +10,7 @@ from labcal.errors import InstrumentError
 BY_WORD = "by the supply's word only"  # of who has no reference to ask
 ORDERED = "taking the coils to zero: ordered, not read back yet …"
 FROM_HERE = "taking to zero from here what no guardian holds: not read back yet …"
-NOT_ORDERED = "zero is to be ordered: no guardian has answered yet …"
+NOT_ORDERED = "waiting for a guardian that takes the order of zero …"
 FRESH_S = 2.0  # what was read back longer ago is reported as past
 SLOW_S = 0.7  # so long after it was wanted that is said
 

@@ -36,7 +36,7 @@ class Script:
         self.left.pop(0)
         self._taken = b""
         if reply == UNPLUGGED:
-            raise InstrumentError("the link is lost", fault="link lost")
+            raise InstrumentError("the link was lost", fault="link lost")
         pieces = [reply] if isinstance(reply, bytes) else [p for p in reply or () if isinstance(p, bytes)]
         self._waiting += [(t_s + 0.005 * number, piece) for number, piece in enumerate(pieces, 1)]
 

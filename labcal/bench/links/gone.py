@@ -22,12 +22,12 @@ NOT_GONE = "Begin this step again; if it comes again, look at its cable and its 
 
 def not_open(url: str, error: OSError | None = None) -> InstrumentError:
     """The error for a line that does not open; without `error`, for one that has been closed."""
-    why = f" ({error})" if error else ""
+    why = f" ({_words(error)})" if error else ""
     if error is not None and error.errno in BUSY:
         remedy = "End that program, then begin this step again."
         return InstrumentError(f"{url}: another program has opened it{why}.", fault="in use", remedy=remedy)
     if error is None or _number(error) in GONE:
-        return InstrumentError(f"{url}: the link is lost{why}.", fault="link lost")
+        return InstrumentError(f"{url}: the link was lost{why}.", fault="link lost")
     if _number(error) in FORBIDDEN and (remedy := not_allowed(url.partition("://")[2].partition("?")[0])):
         return InstrumentError(f"{url}: this user may not open it{why}.", fault="link lost", remedy=remedy)
     return InstrumentError(f"{url}: the link does not open{why}.", fault="link lost")
@@ -36,9 +36,11 @@ def not_open(url: str, error: OSError | None = None) -> InstrumentError:
 def failed(url: str, call: str, error: OSError, there: bool) -> InstrumentError:
     """The error for a line that was closed because `call` (reading, writing) failed; `there`: its port is there yet."""
     if not there or is_gone(error):
-        why = "its other end has hung up" if HUNG_UP in str(error) else error
-        return InstrumentError(f"{url}: the link is lost ({why}).", fault="link lost")
-    return InstrumentError(f"{url}: {call} failed ({error}); its port is there.", fault="link lost", remedy=NOT_GONE)
+        why = "its other end has hung up" if HUNG_UP in str(error) else _words(error)
+        return InstrumentError(f"{url}: the link was lost ({why}).", fault="link lost")
+    return InstrumentError(
+        f"{url}: {call} failed ({_words(error)}); its port is there.", fault="link lost", remedy=NOT_GONE
+    )
 
 
 def is_gone(error: OSError) -> bool:
@@ -52,6 +54,12 @@ def stands(device: int, port: str) -> bool:
         return sys.platform != "win32" and (not os.path.isabs(port) or devices.still(device, port))
     except OSError:
         return False
+
+
+def _words(error: OSError) -> str:
+    """What the system says, without its number and the place, which stand there already."""
+    number, said = _number(error), error.strerror or str(error)
+    return said if number is None or "[Errno" not in str(said) else os.strerror(number)
 
 
 def _number(error: BaseException) -> int | None:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.named_links import named_links
-from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
+from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped, words_of_system
 from labcal.record.stream import Item
 from labcal.runner.control import Left
 
@@ -65,13 +65,8 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
             kind, str(error).replace(str(error.file), Path(str(error.file)).name, 1), "", details or str(error)
         )
     if isinstance(error, OSError) and error.errno is not None:  # the disk, or a file: nothing in labcal broke
-        return Fault("input", _of_files(error), "", details)
+        return Fault("input", words_of_system(error), "", details)
     return Fault(kind, str(error) or type(error).__name__, "", details)
-
-
-def _of_files(error: OSError) -> str:
-    place = f"{error.filename}: " if error.filename else ""
-    return f"{place}{error.strerror or error}"
 
 
 def with_instrument_names(fault: Fault, links: Mapping[str, str]) -> Fault:

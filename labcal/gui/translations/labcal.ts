@@ -733,7 +733,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>zero is to be ordered: no guardian has answered yet …</source>
+        <source>waiting for a guardian that takes the order of zero …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1137,11 +1137,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: the link is lost ({1}).</source>
+        <source>{0}: the link was lost ({1}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: the link is lost.</source>
+        <source>{0}: the link was lost.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -733,8 +733,8 @@
         <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
     </message>
     <message>
-        <source>zero is to be ordered: no guardian has answered yet …</source>
-        <translation>Null ist zu befehlen: Noch hat kein Wächter geantwortet …</translation>
+        <source>waiting for a guardian that takes the order of zero …</source>
+        <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
     <message>
         <source>no reference was asked</source>
@@ -1137,12 +1137,12 @@
         <translation>Ist es eingeschaltet, und stimmt die Verbindung in bench.toml?</translation>
     </message>
     <message>
-        <source>{0}: the link is lost ({1}).</source>
-        <translation>{0}: Die Verbindung ist verloren ({1}).</translation>
+        <source>{0}: the link was lost ({1}).</source>
+        <translation>{0}: Die Verbindung ging verloren ({1}).</translation>
     </message>
     <message>
-        <source>{0}: the link is lost.</source>
-        <translation>{0}: Die Verbindung ist verloren.</translation>
+        <source>{0}: the link was lost.</source>
+        <translation>{0}: Die Verbindung ging verloren.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>

@@ -733,8 +733,8 @@
         <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
     </message>
     <message>
-        <source>zero is to be ordered: no guardian has answered yet …</source>
-        <translation>Zéro est à ordonner : aucun gardien n&apos;a encore répondu …</translation>
+        <source>waiting for a guardian that takes the order of zero …</source>
+        <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
     <message>
         <source>no reference was asked</source>
@@ -1137,12 +1137,12 @@
         <translation>Est-il allumé, et la liaison de bench.toml est-elle la bonne ?</translation>
     </message>
     <message>
-        <source>{0}: the link is lost ({1}).</source>
-        <translation>{0} : la liaison est perdue ({1}).</translation>
+        <source>{0}: the link was lost ({1}).</source>
+        <translation>{0} : la liaison a été perdue ({1}).</translation>
     </message>
     <message>
-        <source>{0}: the link is lost.</source>
-        <translation>{0} : la liaison est perdue.</translation>
+        <source>{0}: the link was lost.</source>
+        <translation>{0} : la liaison a été perdue.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>
