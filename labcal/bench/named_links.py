@@ -8,10 +8,11 @@ from collections.abc import Mapping
 def named_links(text: str, links: Mapping[str, str], *, brief: bool = False) -> str:
     """`text` with the instrument's name before its link, which stands in brackets, or not at all; `links` by name.
 
-    The name that stands there already is not said twice, nor where it is told what answers "at" the link.
+    Of a link that several share it is said that it is their line. The name that stands there already is not said twice, nor where it is told what answers "at" the link.
     """
     for link in sorted({*links.values()}, key=len, reverse=True):
-        names = ", ".join(name for name, its in links.items() if its == link)
+        here = [name for name, its in links.items() if its == link]
+        names = f"the line of {', '.join(here)}" if here[1:] else here[0]
         if f" at {link})" in text:
             return text
         if link in text:

@@ -14,7 +14,8 @@ LINKS = {"stage": "serial:///dev/ttyS1", "supply_x": "tcp://a:1", "supply_y": "p
     [
         ("tcp://a:1: no reply.", "supply_x (tcp://a:1): no reply."),
         ("supply_x: tcp://a:1: no reply.", "supply_x (tcp://a:1): no reply."),
-        ("pair: no reply.", "supply_y, supply_z (pair): no reply."),
+        ("pair: no reply.", "the line of supply_y, supply_z (pair): no reply."),
+        ("address 1 on pair: no reply.", "address 1 on the line of supply_y, supply_z (pair): no reply."),
         (
             "open the output of supply_x (PL303 12 at tcp://a:1).",
             "open the output of supply_x (PL303 12 at tcp://a:1).",
