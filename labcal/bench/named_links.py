@@ -8,7 +8,8 @@ from collections.abc import Mapping
 def named_links(text: str, links: Mapping[str, str], *, brief: bool = False) -> str:
     """`text` with the instrument's name before its link, which stands in brackets, or not at all; `links` by name.
 
-    Of a link that several share it is said that it is their line. The name that stands there already is not said twice, nor where it is told what answers "at" the link.
+    A link that several share is "the line of" them. The name that stands there already is not said twice, nor where
+    it is told what answers "at" the link.
     """
     for link in sorted({*links.values()}, key=len, reverse=True):
         here = [name for name, its in links.items() if its == link]
