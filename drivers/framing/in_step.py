@@ -12,6 +12,7 @@ from labcal.errors import InstrumentError
 QUIET_S = 0.1  # of a line that was out of step, before each question: what is late or said twice has come by then
 REMEDY = "Is it slower than its timeout_s, does another program talk on its line? Begin this step again."
 SIGN = re.compile(r"(?:^|(?<=[\sEe,]))[+-]")
+NUMBER = re.compile(r"[+-]?\d+(\.\d*)?")
 MAKER = re.compile(r"[A-Za-z][^,]*,")
 
 
@@ -38,13 +39,17 @@ class InStep:
     def refuse_earlier(self, question: str, reply: str) -> None:
         """Raise InstrumentError (out of step) where `reply`, which is no answer to `question`, looks like another's."""
         if any(_look(reply) == look for other, look in self._looks.items() if other != question):
-            self._out = True
-            raise InstrumentError(
-                f"{self._name}: an answer of an earlier question came to {question!r}: {quoted(reply)}; the line is "
-                "out of step.",
-                fault="out of step",
-                remedy=REMEDY,
-            )
+            raise self._earlier(question, reply)
+
+    def refuse_number(self, question: str, reply: str) -> None:
+        """The same where a number answers `question`, which asks for a name."""
+        if NUMBER.fullmatch(reply):
+            raise self._earlier(question, reply)
+
+    def _earlier(self, question: str, reply: str) -> InstrumentError:
+        self._out = True
+        what = f"an answer of an earlier question came to {question!r}: {quoted(reply)}; the line is out of step."
+        return InstrumentError(f"{self._name}: {what}", fault="out of step", remedy=REMEDY)
 
     def ask_again(self, reply: str) -> bool:
         """Whether `reply` to "who are you?" names nobody: then it is to be asked once more, into quiet."""

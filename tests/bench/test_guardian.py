@@ -87,7 +87,7 @@ def test_a_killed_guardian_is_replaced_by_one_that_begins_with_zero(lab: Served,
     assert int(successor[1]) != first
     _, said = child.communicate(timeout=LONG_S)
     assert re.search(
-        r"the connection to the guardian was lost; this session last read \(UTC\): coil x \+1\.0\d* A at", said
+        r"the connection to the guardian was lost; last read before that \(UTC\): coil x \+1\.0\d* A at", said
     ), said
 
 

@@ -53,6 +53,15 @@ def terminal() -> Iterator[tuple[int, WiredLink]]:
             os.close(end)
 
 
+def test_one_that_another_thread_closed_meanwhile_is_lost_and_no_crash(terminal: tuple[int, WiredLink]) -> None:
+    _, link = terminal
+    port: Any = link._port
+    port.close()
+    with pytest.raises(InstrumentError) as caught:
+        link.send(b"who\n")
+    assert caught.value.fault == "link lost"
+
+
 def failing(*errors: Exception, then: Any = None) -> Any:
     """A call that fails so often, and is `then` from there on."""
     left = list(errors)

@@ -120,7 +120,7 @@ def test_a_connection_that_is_gone_tells_what_was_read_last_and_when() -> None:
     read.keep("x", 0.25)
     assert (
         read.gone().what
-        == "the connection to the guardian was lost; this session last read (UTC): coil x +0.2500 A at 07:08:09."
+        == "the connection to the guardian was lost; last read before that (UTC): coil x +0.2500 A at 07:08:09."
     )
     assert "killed" not in str(read.gone())
 

@@ -126,6 +126,14 @@ def test_half_a_name_is_not_the_last_word_and_another_name_is() -> None:
     assert caught.value.fault == "another instrument"
 
 
+def test_so_is_a_number_that_comes_for_its_name_again_and_again() -> None:
+    wire = [(b"*IDN?", b"0.000"), (b"*IDN?", b"0.000")]
+    says = r"an answer of an earlier question came to '\*IDN\?': '0\.000'"
+    with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError, match=says) as caught:
+        supply.identify()
+    assert caught.value.fault == "out of step"
+
+
 def test_a_name_that_comes_for_a_number_is_an_answer_of_an_earlier_question() -> None:
     name = b"KORADKA3005PV2.0"
     wire = [(b"*IDN?", name), (b"ISET1?", name), (b"IOUT1?", b"0.000")]

@@ -29,6 +29,6 @@ class LastRead:
     def gone(self) -> InstrumentError:
         """That nobody answers any more, and what was known then: reported later, it is as true."""
         read = ", ".join(self._words.values())
-        known = f"this session last read (UTC): {read}" if read else "no current was read through it"
+        known = f"last read before that (UTC): {read}" if read else "no current was read through it"
         what = f"the connection to the guardian was lost; {known}."
         return InstrumentError(what, fault="guardian lost", remedy=REMEDY)

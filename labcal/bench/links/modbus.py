@@ -32,6 +32,7 @@ EXCEPTIONS = {
     7: ": no access",
     0x17: ": it is in LOCAL mode, free it on its panel",  # Elektro-Automatik's own
 }
+LATE = "Is it slower than its timeout_s, does another program talk on its line? Begin this step again."
 
 
 class ModbusLink:
@@ -135,7 +136,8 @@ class ModbusLink:
             )
         if reply.function_code != function or (written is not None and reply.address != written):
             self._wait_for_quiet()
-            raise InstrumentError(f"{self._called(device)}: the reply belongs to another request.", fault="wrong reply")
+            what = f"{self._called(device)}: the reply belongs to another request."
+            raise InstrumentError(what, fault="wrong reply", remedy=LATE)
         return reply
 
     def _words(self, device: int, reply: Any, count: int) -> list[int]:

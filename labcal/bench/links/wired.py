@@ -224,8 +224,11 @@ class SerialPort:
             self._port.flush()
 
     def there(self) -> bool:
-        """Whether it is; of one that is reached by URL its own errors tell."""
-        return "://" not in self._address and stands(self._port.fileno(), self._address)
+        """Whether it is; of one that is reached by URL its own errors tell. One that was closed is not."""
+        try:
+            return "://" not in self._address and stands(self._port.fileno(), self._address)
+        except OSError:
+            return False
 
     def close(self) -> None:
         """Let go."""
