@@ -189,7 +189,7 @@ def test_a_latch_is_lifted_by_a_zero_read_back_and_a_new_order_of_who_was_told(
     bench.energise({"x": 1.0})
     guardian.zero("a person said off")
     for order in (lambda: guardian.set_current("x", 0.1), lambda: guardian.output("x", True)):
-        with pytest.raises(InstrumentError, match=r"zero was ordered for coil x: a person said off\."):
+        with pytest.raises(InstrumentError, match=r"zero was ordered for all coils: a person said off\."):
             order()
     guardian.set_current("x", 0.0)  # now it was told
     guardian.output("x", True)

@@ -48,7 +48,7 @@ def table(records: Sequence[dict[str, Any]], read: Read, before: str = "", *, mo
     rows = {name: row for name in kinds() if (row := rows.get(name, kept.get(name)))}
     last = _in_all(tried)
     words = [line for line in before.splitlines() if line and not line.startswith("|") and line != last.strip()]
-    return HEAD + "".join(rows.values()) + "\n" + "\n\n".join([*words, last])
+    return HEAD + "".join(rows.values()) + "\n" + "\n".join([*words, last])
 
 
 def _row(kind: Kind, found: Sequence[dict[str, Any]], read: Read) -> str:
@@ -111,11 +111,7 @@ def _in_all(tried: Sequence[dict[str, Any]]) -> str:
     untold = sum(not in_time_can_be_told(record) for record in tried)
     at = f"load {load[0]:.1f} to {load[-1]:.1f}, median {load[len(load) // 2]:.1f}, on two cores"
     of = ", ".join(sorted({record.get("of") or "unknown" for record in tried}))
-    which = ", ".join(f"`{name}`" for name in kinds() if any(record["kind"] == name for record in tried))
-    return (
-        f"{which}: {len(tried)} faults of the code {of} ({at}). In {untold} of them the machine kept a process that "
-        "hardly works waiting for more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
-    )
+    return f"- {len(tried)} faults of the code {of} ({at}), {untold} of them judged by all but the time\n"
 
 
 def words(records: Sequence[dict[str, Any]], of_each: int) -> str:

@@ -184,9 +184,9 @@ class Guardian:
         """
         for coil in self.coils.values() if not by_session else ():
             coil.tripped = fault or InstrumentError(
-                f"zero was ordered for coil {coil.axis}: {why}.",
+                f"zero was ordered for all coils: {why}.",
                 fault="taken to zero",
-                remedy="See guardian.log; what was measured since then was measured without this coil.",
+                remedy="See guardian.log; what was measured since then was measured without them.",
             )
         for coil in self.coils.values():
             coil.line.gate.close(why)

@@ -56,9 +56,9 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP(
         "Data", "the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known."
     ),
-    QT_TRANSLATE_NOOP("Data", "zero was ordered for coil {0}: {1}."),
+    QT_TRANSLATE_NOOP("Data", "zero was ordered for all coils: {0}."),
     QT_TRANSLATE_NOOP("Data", "zero was ordered{0}; what was being asked of this line was given up."),
-    QT_TRANSLATE_NOOP("Data", "See guardian.log; what was measured since then was measured without this coil."),
+    QT_TRANSLATE_NOOP("Data", "See guardian.log; what was measured since then was measured without them."),
     QT_TRANSLATE_NOOP("Data", "See guardian.log in labcal's data folder."),
     QT_TRANSLATE_NOOP("Data", "coil {0}: {1} A was set and nothing flows."),
     QT_TRANSLATE_NOOP("Data", "coil {0}: {1} A was set and {2} A flows."),

@@ -1225,7 +1225,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>zero was ordered for coil {0}: {1}.</source>
+        <source>zero was ordered for all coils: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1233,7 +1233,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>See guardian.log; what was measured since then was measured without this coil.</source>
+        <source>See guardian.log; what was measured since then was measured without them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

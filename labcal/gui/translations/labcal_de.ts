@@ -1225,16 +1225,16 @@
         <translation>Der Wächter hat seit {0} s nicht geantwortet: Er hängt oder wurde angehalten; wie die Spulen stehen, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>zero was ordered for coil {0}: {1}.</source>
-        <translation>Für Spule {0} wurde null befohlen: {1}.</translation>
+        <source>zero was ordered for all coils: {0}.</source>
+        <translation>Für alle Spulen wurde null befohlen: {0}.</translation>
     </message>
     <message>
         <source>zero was ordered{0}; what was being asked of this line was given up.</source>
         <translation>Null wurde befohlen{0}; was auf dieser Leitung gefragt war, wurde aufgegeben.</translation>
     </message>
     <message>
-        <source>See guardian.log; what was measured since then was measured without this coil.</source>
-        <translation>Siehe guardian.log; was seither gemessen wurde, wurde ohne diese Spule gemessen.</translation>
+        <source>See guardian.log; what was measured since then was measured without them.</source>
+        <translation>Siehe guardian.log; was seither gemessen wurde, wurde ohne sie gemessen.</translation>
     </message>
     <message>
         <source>See guardian.log in labcal&apos;s data folder.</source>

@@ -1225,16 +1225,16 @@
         <translation>Le gardien n&apos;a pas répondu depuis {0} s : il est bloqué ou arrêté ; l&apos;état des bobines n&apos;est pas connu.</translation>
     </message>
     <message>
-        <source>zero was ordered for coil {0}: {1}.</source>
-        <translation>Zéro a été ordonné pour la bobine {0} : {1}.</translation>
+        <source>zero was ordered for all coils: {0}.</source>
+        <translation>Zéro a été ordonné pour toutes les bobines : {0}.</translation>
     </message>
     <message>
         <source>zero was ordered{0}; what was being asked of this line was given up.</source>
         <translation>Zéro a été ordonné{0} ; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
     </message>
     <message>
-        <source>See guardian.log; what was measured since then was measured without this coil.</source>
-        <translation>Voir guardian.log ; ce qui a été mesuré depuis l&apos;a été sans cette bobine.</translation>
+        <source>See guardian.log; what was measured since then was measured without them.</source>
+        <translation>Voir guardian.log ; ce qui a été mesuré depuis l&apos;a été sans elles.</translation>
     </message>
     <message>
         <source>See guardian.log in labcal&apos;s data folder.</source>
