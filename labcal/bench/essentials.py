@@ -78,7 +78,7 @@ class Essentials:
 
 
 def essentials(path: Path) -> Essentials | None:
-    """What the file says of the coils; None where only all of it can tell (an emulated bench, a role stated twice).
+    """What the file says of the coils; None where only all of it can tell (emulated; a coil named twice).
 
     Raises InputError where it is no TOML or names no coil's supply at all, OSError where it cannot be read.
     """
@@ -110,7 +110,7 @@ def of_table(table: Mapping[str, Any]) -> Essentials | None:
     """The essentials of a bench file's table; None as above."""
     entries = {name: entry for name, said in _table(table, "instruments").items() if (entry := _entry(said))}
     limits, safety = _table(_table(table, "cage"), "limits"), _table(table, "safety")
-    roles = [entry.role for entry in entries.values()]
+    roles = [entry.role for entry in entries.values() if entry.role.startswith(OWNED)]
     found = Essentials(
         entries,
         StatedCage(StatedLimits(_each_axis(limits.get("current_A")), _each_axis(limits.get("ramp_A_per_s")))),
@@ -130,6 +130,8 @@ def _entry(said: Any) -> StatedInstrument | None:
         return None
     driver, link, role, settings = (said.get(key) for key in ("driver", "link", "role", "settings"))
     if not (isinstance(driver, str) and isinstance(link, str) and isinstance(role, str) and "://" in link):
+        return None
+    if role.startswith("coil-") and role.removeprefix("coil-") not in AXES:  # misspelt: it names no coil
         return None
     return StatedInstrument(driver, link, role, settings if isinstance(settings, dict) else {})
 

@@ -69,9 +69,10 @@ class Loader:
             value = getattr(settings, f.name)
             if isinstance(value, float) and not math.isfinite(value):
                 self.refuse("must be a finite number", (*where, f.name))
-        if not entry.role.startswith("coil-"):
+        axis = entry.role.removeprefix("coil-")
+        if axis not in AXES:  # no coil's, or a misspelt one, of which the essentials of a bench know nothing more
             return
-        most_A = self.config.cage.limits.current_A[AXES.index(entry.role[-1])]
+        most_A = self.config.cage.limits.current_A[AXES.index(axis)]
         if not 0 < getattr(settings, "zero_current_A", ZERO_IS * most_A) <= ZERO_IS * most_A:
             self.refuse(f"zero is above 0 A and at most {ZERO_IS * most_A:g} A, a quarter of current_A",
                         (*where, "zero_current_A"))  # fmt: skip

@@ -12,9 +12,12 @@ from pathlib import Path
 import pytest
 from served_lab import EXAMPLE, LABCAL, LONG_S, Served, Sessions, at_zero, children_of, example, guardians, log, until
 
+import labcal.session
 from labcal.bench.guardian import hung
 from labcal.bench.guardian.standbys import HOW_MANY
 from labcal.bench.shutdown import coils_off
+from labcal.record.stream import Event, Item
+from labcal.runner.prompts import first_choice
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs SIGSTOP, Unix sockets and who is at their end")
 HANGS = """
@@ -86,6 +89,21 @@ def test_a_session_that_ends_takes_the_place_of_a_guardian_that_was_stopped(lab:
     assert f"guardian {first} was ordered zero and hangs, or was stopped: it was killed by process {child.pid}" in log()
     child.communicate(timeout=LONG_S)
     for pid in standing_by:
+        os.kill(pid, signal.SIGCONT)
+
+
+@pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
+def test_a_session_that_holds_a_field_takes_its_place_too_and_nobody_need_stop_it(lab: Served) -> None:
+    stopped = list[int]()
+
+    def stop(item: Item) -> None:
+        if isinstance(item, Event) and item.kind == "set-point" and not stopped:
+            stopped.extend(stopped_of(*guardians()))
+
+    outcome = labcal.session.run("field-hold", lab.file, {"duration_s": "60"}, answer=first_choice, on_item=stop)
+    assert at_zero(lab), f"{outcome}\n{log()}"
+    assert "the connection to the guardian was lost" in outcome.ending
+    for pid in stopped:
         os.kill(pid, signal.SIGCONT)
 
 

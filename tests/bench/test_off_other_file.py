@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -51,6 +52,13 @@ def cut_between_tables(file: Path) -> None:
     head, named, _ = file.read_text().partition('["instruments"')
     assert named
     file.write_text(head)
+
+
+def coil_misspelt(file: Path) -> None:
+    """A coil's role is misspelt, and its supply stands at another's link."""
+    text = file.read_text()
+    links = re.findall(r'"link" = "(tcp[^"]*)"', text)
+    file.write_text(text.replace(links[1], links[0]).replace('"coil-x"', '"coil-q"'))
 
 
 def garbage(file: Path) -> None:
@@ -112,3 +120,20 @@ def test_off_reaches_what_was_driven_where_nobody_is_left(lab: Served, session: 
         assert said.returncode == 3
     else:
         assert said.returncode == 0, said
+
+
+def test_a_coil_that_is_misspelt_keeps_zero_from_no_supply(lab: Served, session: Sessions) -> None:
+    child = session("idle")
+    kill_all(child)
+    until(lambda: not of_bench(lab.file))
+    coil_misspelt(lab.file)
+    said = said_off(lab.file)
+    assert at_zero(lab), said
+    assert (said.returncode, "fault of labcal's own" in said.stderr) == (3, False), said
+
+
+def test_two_of_another_role_keep_nothing_from_zero(lab: Served) -> None:
+    lab.file.write_text(lab.file.read_text().replace('"role" = "reference"', '"role" = "dut"'))
+    said = said_off(lab.file)
+    assert said.returncode == 0, said
+    assert said.stdout.count("zero, open") == 3, said

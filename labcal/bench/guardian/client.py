@@ -34,6 +34,7 @@ START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 LOOK_S = 0.04
 UNHEARD_S, STOPPED_S = 1.0, 0.1  # so long zero goes unheard by one that hangs; by one that was stopped
+REPLACED_S = 2.0  # so long a guardian stands still before its session replaces it: those who stand by are sooner
 CLOSE_S = 5.0
 ENDS_S, ASK_AGAIN_S = 1.0, 0.1  # to say how the coils ended waits for no line
 FREED_S = 0.2  # until the kernel has freed the ports of a process that was killed
@@ -79,8 +80,7 @@ class Connection:
         self._socket.sendall(wire.packed(message))
         return self._number
 
-    @property
-    def hangs(self) -> bool:
+    def hangs(self, stopped_s: float = STOPPED_S) -> bool:
         """Whether who was ordered zero does not hear it for longer than one that runs needs, or was stopped."""
         now = time.monotonic()
         if self._unheard_since_s is not None and now - self._unheard_since_s > UNHEARD_S:
@@ -89,7 +89,7 @@ class Connection:
             self._next_look_s = now + LOOK_S
             stands_still = hung.stands_still(self.pid)
             self._still_since_s = (self._still_since_s or now) if stands_still else None
-        return self._still_since_s is not None and now - self._still_since_s >= STOPPED_S
+        return self._still_since_s is not None and now - self._still_since_s >= stopped_s
 
     def end_who_hangs(self) -> None:
         """Kill it, so that another can take its place. Raises InstrumentError where this process may not."""
@@ -218,11 +218,11 @@ class GuardianClient:
         self.zero_is_ordered = order == "zero"
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
-            if order != "zero":
-                self.look()
-            elif connection.hangs:
+            if connection.hangs(STOPPED_S if order == "zero" else REPLACED_S):
                 self._replace(connection)
                 raise ConnectionError("the guardian hung")
+            if order != "zero":
+                self.look()
             if self._connection is None or time.monotonic() > deadline:
                 raise ConnectionError("no reply")
         if "error" in reply:
@@ -330,7 +330,7 @@ def answered(connection: Connection, number: int) -> Any:
     """What is replied to the order of this number; as `ask_once`."""
     deadline = time.monotonic() + REPLY_S
     while (reply := connection.reply(number, 0.05)) is None:
-        if connection.hangs:
+        if connection.hangs():
             connection.end_who_hangs()
             raise ConnectionError("the guardian hung")
         if time.monotonic() > deadline:
