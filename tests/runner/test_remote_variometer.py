@@ -18,9 +18,9 @@ from cage_files import MATRIX, a_calibration, with_the_file
 from served_lab import Served
 
 from labcal.bench import open_bench
-from labcal.bench.clock import Clock, RealClock, VirtualClock
+from labcal.bench.clock import Clock, VirtualClock
 from labcal.bench.coils.cage_file import write_cage
-from labcal.bench.coils.flown import KEPT, Flown
+from labcal.bench.coils.current_history import KEPT, CurrentHistory
 from labcal.record.stream import Block, SegmentClosed, SegmentOpened
 from labcal.runner import find, run_procedure, yes_to_all
 from labcal.store import Store
@@ -81,12 +81,12 @@ def test_what_came_late_is_carried_with_the_currents_of_its_own_time(bench: Path
 
 
 def test_currents_are_those_read_last_until_then_and_only_so_many_are_kept() -> None:
-    flown = Flown()
+    flown = CurrentHistory()
     for second in range(KEPT + 5):
         flown.see(float(second), np.full(3, second))
     assert flown.at([7.5, KEPT + 3.2, KEPT + 99.0])[:, 0].tolist() == [7, KEPT + 3, KEPT + 4]
     assert flown.at([-1.0])[0, 0] == 5  # of the oldest that is known
-    assert Flown().at([1.0, 2.0]).tolist() == np.zeros((2, 3)).tolist()
+    assert CurrentHistory().at([1.0, 2.0]).tolist() == np.zeros((2, 3)).tolist()
     assert flown.last_A[0] == KEPT + 4
 
 

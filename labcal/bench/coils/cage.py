@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.coils.advice import as_if, by_hand
 from labcal.bench.coils.agreement import FieldCheck
+from labcal.bench.coils.current_history import CurrentHistory
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
-from labcal.bench.coils.flown import Flown
 from labcal.bench.coils.sign import SignCheck, SignProbe
 from labcal.bench.coils.state import NOT_BY_REFERENCE, CoilReading, Witness
 from labcal.bench.coils.windings import Windings
@@ -68,7 +68,7 @@ class Cage:
         self._clock = clock
         self._wait = wait or clock.wait_until
         self._guardian, self._where = guardian, where
-        self.flown = Flown()
+        self.flown = CurrentHistory()
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self.on = False  # outputs closed
         self.over: Exception | None = None  # why no current is set any more, whoever asks for it
@@ -143,6 +143,11 @@ class Cage:
         return np.array([supply.set_point() for supply in self.supplies.values()])
 
     @property
+    def flowing_A(self) -> Array:
+        """Signed currents (3,), as last read."""
+        return self.flown.last_A
+
+    @property
     def way_down_s(self) -> float:
         """How long the ramp to zero takes from the set-points that were read last; 0 with the outputs open."""
         last_A = {axis: abs(self._read[axis].set_A or 0.0) for axis in AXES}
@@ -179,7 +184,7 @@ class Cage:
             return
         if self.check.zero_expected:
             raise self._not_zero()
-        said = " ".join(f"{i:+.4g}" for i in self.flown.last_A)
+        said = " ".join(f"{i:+.4g}" for i in self.flowing_A)
         raise InstrumentError(
             f"the supplies state {said} A, and the reference does not see that: {found.words}.",
             fault="not seen",

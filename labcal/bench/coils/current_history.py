@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 KEPT = 20_000  # readings: hours, where they are read a few times a second
 
 
-class Flown:
+class CurrentHistory:
     """Readings of the three currents by their time; before the first nothing flowed."""
 
     def __init__(self) -> None:
