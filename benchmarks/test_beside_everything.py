@@ -103,7 +103,7 @@ def test_no_row_is_lost_beside_everything(tmp_path: Path, monkeypatch: pytest.Mo
     print(f"{beside}; {100 * busy / took:.0f} % of a core")
     assert (lost, twice, said) == (0, 0, [])
     assert len(rows["dut"]) > 0.97 * RATE_HZ * (rows["dut"][-1] - rows["dut"][0]) > 20_000
-    assert np.diff(rows["reference"]).max() < 0.2, "20 a second"
+    assert len(rows["reference"]) >= 20 * np.ptp(rows["reference"]) - 2, "20 a second"
     assert np.isfinite(run.reading).all()
 
 

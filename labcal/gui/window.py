@@ -195,7 +195,8 @@ class Window(Frame):
         name = "Certificate" if is_calibration else "History"
         self.open_page(name)
         page: Any = self.page(name)
-        return page.verify(path) if is_calibration else page.take_file(path)
+        (page.verify if is_calibration else page.take_file)(path)
+        return None
 
     def toggle_wall(self) -> None:
         """Texts to be read from two metres, or back (F11)."""

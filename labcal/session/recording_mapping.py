@@ -192,5 +192,6 @@ def _drawn(t: Array, field: Array) -> Array:
     """As many rows as a picture shows; a row of NaN at each gap, so that no line is drawn over it."""
     rows = np.column_stack([t, field])[:: max(1, -(-len(t) // DRAWN))]
     steps = np.diff(rows[:, 0])
-    gaps = np.flatnonzero(steps > GAP * np.median(steps)) + 1 if len(steps) else []
-    return np.insert(rows, gaps, np.nan, axis=0)
+    if not len(steps):
+        return rows
+    return np.insert(rows, np.flatnonzero(steps > GAP * np.median(steps)) + 1, np.nan, axis=0)
