@@ -26,16 +26,23 @@ def identify_instruments(bench: Path) -> list[Identified]:
 def find_instruments(
     stated: Sequence[str], out: Path | None, say: Callable[[str], None], *, force: bool = False
 ) -> list[Found]:
-    """Ask who answers at these places, or at this computer's devices; `out` is a draft of a bench file."""
+    """Ask who answers at these places, or at this computer's devices; `out` is a draft of a bench file.
+
+    Of a stated place where nothing is found, why is said.
+    """
     from labcal.bench.clock import RealClock
-    from labcal.bench.find import draft, find, places
+    from labcal.bench.find import draft, find, places, why_silent
     from labcal.bench.loading import recogniser
 
-    outputs = claim("bench find", out, force=force)
+    outputs, clock = claim("bench find", out, force=force), RealClock()
     found: list[Found] = []
-    for one in find(places(stated), RealClock(), recogniser("scpi-table")):
-        found.append(one)
-        say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
+    for place in stated or [None]:
+        before = len(found)
+        for one in find(places([] if place is None else [place]), clock, recogniser("scpi-table")):
+            found.append(one)
+            say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
+        if place is not None and len(found) == before:
+            say(why_silent(place, clock))
     for output in outputs:
         with output.writing() as path:
             write_text(path, draft(found))
