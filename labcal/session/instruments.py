@@ -28,7 +28,7 @@ def find_instruments(
 ) -> list[Found]:
     """Ask who answers at these places, or at this computer's devices; `out` is a draft of a bench file.
 
-    Of a stated place where nothing is found, why is said.
+    Of a stated place where nothing is found, why is said. Where nothing is found at all, nothing is written.
     """
     from labcal.bench.clock import RealClock
     from labcal.bench.find import draft, find, places, why_silent
@@ -43,7 +43,7 @@ def find_instruments(
             say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
         if place is not None and len(found) == before:
             say(why_silent(place, clock))
-    for output in outputs:
+    for output in outputs if found else ():
         with output.writing() as path:
             write_text(path, draft(found))
     return found

@@ -194,3 +194,15 @@ def test_a_line_that_opens_and_is_silent_is_said_to_be_so(capsys: pytest.Capture
     with socket.create_server(("127.0.0.1", 0)) as nobody:
         assert execute(["bench", "find", f"tcp://127.0.0.1:{nobody.getsockname()[1]}"]) == 1
     assert "it can be opened, and nobody answers" in " ".join(capsys.readouterr().out.split())
+
+
+def test_where_nothing_is_found_no_draft_is_written_over_another(
+    links: dict[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "bench.toml"
+    assert execute(["bench", "find", links["supply_x"], "--out", str(out)]) == 0
+    before = out.read_text()
+    assert "tti-pl" in before
+    assert execute(["bench", "find", "tcp://127.0.0.1:1", "--out", str(out)]) == 1
+    assert "is not written" in " ".join(capsys.readouterr().out.split())
+    assert out.read_text() == before
