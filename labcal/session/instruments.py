@@ -36,13 +36,13 @@ def find_instruments(
 
     outputs, clock = claim("bench find", out, force=force), RealClock()
     found: list[Found] = []
-    for place in stated or [None]:
+    for here in [[place] for place in stated] or [list[str]()]:  # none: all that this computer sees
         before = len(found)
-        for one in find(places([] if place is None else [place]), clock, recogniser("scpi-table")):
+        for one in find(places(here), clock, recogniser("scpi-table")):
             found.append(one)
             say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
-        if place is not None and len(found) == before:
-            say(why_silent(place, clock))
+        if here and len(found) == before:
+            say(why_silent(here[0], clock))
     for output in outputs if found else ():
         with output.writing() as path:
             write_text(path, draft(found))

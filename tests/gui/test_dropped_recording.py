@@ -260,3 +260,8 @@ def test_a_folder_that_is_a_bundle_is_imported(still, page, tmp_path):
     (tmp_path / "run.json").write_text("{}")
     assert drop(still, tmp_path)
     assert [one.path for one in still.app_state.quick_worker.commands(ImportBundle)] == [str(tmp_path)]
+
+
+def test_the_table_comes_up_in_the_window_s_style(new_window, tmp_path):
+    assert drop(new_window, recording(tmp_path))
+    assert "QHeaderView" in new_window.page("History").recording.table.styleSheet()

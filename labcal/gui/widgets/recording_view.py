@@ -58,6 +58,9 @@ class RecordingView(QWidget):
         self.file, self._shown = file, None
         self.card.heading.setText(self.tr("Recording {0}: what its columns are").format(Path(file).name))
         self.table.setRowCount(0)
+        header = self.table.horizontalHeader()  # before it is in the window this would keep it from being styled there
+        header.setSectionResizeMode(VALUE, header.ResizeMode.Interactive)
+        header.resizeSection(VALUE, 28 * GRID)
         self._ask(LookAtRecording(file))
 
     def changes(self) -> tuple[tuple[tuple[str, ...], str], ...]:
@@ -77,9 +80,6 @@ class RecordingView(QWidget):
         self.table.setEditTriggers(EDITED_BY.DoubleClicked | EDITED_BY.EditKeyPressed | EDITED_BY.AnyKeyPressed)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self.table.setMinimumHeight(14 * GRID)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(VALUE, header.ResizeMode.Interactive)
-        header.resizeSection(VALUE, 28 * GRID)
         self.table.itemChanged.connect(self._typed)
         how = self.tr(
             'Correct a value as a mapping has it (docs/import.md): "uT", ["y", "x", "-z"], "Bx [nT]"; an empty one '
