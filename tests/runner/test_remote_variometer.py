@@ -68,7 +68,9 @@ def errors_nT(items: list[Any], lab: Any, late_s: float = 0.0) -> np.ndarray:
     inside = np.any([(t >= a) & (t <= b) for a, b in zip(begun, ended, strict=True)], axis=0)
     assert inside.sum() > 10 * len(begun)
     t, seen = t[inside], seen[inside]
-    true = lab.ambient.slow(t + late_s) + lab._of_coils(t + late_s, lab._currents(t + late_s), np.zeros(3))
+    t = t + late_s
+    currents = np.column_stack([lab.coils[axis].at(t) for axis in "xyz"])
+    true = lab.ambient.slow(t) + lab._of_coils(t, currents, np.zeros(3))
     return np.linalg.norm(seen - true, axis=1)
 
 
