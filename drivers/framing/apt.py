@@ -21,6 +21,7 @@ REQ_BITS, GET_BITS = 0x0429, 0x042A
 SET_HOMING, REQ_HOMING, GET_HOMING = 0x0440, 0x0441, 0x0442  # direction, switch, velocity, offset
 HOME, HOMED, MOVE_ABSOLUTE, COMPLETED, STOP, STOPPED = 0x0443, 0x0444, 0x0453, 0x0464, 0x0465, 0x0466
 UNASKED = {HOMED, COMPLETED, STOPPED, 0x0481, 0x0491}  # told when they happen, and status updates
+MOST_UNASKED = 100  # of them before an answer: ten seconds of status updates
 CHANNEL = 1
 FORMS = {  # of their data
     GET_POSITION: "<Hi", GET_VELOCITY: "<Hiii", GET_BITS: "<HI", GET_HOMING: "<HHHii", GET_INFO: "<I8sH4s60s3H",
@@ -78,15 +79,20 @@ class Conversation:
         wanted = asked + 1
         self.link.flush()
         self.send(asked)
-        while (got := self._message(wanted))[0] in UNASKED:
-            pass
-        number, data = got
+        number, data = self._answer(wanted)
         if number == RICH_RESPONSE:
             text = data[4:].split(b"\0")[0].decode("ascii", "replace")
             raise InstrumentError(f"{self.name}: it reports {quoted(text)}.", fault="stage fault")
         if number != wanted or len(data) != struct.calcsize(FORMS[wanted]):
             raise self._wrong(f"message {number:04X} with {len(data)} bytes is not {wanted:04X}")
         return struct.unpack(FORMS[wanted], data)
+
+    def _answer(self, wanted: int) -> tuple[int, bytes]:
+        """The first message that is not told unasked; of those no more than so many are waited through."""
+        for _ in range(MOST_UNASKED):
+            if (got := self._message(wanted))[0] not in UNASKED:
+                return got
+        raise self._wrong(f"it tells {MOST_UNASKED} things unasked and does not answer {wanted - 1:04X}")
 
     def _message(self, wanted: int) -> tuple[int, bytes]:
         head = self.link.ask(b"", end=HEAD, timeout_s=self.timeout_s)

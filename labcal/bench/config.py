@@ -311,7 +311,8 @@ class BenchConfig(_Table):
             role for role in ("platform", "reference", "dut") if role not in roles
         ]
         if twice:
-            raise ValueError(f"two instruments have the role {', '.join(twice)}")
+            names = ", ".join(name for name, one in self.instruments.items() if one.role in twice)
+            raise ValueError(f"two instruments have the role {', '.join(twice)}: {names}")
         if missing:
             raise ValueError(f"no instrument has the role {', '.join(missing)}")
         if self.twin and not self.simulated:

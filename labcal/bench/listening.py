@@ -191,12 +191,15 @@ class Listening:
     def _into_cage(self, block: Block) -> Block:
         """The reference's reading, zero taken off, from its own axes into C; a remote one's carried to the DUT's place.
 
-        Carried with the currents as last read: during a ramp, of at most one and a half seconds, those from before it.
+        Carried with the currents as read last until its stamp, for it may come after they have changed; during a ramp,
+        of at most one and a half seconds, those from before it.
         """
         if block.values.shape[1] != 3:
             return block
         field = into_cage(block.values, self._config.reference)
-        return replace(block, values=field if self._carry is None else field + self._carry.at(self._cage.flowing_A))
+        if self._carry is not None:
+            field = field + self._carry.at(self._cage.flown.at(block.t_s))
+        return replace(block, values=field)
 
 
 def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:

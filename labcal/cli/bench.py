@@ -79,8 +79,8 @@ def find(
 
     found = find_instruments(place or [], out, say, force=force)
     if not found:
-        say("Nothing answered.")
-    raise typer.Exit(DONE if found or out is not None else NEGATIVE)
+        say("Nothing answered." if out is None else f"Nothing answered; {out} is not written.")
+    raise typer.Exit(DONE if found else NEGATIVE)
 
 
 @bench.command()

@@ -51,6 +51,11 @@ POLL_MS = 20  # between two looks whether the imports or a run are done
 SPARE_PLOTS = 4  # of a page, at most, when it is built
 
 
+def signed_file(path: str) -> str:
+    """Of a signature the calibration that it is of; any other file itself."""
+    return path.removesuffix(".sshsig").removesuffix(".2") if path.lower().endswith(".sshsig") else path
+
+
 def import_pages() -> None:
     """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
     from labcal.store.items import prepare
@@ -179,16 +184,19 @@ class Window(Frame):
 
     def dropEvent(self, event: QDropEvent) -> None:
         """A calibration is verified, a run bundle imported, of any other recording the mapping is looked at."""
-        path = next(url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile())
+        dropped = (url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile())
+        paths = {signed_file(path) for path in dropped}
         event.acceptProposedAction()
-        is_calibration = path.lower().endswith((".json", ".sshsig"))
+        if len(paths) > 1:
+            words = self.tr("{0} files were dropped together; nothing was done with them.").format(len(paths))
+            return self.fault.show_fault(Fault("input", words, self.tr("Drop one at a time.")))
+        (path,) = paths
+        is_calibration = path.lower().endswith(".json")
         name = "Certificate" if is_calibration else "History"
         self.open_page(name)
         page: Any = self.page(name)
-        if is_calibration:
-            page.verify(path.removesuffix(".sshsig").removesuffix(".2"))
-        else:
-            page.take_file(path)
+        (page.verify if is_calibration else page.take_file)(path)
+        return None
 
     def toggle_wall(self) -> None:
         """Texts to be read from two metres, or back (F11)."""

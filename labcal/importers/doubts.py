@@ -29,6 +29,7 @@ GAP = 5.0  # median steps that make a gap
 SHORTEST_S, LONGEST_S = 1e-5, 3600.0  # between two samples
 MOST_ROWS = 4000  # that are looked at for axes and delays
 DELAY = 1.5  # of the slower stream's period, for a delay to be reported
+MOST_ppm = 50_000.0  # between two clocks, of which one may count rows of a nominal rate
 CLEARER = 0.7  # what it must leave of the rms
 FEW = 20
 REACH, FAR_REACH = 20, 200  # half periods either way, of the delays that are tried
@@ -214,13 +215,16 @@ def _delay(run: Run, clocks: Mapping[str, StampStatistics]) -> Iterator[ImportFi
     first, second = (_best_delay(run, half, period) for half in halves)
     if first is None or second is None or max(abs(first), abs(second)) <= DELAY * period:
         return
-    message = f"two clocks: the reference fits best with {(first + second) / 2:.3g} s more in its clock_offset_s"
+    delay, more = (first + second) / 2, ""
     if abs(first - second) > DELAY * period:
         drift = 1e6 * (second - first) / float(run.t_s[halves[1]].mean() - run.t_s[halves[0]].mean())
-        message += (
-            f" ({first:.3g} in the first half, {second:.3g} in the second), and {drift:.0f} more in its clock_rate_ppm"
-        )
-    yield ImportFinding(message)
+        if abs(drift) > MOST_ppm:  # no clock is so wrong: one of the halves does not determine its delay
+            delay = _best_delay(run, np.arange(len(run)), period) or 0.0
+        else:
+            halves_say = f" ({first:.3g} in the first half, {second:.3g} in the second)"
+            more = f"{halves_say}, and {drift:.0f} more in its clock_rate_ppm"
+    if delay:
+        yield ImportFinding(f"two clocks: the reference fits best with {delay:.3g} s more in its clock_offset_s{more}")
 
 
 def _best_delay(run: Run, rows: NDArray[np.intp], period: float) -> float | None:

@@ -101,6 +101,12 @@ class ReadingPart(ColumnSource):
     every: Annotated[int, Field(strict=True, ge=1, le=10_000)] = 1
 
 
+NEEDED = {  # by a reference of each kind
+    "vector": ("columns", "unit", "frame"), "scalar": ("column", "unit"), "site": ("value_nT",),
+    "igrf": ("latitude_deg", "longitude_deg"), "wmm": ("latitude_deg", "longitude_deg"), "none": (),
+}  # fmt: skip
+
+
 class ReferencePart(ColumnSource):
     """The reference: columns of a sensor, a known site's value, or IGRF or WMM at a place and date."""
 
@@ -126,10 +132,7 @@ class ReferencePart(ColumnSource):
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
-        needs = {
-            "vector": ("columns", "unit", "frame"), "scalar": ("column", "unit"), "site": ("value_nT",),
-            "igrf": ("latitude_deg", "longitude_deg"), "wmm": ("latitude_deg", "longitude_deg"), "none": (),
-        }[self.kind]  # fmt: skip
+        needs = NEEDED[self.kind]
         for name in needs:
             if getattr(self, name) is None:
                 raise ValueError(f"a reference of kind {self.kind!r} needs {name}")

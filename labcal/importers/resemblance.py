@@ -41,6 +41,7 @@ REFERENCE = re.compile(r"ref|truth|true|igrf|wmm|model|fluxgate|overhauser|norma
 DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ]|\d{1,2}\.\d{1,2}\.\d{4} +)\d\d:")
 OF_THREE = (("x", "y", "z"), ("0", "1", "2"), ("1", "2", "3"))
 LEAST = 8  # rows, to say anything
+SELDOM = 0.01  # of the steps of a column that is called a clock may go back: the import names them
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,18 +61,20 @@ def clock(stream: Stream) -> Resemblance | None:
     dated = [name for name, cells in stream.texts.items() if cells and DATE.match(cells[0])]
     if dated and not named:  # a count of rows grows, too
         return Resemblance((dated[0],), "iso", "dates")
-    for name in [*named, *growing]:
+    called = [name for name, values in stream.numbers.items() if CLOCK.search(name) and _grows(values, SELDOM)]
+    for name in [*named, *growing, *called]:
         return Resemblance(
             (name,), _time_unit(name, stream.numbers[name]), f"grows from row to row, {_step(stream, name)}"
         )
     return None
 
 
-def _grows(values: Array) -> bool:
+def _grows(values: Array, but: float = 0.0) -> bool:
+    """Whether no step goes back, or no more than that part of them."""
     if len(values) < LEAST or not np.isfinite(values).all():
         return False
     steps = np.diff(values)
-    return bool((steps >= 0).all() and (steps > 0).mean() > 0.5)
+    return bool((steps < 0).mean() <= but and (steps > 0).mean() > 0.5)
 
 
 def _step(stream: Stream, name: str) -> str:

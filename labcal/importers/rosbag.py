@@ -23,6 +23,8 @@ def read(path: Path, request: ReadRequest) -> ForeignRecording:
     from rosbags.highlevel import AnyReader
     from rosbags.typesys import Stores, get_typestore
 
+    if path.is_dir() and not (path / "metadata.yaml").is_file():
+        raise InputError("is a folder without the metadata.yaml of a bag: name a file in it", file=path)
     rows: dict[str, list[dict[str, float]]] = {}
     try:
         with AnyReader([path], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as bag:

@@ -59,7 +59,7 @@ def _recording(asked: ImportRequest) -> ImportResult:
     found = importers.take_in(asked.path, asked.kind, mapping)
     bundle = _checked(bundle_of(found.run), asked.path)
     if asked.out is None:
-        return ImportResult(_into_the_store(bundle), found.remarks)
+        return ImportResult(_into_the_store(bundle, asked.path), found.remarks)
     with writing(outputs):
         save_bundle(bundle, asked.out)
     return ImportResult(str(asked.out), found.remarks)
@@ -100,10 +100,14 @@ def _checked(bundle: Bundle, path: Path) -> Bundle:
     return bundle
 
 
-def _into_the_store(bundle: Bundle) -> str:
+def _into_the_store(bundle: Bundle, path: Path) -> str:
+    """The run's id. Raises InputError, of the recording, where another run has it already."""
     with TemporaryDirectory() as folder:
         save_bundle(bundle, Path(folder))
-        return import_bundle(Path(folder))
+        try:
+            return import_bundle(Path(folder))
+        except InputError as error:
+            raise InputError(error.what, file=path) from None
 
 
 IMPORTS: Mapping[str, Callable[[ImportRequest], ImportResult]] = dict.fromkeys(importers.READERS, _recording)

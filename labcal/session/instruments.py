@@ -26,17 +26,24 @@ def identify_instruments(bench: Path) -> list[Identified]:
 def find_instruments(
     stated: Sequence[str], out: Path | None, say: Callable[[str], None], *, force: bool = False
 ) -> list[Found]:
-    """Ask who answers at these places, or at this computer's devices; `out` is a draft of a bench file."""
+    """Ask who answers at these places, or at this computer's devices; `out` is a draft of a bench file.
+
+    Of a stated place where nothing is found, why is said. Where nothing is found at all, nothing is written.
+    """
     from labcal.bench.clock import RealClock
-    from labcal.bench.find import draft, find, places
+    from labcal.bench.find import draft, find, places, why_silent
     from labcal.bench.loading import recogniser
 
-    outputs = claim("bench find", out, force=force)
+    outputs, clock = claim("bench find", out, force=force), RealClock()
     found: list[Found] = []
-    for one in find(places(stated), RealClock(), recogniser("scpi-table")):
-        found.append(one)
-        say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
-    for output in outputs:
+    for here in [[place] for place in stated] or [list[str]()]:  # none: all that this computer sees
+        before = len(found)
+        for one in find(places(here), clock, recogniser("scpi-table")):
+            found.append(one)
+            say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
+        if here and len(found) == before:
+            say(why_silent(here[0], clock))
+    for output in outputs if found else ():
         with output.writing() as path:
             write_text(path, draft(found))
     return found

@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 from labcal import importers
 from labcal.errors import InputError
 from labcal.files.toml_edit import Keys, edited, place_of, stated
+from labcal.importers.doubts import GAP
+from labcal.importers.kinds import kind_of
+from labcal.importers.mapping import NEEDED
 from labcal.importers.readers import read_recording
 from labcal.importers.recording import CsvForm, ForeignRecording, ReadRequest, Stream
 from labcal.importers.stamps import is_date, stamps_of
@@ -22,11 +25,8 @@ from labcal.importers.units import nT_OF
 from labcal.session.importing import ImportRequest, ImportResult, import_foreign
 
 Array = NDArray[np.float64]
-KIND_OF: Mapping[str, str] = {  # by what a file's name ends in; all else is a table of text
-    ".ulg": "ulog", ".bin": "dataflash", ".bag": "rosbag", ".mcap": "rosbag", ".db3": "rosbag", ".mat": "mat",
-    ".sec": "iaga", ".min": "iaga", ".cdf": "imagcdf",
-}  # fmt: skip
 ACCEPT: Keys = ("accept",)
+ANY: Keys = ()  # of a line that states nothing yet: a person says its keys too
 COLUMNS = ("column", "columns", "time")  # keys whose values name columns
 FIRST, LOOKED_AT, DRAWN = 3, 2000, 1500  # rows
 
@@ -58,11 +58,6 @@ class MappedRecording:
     objection: str
 
 
-def kind_of(path: Path) -> str:
-    """What a recording is, by its name and what it is."""
-    return "rosbag" if path.is_dir() else KIND_OF.get(path.suffix.lower(), "csv")
-
-
 def look(path: Path, text: str = "", changes: Sequence[tuple[Keys, str]] = ()) -> MappedRecording:
     """What `changes` (keys, a value as it is written) make of the mapping `text`, or of a guess where it is "".
 
@@ -74,6 +69,8 @@ def look(path: Path, text: str = "", changes: Sequence[tuple[Keys, str]] = ()) -
 
         text = guess(path, kind)
     for keys, value in changes:
+        if not all(keys) or not keys:
+            raise InputError(f"say which line of the mapping states {value}: its key, such as angle.column")
         text = edited(text, keys, value)
     said: dict[str, Any] = tomllib.loads(text)
     found = _first_rows(path, kind, said)
@@ -85,8 +82,7 @@ def look(path: Path, text: str = "", changes: Sequence[tuple[Keys, str]] = ()) -
     except InputError as error:
         return MappedRecording(kind, text, lines, _raw(mapping, said, found), (), _sentence(error))
     t, field = whole.run.t_s, whole.run.reading_nT / 1e3
-    rows = np.column_stack([t, field])[:: max(1, -(-len(t) // DRAWN))]
-    return MappedRecording(kind, text, lines, rows, whole.remarks, "")
+    return MappedRecording(kind, text, lines, _drawn(t, field), whole.remarks, "")
 
 
 def take(path: Path, text: str) -> ImportResult:
@@ -117,11 +113,29 @@ def _first_rows(path: Path, kind: str, said: Mapping[str, Any]) -> ForeignRecord
 
 
 def _lines(text: str, said: Mapping[str, Any], found: ForeignRecording | None) -> Iterator[MappingLine]:
-    """Each value that a line of its own states; at the end what is accepted, stated or not."""
-    for keys, value in _leaves(said):
+    """Each value that a line of its own states, and behind it those that may be stated; what is accepted goes last."""
+    leaves = dict(_leaves(said))
+    for keys, value in leaves.items():
         if keys not in (ACCEPT, ("format",)) and (place := place_of(text.splitlines(), keys)) is not None:
             yield MappingLine(keys, place.value, place.after.strip(" #"), _cells(said, keys, value, found))
+    yield from (MappingLine(keys, "", why) for keys, why in _offered(said) if keys not in leaves)
     yield MappingLine(ACCEPT, stated(text, ACCEPT) or "")
+    yield MappingLine(ANY, "", "any other line of a mapping: its key, such as angle.column, and its value")
+
+
+def _offered(said: Mapping[str, Any]) -> Iterator[tuple[Keys, str]]:
+    """What a remark or an objection may ask for, and most recordings do not need."""
+    reference = said.get("reference", {})
+    kind = reference.get("kind", "none")
+    yield from ((("reference", key), f"a reference of kind {kind} needs it") for key in NEEDED.get(kind, ()))
+    if said.get("reading", {}).get("unit") == "count":
+        yield ("dut", "nominal_nT_per_count"), "readings in counts need it"
+    if kind in ("vector", "scalar"):
+        yield ("reference", "clock_offset_s"), "added to its stamps, to be on the reading's clock"
+        yield ("reference", "clock_rate_ppm"), "by which its clock is too slow"
+    yield ("time", "duplicates"), '"drop" leaves rows out that have the time of the row before'
+    yield ("time", "backward"), '"drop" leaves rows out that are earlier than the row before'
+    yield ("run_id",), "else the file's name"
 
 
 def _leaves(table: Mapping[str, Any], before: Keys = ()) -> Iterator[tuple[Keys, Any]]:
@@ -144,7 +158,10 @@ def _cells(said: Mapping[str, Any], keys: Keys, value: Any, found: ForeignRecord
 def _first(stream: Stream, name: str) -> list[str]:
     if name in stream.texts:
         return [str(cell) for cell in stream.texts[name][:FIRST]]
-    return [f"{value:.5g}" for value in stream.numbers.get(name, np.empty(0))[:FIRST].tolist()]
+    first = stream.numbers.get(name, np.empty(0))[:FIRST].tolist()
+    short = [f"{value:.5g}" for value in first]
+    is_told_apart = len(set(short)) == len(set(first))  # stamps that count from 1970 are not
+    return short if is_told_apart else [f"{value:.15g}" for value in first]
 
 
 def _stream(said: Mapping[str, Any], table: Keys, found: ForeignRecording | None) -> Stream | None:
@@ -168,4 +185,13 @@ def _raw(mapping: importers.Mapping | None, said: Mapping[str, Any], found: Fore
     except (InputError, KeyError):
         return np.empty((0, 4))
     t = stamps.t_s - stamps.t_s[0] if is_date(float(stamps.t_s[0])) else stamps.t_s
-    return np.column_stack([t, field])[:: max(1, -(-len(t) // DRAWN))]
+    return _drawn(t, field)
+
+
+def _drawn(t: Array, field: Array) -> Array:
+    """As many rows as a picture shows; a row of NaN at each gap, so that no line is drawn over it."""
+    rows = np.column_stack([t, field])[:: max(1, -(-len(t) // DRAWN))]
+    steps = np.diff(rows[:, 0])
+    if not len(steps):
+        return rows
+    return np.insert(rows, np.flatnonzero(steps > GAP * np.median(steps)) + 1, np.nan, axis=0)

@@ -130,7 +130,7 @@ class Store:
         run_id = bundle.run().run_id
         if self.has(run_id):
             if self.bundle(run_id).sha256 != bundle.sha256:
-                raise InputError(f"the store has another run called {run_id}", file=path)
+                raise InputError(f"the store has another run called {run_id}: state another run_id", file=path)
             return run_id
         with self._written():
             number = self._add(run_id, bundle.run_json.decode("utf-8-sig"))

@@ -153,9 +153,14 @@ class Served:
             serving.serve(source, self.file, ready.set, clock=self.clock)
 
     @property
+    def twin(self) -> Any:
+        """The simulated lab."""
+        return self._loaders[0].twin
+
+    @property
     def coils(self) -> dict[str, Any]:
         """The coils of the simulated lab."""
-        return dict(self._loaders[0].twin.coils)
+        return dict(self.twin.coils)
 
     def currents(self) -> dict[str, float]:
         """What flows now [A]."""

@@ -66,7 +66,7 @@ def test_a_good_file_is_read_and_the_twin_is_never_dumped(tmp_path: Path) -> Non
         ("secret = 1", f"# {'x' * 300_000}", None, "is longer than 256 KiB"),
         ("current_A = 2.0", "current_A = -2.0", 5, "cage.limits.current_A"),
         ("current_A = 2.0", "current_A = nan", 5, "cage.limits.current_A"),
-        ('role = "coil-y"', 'role = "coil-x"', None, "two instruments have the role coil-x"),
+        ('role = "coil-y"', 'role = "coil-x"', None, "two instruments have the role coil-x: x, y"),
         ('link = "emulated://", role = "platform"', 'link = "ttyUSB0", role = "platform"', 15, "stage.link"),
         ("[50000, 100, 0], [0, 50000, 0]", "[50000, 100, 0], [50000, 100, 0]", 3, "singular"),
         ("name =", "name", 1, "is not TOML"),

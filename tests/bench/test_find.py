@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import sys
 import threading
 from collections.abc import Iterator
@@ -165,3 +166,43 @@ def test_places_are_links_devices_and_hosts() -> None:
 def test_where_nobody_answers_it_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert execute(["bench", "find", "emulated://"]) == 1
     assert "Nothing answered" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("place", "why"),
+    [
+        ("/dev/nothing-here", "No such file"),
+        ("/dev/null", "does not open"),
+        ("tcp://127.0.0.1:1", "Connection refused"),
+        ("tcp://", "states no port"),
+        ("tcp://127.0.0.1:99999", "no number from 1 to 65535"),
+        ("http://127.0.0.1:80", "is none of serial://"),
+        ("visa://x", "is no VISA resource"),
+        ("127.0.0.1", "nobody answers at its usual ports (5025,"),
+    ],
+)
+def test_why_nothing_is_found_at_a_place_that_was_stated_is_said(
+    place: str, why: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert execute(["bench", "find", place]) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert why in said
+    assert said.endswith("Nothing answered.")
+
+
+def test_a_line_that_opens_and_is_silent_is_said_to_be_so(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as nobody:
+        assert execute(["bench", "find", f"tcp://127.0.0.1:{nobody.getsockname()[1]}"]) == 1
+    assert "it can be opened, and nobody answers" in " ".join(capsys.readouterr().out.split())
+
+
+def test_where_nothing_is_found_no_draft_is_written_over_another(
+    links: dict[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "bench.toml"
+    assert execute(["bench", "find", links["supply_x"], "--out", str(out)]) == 0
+    before = out.read_text()
+    assert "tti-pl" in before
+    assert execute(["bench", "find", "tcp://127.0.0.1:1", "--out", str(out)]) == 1
+    assert "is not written" in " ".join(capsys.readouterr().out.split())
+    assert out.read_text() == before

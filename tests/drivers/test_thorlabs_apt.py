@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import struct
+from datetime import UTC, datetime
 from typing import Any
 
 import pytest
 
-from drivers.thorlabs_apt import AptStage
+from drivers.thorlabs_apt import AptStage, Settings
+from labcal.bench.clock import VirtualClock
 from labcal.bench.driver_kit.testing import SILENT, Exchange, scripted
+from labcal.bench.links import EmulatedLink
 from labcal.errors import InstrumentError
 from labcal.testing.drivers import installed
 from labcal.testing.drivers.rig import DriverRig
@@ -171,3 +174,34 @@ def test_a_foreign_library_reads_what_the_emulator_says_and_it_hears_what_that_s
     (stopped,) = heard(foreign.mot_move_stop(chan_ident=1, stop_mode=2, **at), 5.0)
     assert stopped.msg == "mot_move_stopped"
     assert 0 < stopped.position < 1_365_333
+
+
+class Chatters:
+    """Tells a hundred times a second that a move is completed, once it has heard anything, and answers nothing."""
+
+    ENDLESS_S = 300.0
+
+    def __init__(self) -> None:
+        self._next_s = float("inf")
+
+    def take(self, t_s: float, data: bytes) -> None:
+        self._next_s = min(self._next_s, t_s)
+
+    def due_s(self) -> float:
+        return self._next_s
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        assert until_s < self.ENDLESS_S, "it is waited for without end"
+        told = []
+        while self._next_s <= until_s:
+            told.append((self._next_s, struct.pack("<HBBBB", 0x0464, 1, 0, 0x01, 0x50)))
+            self._next_s += 0.01
+        return told
+
+
+def test_one_that_tells_without_end_and_never_answers_is_given_up() -> None:
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    stage = AptStage("it", EmulatedLink("emulated://line", Chatters(), clock), clock, Settings())
+    with pytest.raises(InstrumentError, match="tells 100 things unasked and does not answer"):
+        stage.angle_deg()
+    assert clock.now() < 5.0

@@ -12,9 +12,10 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
+from cage_files import MATRIX, a_calibration, with_the_file
 
 from labcal import certificate, session
-from labcal.bench.coils.cage_file import CageCalibration, Place, read_cage, write_cage
+from labcal.bench.coils.cage_file import read_cage, write_cage
 from labcal.bench.config import read_config
 from labcal.certificate.agent import signed
 from labcal.cli import execute
@@ -28,28 +29,8 @@ BenchFile = Callable[..., Path]
 PLACE_M = [0.0, 0.0, 0.3]
 REMOTE = ('place = "dut"\nposition_m = [0.0, 0.0, 0.15]', f'place = "remote"\nposition_m = {PLACE_M}')
 TWIN = f"reference_place_m = {PLACE_M}\nambient = {{ drift_nT = 0.0, mains_nT = 0.0 }}"
-MATRIX = ((49942.0, -221.0, 169.0), (-301.0, 49951.0, 101.0), (-179.0, 151.0, 49944.0))
 PASSPHRASE = "correct horse"
 QUICK = {"rate_deg_per_s": "20", "zero_s": "2"}
-
-
-def with_the_file(bench: Path) -> Path:
-    """The bench file with the cage calibration beside it in place of its matrix."""
-    text = bench.read_text(encoding="utf-8")
-    start, end = text.index("matrix_nT_per_A"), text.index("settle_s")
-    bench.write_text(text[:start] + 'calibration = "cage.json"\n' + text[end:], encoding="utf-8")
-    return bench
-
-
-def a_calibration(matrix: np.ndarray, offset: np.ndarray, u: float = 2.0) -> CageCalibration:
-    """As approved: the bench's own matrix at the DUT, and `matrix`, `offset` beyond the reference's place."""
-    covariance = (u**2 * np.eye(12)).tolist()
-    at_dut = Place(matrix_nT_per_A=MATRIX, offset_nT=(0.0, 0.0, 0.0), covariance=covariance)
-    carry = Place(matrix_nT_per_A=matrix.tolist(), offset_nT=offset.tolist(), covariance=covariance)
-    return CageCalibration(
-        run_id="C", simulated=True, measured_utc="2026-11-21T07:00:00Z", operator="J. Doe", approved_by="R. Roe",
-        dut=at_dut, carry=carry, reference_position_m=(0.0, 0.0, 0.3),
-    )  # fmt: skip
 
 
 def test_the_carry_is_added_to_every_reading_of_a_remote_reference_and_its_uncertainty_to_the_record(

@@ -142,6 +142,8 @@ def is_told_what_stands(done: Played, n: int) -> None:
 IN_THE_LAB = {
     "stops": (lambda number: b"", "no new field for 1.", 1.0),
     "jumps": (edited(4, b"-40000.0"), "jumps by", 0.0),
+    "repeats": (lambda number: good(GOES_WRONG - 1), "no new field for 1.", 1.0),
+    "sends NaN": (edited(4, b"nan"), "no number, time and three fields", 0.0),
     "is beyond limits": (edited(4, b"1e9"), "is beyond its limit", 0.0),
 }
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.coils.advice import as_if, by_hand
 from labcal.bench.coils.agreement import FieldCheck
+from labcal.bench.coils.current_history import CurrentHistory
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.sign import SignCheck, SignProbe
 from labcal.bench.coils.state import NOT_BY_REFERENCE, CoilReading, Witness
@@ -67,7 +68,7 @@ class Cage:
         self._clock = clock
         self._wait = wait or clock.wait_until
         self._guardian, self._where = guardian, where
-        self.flowing_A: Array = np.zeros(3)  # signed, as last read
+        self.flown = CurrentHistory()
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self.on = False  # outputs closed
         self.over: Exception | None = None  # why no current is set any more, whoever asks for it
@@ -129,9 +130,10 @@ class Cage:
         Raises InstrumentError: "limit reached" where a winding has had enough, "tripped" or "wrong mode" where another
         current flows than is held.
         """
+        begun = self._clock.now()
         currents = np.array([self.read(axis) for axis in AXES])
         self._windings.see(currents, self._clock.now())
-        self.flowing_A = currents
+        self.flown.see(begun, currents)
         if self._held_A is not None:
             self._confirm(self._held_A, currents)
         return currents
@@ -139,6 +141,11 @@ class Cage:
     def set_points_A(self) -> Array:
         """Signed set-points (3,), read back."""
         return np.array([supply.set_point() for supply in self.supplies.values()])
+
+    @property
+    def flowing_A(self) -> Array:
+        """Signed currents (3,), as last read."""
+        return self.flown.last_A
 
     @property
     def way_down_s(self) -> float:

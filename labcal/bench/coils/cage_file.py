@@ -36,8 +36,8 @@ class Place(_Part):
     covariance: Annotated[tuple[Row12, ...], Field(min_length=12, max_length=12)]
 
     def at(self, currents_A: Array) -> Array:
-        """The field (3,) [nT, C] that currents (3,) make, ambient included."""
-        return np.asarray(np.array(self.matrix_nT_per_A) @ currents_A + self.offset_nT)
+        """The field (n, 3) [nT, C] that currents (n, 3) make, ambient included."""
+        return np.asarray(currents_A @ np.array(self.matrix_nT_per_A).T + self.offset_nT)
 
     @property
     def u_matrix_nT_per_A(self) -> float:

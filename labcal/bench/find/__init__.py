@@ -9,13 +9,16 @@ from labcal.bench.clock import Clock
 from labcal.bench.find.draft import draft
 from labcal.bench.find.known_usb import no_port, silent
 from labcal.bench.find.questions import Found, Recognise, asked, by_words
-from labcal.bench.find.where import MDNS, USB, VISA, places
+from labcal.bench.find.where import MDNS, PORTS, USB, VISA, places
+from labcal.bench.links import open_link
 from labcal.bench.links.announced import announced
 from labcal.bench.links.plugged import serial_ports, usb_devices
 from labcal.bench.links.visa import resources
+from labcal.errors import InputError, InstrumentError
 
-__all__ = ["Found", "draft", "find", "places"]
+__all__ = ["Found", "draft", "find", "places", "why_silent"]
 
+PORTS_SAID = ", ".join(map(str, PORTS))
 UNASKED = "; not asked, for it may be in use: state its link to ask it"
 
 
@@ -34,6 +37,22 @@ def find(links: Sequence[str], clock: Clock, recognise: Recognise = lambda said:
         else:
             found = list(asked(link, clock, recognise))
             yield from found or _on_usb(link)
+
+
+def why_silent(place: str, clock: Clock) -> str:
+    """Why nothing was found at a place that a person stated: what keeps its line from being opened, or nobody spoke."""
+    link, *more = places([place])
+    if more:
+        return f"{place}: no link and no device; taken for a host, nobody answers at its usual ports ({PORTS_SAID})"
+    if link in (USB, VISA) or link.startswith(MDNS):
+        return f"{link}: nothing is there"
+    try:
+        open_link(link, clock).close()
+    except InputError as error:
+        return error.what
+    except InstrumentError as error:
+        return str(error)
+    return f"{link}: it can be opened, and nobody answers; is it powered, and the line's other end?"
 
 
 def _on_usb(link: str) -> Iterator[Found]:

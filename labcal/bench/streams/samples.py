@@ -72,7 +72,7 @@ def samples(blocks: Iterable[Block], stream: Stream, column: str | None = None) 
         raise InstrumentError(
             f"no samples came from {column or stream}.",
             fault="silent",
-            remedy="Look at its power and its cable.",
+            remedy="Look at its power and its cable, or listen for longer.",
         )
     columns = (column,) if column else found[0].columns
     places = [[b.columns.index(c) for c in columns] for b in found]

@@ -311,7 +311,7 @@ class HistoryPage(QWidget):
 
     def take_file(self, path: str) -> None:
         """A run bundle into the store; of all else its mapping is looked at first."""
-        if path.lower().endswith(".zip"):
+        if path.lower().endswith(".zip") or (Path(path) / "run.json").is_file():
             command = ImportBundle(path)
             return self._app_state.quick_worker.request(command, lambda _: self.refresh(), self.fault.show_fault)
         self.faces.setCurrentWidget(self.recording)

@@ -4183,6 +4183,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} files were dropped together; nothing was done with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop one at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Dark</source>
         <translation type="unfinished"></translation>
     </message>

@@ -4183,6 +4183,14 @@
         <translation>Schrift, die man aus zwei Metern liest, und zurück</translation>
     </message>
     <message>
+        <source>{0} files were dropped together; nothing was done with them.</source>
+        <translation>{0} Dateien wurden zusammen fallen gelassen; mit ihnen wurde nichts gemacht.</translation>
+    </message>
+    <message>
+        <source>Drop one at a time.</source>
+        <translation>Eine nach der anderen fallen lassen.</translation>
+    </message>
+    <message>
         <source>Dark</source>
         <translation>Dunkel</translation>
     </message>

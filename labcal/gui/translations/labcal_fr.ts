@@ -4183,6 +4183,14 @@
         <translation>lettres lisibles à deux mètres, et retour</translation>
     </message>
     <message>
+        <source>{0} files were dropped together; nothing was done with them.</source>
+        <translation>{0} fichiers ont été déposés ensemble ; rien n’en a été fait.</translation>
+    </message>
+    <message>
+        <source>Drop one at a time.</source>
+        <translation>En déposer un à la fois.</translation>
+    </message>
+    <message>
         <source>Dark</source>
         <translation>Sombre</translation>
     </message>

@@ -21,7 +21,7 @@ from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.plots import Traces
 
 HEADINGS = ("mapping", "value", "row 1", "row 2", "row 3")
-VALUE, FIRST_ROW = 1, 2
+KEYS, VALUE, FIRST_ROW = 0, 1, 2
 EDITED_BY = QAbstractItemView.EditTrigger
 
 
@@ -58,13 +58,21 @@ class RecordingView(QWidget):
         self.file, self._shown = file, None
         self.card.heading.setText(self.tr("Recording {0}: what its columns are").format(Path(file).name))
         self.table.setRowCount(0)
+        header = self.table.horizontalHeader()  # before it is in the window this would keep it from being styled there
+        header.setSectionResizeMode(VALUE, header.ResizeMode.Interactive)
+        header.resizeSection(VALUE, 28 * GRID)
         self._ask(LookAtRecording(file))
 
     def changes(self) -> tuple[tuple[tuple[str, ...], str], ...]:
         """What was typed and is not in the mapping that is in sight."""
         lines = self._shown.lines if self._shown is not None else ()
-        typed = ((one, self.table.text(row, VALUE).strip()) for row, one in enumerate(lines))
-        return tuple((one.keys, text) for one, text in typed if text != one.value)
+        typed = ((one, self._keys(row, one), self.table.text(row, VALUE).strip()) for row, one in enumerate(lines))
+        return tuple((keys, text) for one, keys, text in typed if (keys, text) != (one.keys, one.value))
+
+    def _keys(self, row: int, one: MappedLine) -> tuple[str, ...]:
+        """A line's own, or what was typed for them where it has none."""
+        typed = self.table.text(row, KEYS).strip()
+        return one.keys or tuple(key.strip() for key in typed.split(".") if typed)
 
     def _mapping_card(self) -> Card:
         self.card = Card(self.tr("What its columns are"), self.tr("guessed: check every line"))
@@ -72,9 +80,6 @@ class RecordingView(QWidget):
         self.table.setEditTriggers(EDITED_BY.DoubleClicked | EDITED_BY.EditKeyPressed | EDITED_BY.AnyKeyPressed)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self.table.setMinimumHeight(14 * GRID)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(VALUE, header.ResizeMode.Interactive)
-        header.resizeSection(VALUE, 28 * GRID)
         self.table.itemChanged.connect(self._typed)
         how = self.tr(
             'Correct a value as a mapping has it (docs/import.md): "uT", ["y", "x", "-z"], "Bx [nT]"; an empty one '
@@ -145,7 +150,7 @@ class RecordingView(QWidget):
         for column, text in enumerate((".".join(one.keys), one.value, *first)):
             self.table.setItem(row, column, item := QTableWidgetItem(text))
             item.setToolTip(plain(one.remark if column == VALUE and one.remark else text))
-            if column != VALUE:
+            if column != VALUE and (column != KEYS or one.keys):
                 item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
 
     def _typed(self) -> None:
@@ -159,7 +164,8 @@ class RecordingView(QWidget):
         with QSignalBlocker(self.table):
             for row, one in enumerate(self._shown.lines if self._shown is not None else ()):
                 if (item := self.table.item(row, VALUE)) is not None:
-                    item.setForeground(QBrush(QColor(self._theme.warning if one.keys in changed else self._theme.text)))
+                    is_changed = self._keys(row, one) in changed
+                    item.setForeground(QBrush(QColor(self._theme.warning if is_changed else self._theme.text)))
 
     def _enable(self) -> None:
         """It is imported as it is in sight, and not while a correction waits."""
