@@ -25,11 +25,12 @@ from labcal.certificate.recomputed import (
 )
 from labcal.certificate.within_itself import contradictions
 from labcal.model import Calibration
-from labcal.uncertainty.budget import coverage_factor
+from labcal.uncertainty.budget import SHOWN, coverage_factor
 
 OTHER_U = 0.1  # of U = 2 u
 OTHER_R = 0.1  # of a correlation: half of what a tenth of each u does to it
 FURTHEST = 37.0  # standard deviations, beyond which a risk is nothing
+NEARLY_LEFT_OUT = 2 * SHOWN**0.5  # of u: twice the part below which a row is not listed
 FEWEST = 1e-9  # of the largest variance of a combination: less is rounding
 LEAST_R = 0.5  # a budget names the correlations beyond it
 OF_THE_FIT = frozenset(
@@ -203,14 +204,16 @@ def _part(row: Document) -> dict[str, float]:
 
 
 def _with_rows_of_both(one: dict[str, Any], other: dict[str, Any]) -> None:
-    """A row that is left out, as those that say next to nothing are, has no part in it; a correlation is no more than
-    what is named.
+    """A row that only one has, because it says next to nothing, has no part in the other; a correlation is no more
+    than what is named. Any other row that only one has is missing.
     """
     for name in one.keys() & other.keys():
         both = one[name], other[name]
         for has, lacks in (both, both[::-1]):
+            little = NEARLY_LEFT_OUT * has["U"] / has["k"]
             for of in has["rows"].keys() - lacks["rows"].keys():
-                lacks["rows"][of] = {**has["rows"][of], "u x sensitivity": 0.0}
+                if abs(has["rows"][of]["u x sensitivity"]) <= little:
+                    lacks["rows"][of] = {**has["rows"][of], "u x sensitivity": 0.0}
             for pair in has["correlations"].keys() - lacks["correlations"].keys():
                 lacks["correlations"][pair] = float(np.copysign(LEAST_R, has["correlations"][pair]))
 
