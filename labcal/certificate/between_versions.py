@@ -4,6 +4,7 @@ Map, effects, covariance, each row of the budget and the lines of the specificat
 tenth of U, and no combination of parameters may have a u that is another by more; a rms within a tenth, and no less may
 be not covered. What rests on a search or on held-out time stands as it is stated, and no held-out rms is smaller than
 what the final fit leaves of its own rows. What the file says twice has to agree beside that, to its digits.
+A draft that nobody has approved is held as closely as one of this version: it can be made again.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import numpy as np
 
 from labcal.certificate.recomputed import (
     FIRST_VERSION,
+    SAME_U,
     Document,
     Recomputed,
     differences,
@@ -59,11 +61,11 @@ FIT = "fit"  # the command that searches nothing
 Metrics = Mapping[str, Mapping[str, float]]
 
 
-def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
+def final_fit(stated: Calibration, made: Calibration, *, closely: bool = False) -> Recomputed:
     """`stated` beside the final fit with the same effects by another version: where they differ the signature stands.
 
-    Not so where it states another run than its own. A term without a name is only as good as how it was found, which
-    no final fit shows.
+    Not so where it states another run than its own. `closely` allows the numbers what one version allows. A term
+    without a name is only as good as how it was found, which no final fit shows.
     """
     if false := of_the_run(stated, made):
         return Recomputed(False, false, holds=False)
@@ -71,7 +73,8 @@ def final_fit(stated: Calibration, made: Calibration) -> Recomputed:
     one["not_covered"] = min(one.get("not_covered", 0), other["not_covered"])  # more may be named
     fields = OF_THE_FIT - (NEW_OF_2 if stated.format == FIRST_VERSION else set())
     _without_what_only_one_shows(one, other)
-    found = differences(one, other, fields, limits(made, 2 * OTHER_U) | _between_versions(other))
+    allowed = limits(made, SAME_U) if closely else limits(made, 2 * OTHER_U) | _between_versions(other)
+    found = differences(one, other, fields, allowed)
     found += _along(one["covariance"], other["covariance"], made.covariance_of) + _not_its_version(one)
     found += contradictions(stated)
     standing, by = tuple(as_stated(stated, made)), stated.software or "another version"

@@ -128,10 +128,10 @@ def _rows_table(b: One, units: Mapping[str, str]) -> Table:
 
 
 def _with_units(at: str, units: Mapping[str, str]) -> str:
-    """A point in words with the units of its channels, where a file states their numbers alone."""
+    """A point in words with the units of its channels, where a file states their numbers alone; no line ends in one."""
     for name, unit in units.items():
-        at = re.sub(rf"(?<= {re.escape(name)} = )[^ ,]+(?=,|$)", rf"\g<0> {unit}", at)
-    return at
+        at = re.sub(rf"(?<= {re.escape(name)} = )[^ ,]+(?=,|$)", f"\\g<0>\u00a0{unit}", at)
+    return at.replace(" = ", "\u00a0=\u00a0")
 
 
 def largest(b: One, most: int = 2) -> str:
