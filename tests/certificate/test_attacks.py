@@ -81,9 +81,7 @@ def smaller_everywhere(c: dict[str, Any]) -> None:
     """Every u of the file by a twentieth, as a version would write it: within a tenth of U."""
     c["covariance"] = [[0.95**2 * value for value in row] for row in c["covariance"]]
     for one in c["budget"]:
-        one["U"] *= 0.95
-        for row in one["rows"]:
-            row["u"] *= 0.95
+        one.update(U=0.95 * one["U"], rows=[row | {"u": 0.95 * row["u"]} for row in one["rows"]])
 
 
 OF_ANOTHER_VERSION: list[tuple[Edit, str]] = [
