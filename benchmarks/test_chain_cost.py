@@ -5,15 +5,13 @@
 
 from __future__ import annotations
 
-import sqlite3
 import time
-from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
+from unchained import begun
 
-from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Block
 from labcal.store import RunWriter, Store
 
@@ -21,18 +19,6 @@ RATE_HZ, READ_S, COMMIT_S = 1000, 0.05, 0.25  # a block a read, and commits as o
 COLUMNS = ("dut_x", "dut_y", "dut_z")
 LINE = b"1234.567,12345.678,-12345.678,12345.678\n"
 ROUNDS = 5
-
-
-def begun(store: Store, name: str, *, chained: bool) -> RunWriter:
-    """A run that is written; without its first link it is one of a labcal before there were chains, and gets none."""
-    writer = store.begin(RunHeader(name, "2026-01-01T00:00:00Z", True, "", Dut("1"), Reference("vector")))
-    if not chained:
-        with closing(sqlite3.connect(store.path)) as connection, connection:
-            (guard,) = connection.execute("SELECT sql FROM sqlite_master WHERE name = 'chain_delete'").fetchone()
-            connection.execute("DROP TRIGGER chain_delete")
-            connection.execute("DELETE FROM chain WHERE run = (SELECT max(number) FROM run)")
-            connection.execute(guard)
-    return writer
 
 
 def cpu_s(writer: RunWriter, seconds: int) -> float:

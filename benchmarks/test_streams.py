@@ -7,16 +7,18 @@ from __future__ import annotations
 
 import os
 import socket
+import sqlite3
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from unchained import begun
 
 from drivers.ccsds import Ccsds
 from drivers.ccsds import Settings as CcsdsSettings
@@ -26,7 +28,6 @@ from drivers.hmr2300 import NT_PER_COUNT, Hmr2300
 from drivers.hmr2300 import Settings as HmrSettings
 from labcal.bench.clock import RealClock
 from labcal.bench.links import open_link
-from labcal.record import Dut, Reference, RunHeader
 from labcal.store import Store
 
 HERE = Path(__file__).parent
@@ -79,29 +80,32 @@ def numbers(name: str, values: np.ndarray) -> np.ndarray:
     return counts[:, 0] * 20_000 + counts[:, 1]
 
 
+@pytest.mark.parametrize("chained", [True, False])
 @pytest.mark.parametrize("seconds", [5, 60])
-def test_no_sample_is_lost_or_comes_twice_while_a_window_repaints(seconds: int, tmp_path: Path) -> None:
-    header = RunHeader("streams", "2026-01-01T00:00:00Z", True, "", Dut("1"), Reference("vector"))
+def test_no_sample_is_lost_or_comes_twice_while_a_window_repaints(seconds: int, chained: bool, tmp_path: Path) -> None:
+    """With the record's hash chain, and without it beside that: what the chain costs is no sample."""
     got: dict[str, list[np.ndarray]] = {}
     with child(str(HERE / "repaint.py")) as window:
         assert window.stdout is not None
         assert window.stdout.readline() == "painting\n"
         with (
             Store.open(tmp_path / "streams.sqlite") as store,
-            store.begin(header) as record,
+            begun(store, "streams", chained=chained) as record,
             lines() as (clock, drivers),
         ):
-            begun, busy = clock.now(), time.process_time()
-            while clock.now() < begun + seconds:
+            from_s, busy = clock.now(), time.process_time()
+            while clock.now() < from_s + seconds:
                 clock.wait_until(clock.now() + STEP_S)
                 for driver in drivers:
                     for block in driver.read_until(clock.now()):
                         record.write(block)
                         got.setdefault(driver.name, []).append(block.values)
-            busy, elapsed = time.process_time() - busy, clock.now() - begun
+            busy, elapsed = time.process_time() - busy, clock.now() - from_s
             events = [event for driver in drivers for event in driver.events()]
+        with closing(sqlite3.connect(tmp_path / "streams.sqlite")) as connection:
+            assert connection.execute("SELECT count(*) > 0 FROM chain").fetchone() == (chained,)
         painted = window.poll() is None
-    print(f"\n{seconds} s, the recording process is busy {100 * busy / elapsed:.0f} % of the time")
+    print(f"\n{seconds} s {'with' if chained else 'without'} the chain: busy {100 * busy / elapsed:.0f} % of the time")
     for name, blocks in got.items():
         found = numbers(name, np.vstack(blocks))
         steps = np.diff(found)

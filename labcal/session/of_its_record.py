@@ -61,11 +61,12 @@ def deletions(store: Store) -> Iterator[str]:
 def _of_bundle(stated: Calibration, bundle: Bundle) -> OfRecord:
     """A bundle's chain was walked when it was read; `verify` compares the two heads."""
     against: tuple[str, ...] = _of_head(stated, bundle.stated_chain is not None)
+    against += _of_chained_cage(stated, bundle)
     unshown: tuple[str, ...] = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
-    unshown += _unlike_noted(stated, bundle)
+    unshown += _cage_not_shown(stated, bundle) + _unlike_noted(stated, bundle)
     with suppress(InputError), Store.open() as store:
         if bundle.stated_chain and store.has(stated.run_id) and store.has_head(stated.run_id, bundle.stated_chain):
-            against += _of_cage(stated, store)
+            against = against or _of_cage(stated, store.cage_sha256(stated.run_id))
     return OfRecord(against, unshown)
 
 
@@ -77,7 +78,7 @@ def _of_store(stated: Calibration, store: Store) -> OfRecord:
     noted = noted_heads().get(stated.run_id, ())
     if store.status(stated.run_id) == "imported":
         return _of_imported(stated, store.bundle(stated.run_id))
-    against = _of_cage(stated, store) if head_holds else _another_head(stated)
+    against = _of_cage(stated, store.cage_sha256(stated.run_id)) if head_holds else _another_head(stated)
     against += _of_head(stated, store.head_of(stated.run_id) is not None)
     if why := _against_log(store, stated.run_id, noted):
         against += (f"chain: {why}",)
@@ -91,10 +92,20 @@ def _of_imported(stated: Calibration, bundle: Bundle) -> OfRecord:
     against: tuple[str, ...] = _of_head(stated, bundle.stated_chain is not None)
     if bundle.stated_chain is not None and stated.chain and dict(stated.chain) != bundle.stated_chain:
         against += _another_head(stated)
+    against += _of_chained_cage(stated, bundle)
     unshown: tuple[str, ...] = _without_chain(stated) if bundle.stated_chain is None and stated.chain else ()
-    if stated.cage_sha256 is not None and not bundle.chain:
-        unshown += ("cage_sha256: its run came without the record that names its cage",)
-    return OfRecord(against, unshown + _unlike_noted(stated, bundle))
+    return OfRecord(against, unshown + _cage_not_shown(stated, bundle) + _unlike_noted(stated, bundle))
+
+
+def _cage_not_shown(stated: Calibration, bundle: Bundle) -> tuple[str, ...]:
+    if stated.cage_sha256 is None or bundle.chain:
+        return ()
+    return ("cage_sha256: its run came without the record that names its cage",)
+
+
+def _of_chained_cage(stated: Calibration, bundle: Bundle) -> tuple[str, ...]:
+    """The cage that is stated is the one of the bundle's chain; a draft of an imported run states none."""
+    return _of_cage(stated, bundle.cage_sha256) if bundle.chain and stated.cage_sha256 is not None else ()
 
 
 def _unlike_noted(stated: Calibration, bundle: Bundle) -> tuple[str, ...]:
@@ -121,8 +132,7 @@ def _without_chain(stated: Calibration) -> tuple[str, ...]:
     return (f"chain: the run {stated.run_id} is here without its own, which would show the head that it states",)
 
 
-def _of_cage(stated: Calibration, store: Store) -> tuple[str, ...]:
-    made = store.cage_sha256(stated.run_id)
+def _of_cage(stated: Calibration, made: str | None) -> tuple[str, ...]:
     if stated.cage_sha256 == made:
         return ()
     said = (f"{digest[:12]}…" if digest else "none" for digest in (stated.cage_sha256, made))

@@ -74,10 +74,12 @@ def recomputed(
     progress: Progress = lambda text: None,
     *,
     only_kept: bool = False,
+    closely: bool = False,
 ) -> Recomputed:
     """`stated` beside what its run gives, that of `bundle` or else of the local store; from what is kept if it can be.
 
-    The whole way by the version that made it, else the final fit with its effects. `only_kept` works nothing out.
+    The whole way by the version that made it, else the final fit with its effects, `closely` or within a tenth of U.
+    `only_kept` works nothing out.
     Before that nothing in the run's record may speak against it, its hash chain and the audit log among it.
     """
     of_record = of_its_record(stated, bundle)
@@ -87,14 +89,17 @@ def recomputed(
         return Recomputed(False, (of_record.fault,))
     if of_record.gone:
         return Recomputed(None, (of_record.gone,))
-    found = _worked_out(stated, bundle, progress, only_kept=only_kept)
+    found = _worked_out(stated, bundle, progress, only_kept=only_kept, closely=closely)
     return Recomputed(None, of_record.unshown) if found.same and of_record.unshown else found
 
 
-def _worked_out(stated: Calibration, bundle: Bundle | None, progress: Progress, *, only_kept: bool) -> Recomputed:
-    for place, compared in ((_whole_place(stated), whole_way), (_final_place(stated), final_fit)):
-        if (made := _kept(place)) is not None:
-            return compared(stated, made)
+def _worked_out(
+    stated: Calibration, bundle: Bundle | None, progress: Progress, *, only_kept: bool, closely: bool
+) -> Recomputed:
+    if (made := _kept(_whole_place(stated))) is not None:
+        return whole_way(stated, made)
+    if (made := _kept(_final_place(stated))) is not None:
+        return final_fit(stated, made, closely=closely)
     if only_kept:
         return Recomputed(None, (NOT_YET,))
     if bundle is None:
@@ -102,10 +107,10 @@ def _worked_out(stated: Calibration, bundle: Bundle | None, progress: Progress, 
             bundle = store.bundle(stated.run_id)
     if bundle.sha256 != stated.run_sha256:
         return Recomputed(False, (f"run_sha256: the run {stated.run_id} of this store is not the one that it states",))
-    return _beside(stated, bundle, lambda step: progress(f"working the calibration out again: {step}"))
+    return _beside(stated, bundle, lambda step: progress(f"working the calibration out again: {step}"), closely)
 
 
-def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomputed:
+def _beside(stated: Calibration, bundle: Bundle, progress: Progress, closely: bool) -> Recomputed:
     if false := of_its_run(stated, bundle.run()):
         return Recomputed(False, false, holds=False)
     how = way_of(stated)
@@ -117,7 +122,7 @@ def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomput
         _keep(made, _whole_place(stated) if same else _final_place(stated))
     except InputError as error:
         return Recomputed(False, (f"{'made_by' if same else 'effects'}: {error}",), holds=not same)
-    return whole_way(stated, made) if same else final_fit(stated, made)
+    return whole_way(stated, made) if same else final_fit(stated, made, closely=closely)
 
 
 def way_of(stated: Calibration) -> MadeBy:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import stat
 import zipfile
 import zlib
@@ -43,6 +44,14 @@ class Bundle:
     def stated_chain(self) -> dict[str, Any] | None:
         """The head of its chain as a calibration states it; None where the run's origin is not shown."""
         return None if self.origin is None else self.origin.stated()
+
+    @property
+    def cage_sha256(self) -> str | None:
+        """SHA-256 of the approved cage calibration that drove the run, as its chain has it; None where none did."""
+        if not self.chain:
+            return None
+        header: dict[str, Any] = json.loads(json.loads(self.chain.partition(b"\n")[0])["header"])
+        return header.get("cage_sha256")
 
     @property
     def sha256(self) -> str:

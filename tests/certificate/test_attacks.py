@@ -75,6 +75,15 @@ PASSED: dict[str, Any] = {
     "quantity": "offset x", "value": 1.0, "U": 0.1, "limit": 5.0, "unit": "nT", "rule": "simple-acceptance",
     "result": "pass", "risk": 0.0, "tur": 9.0,
 }  # fmt: skip
+
+
+def smaller_everywhere(c: dict[str, Any]) -> None:
+    """Every u of the file by a twentieth, as a version would write it: within a tenth of U."""
+    c["covariance"] = [[0.95**2 * value for value in row] for row in c["covariance"]]
+    for one in c["budget"]:
+        one.update(U=0.95 * one["U"], rows=[row | {"u": 0.95 * row["u"]} for row in one["rows"]])
+
+
 OF_ANOTHER_VERSION: list[tuple[Edit, str]] = [
     (lambda c: [one.update(U=one["U"] / 100) for one in c["budget"]], "(budget.b x"),
     (lambda c: c.update(not_covered=[]), "(not_covered: 0 is stated"),
@@ -85,6 +94,8 @@ OF_ANOTHER_VERSION: list[tuple[Edit, str]] = [
     (lambda c: c["covariance"][0].__setitem__(9, 0.0) or c["covariance"][9].__setitem__(0, 0.0), "(covariance[0][9]"),
     (lambda c: c["findings"].append(STRANGE | {"effect": "axis-tilt"}), "findings"),
     (lambda c: c.update(software="labcal 9.9"), "(software"),
+    (lambda c: c["K"][0].__setitem__(0, c["K"][0][0] + 0.1 * c["covariance"][0][0] ** 0.5), "(K[0][0]"),
+    (smaller_everywhere, "(budget.b x"),
 ]
 
 
@@ -373,3 +384,15 @@ def test_a_bundle_of_a_run_that_was_recorded_here_has_what_the_audit_log_took_do
     found = session.verify(released, run=tmp_path / "run.zip")
     assert found.status == "provisional"
     assert "the audit log says that r-cage was recorded here" in " ".join(found.sentences())
+
+
+def test_the_cage_of_an_imported_run_is_the_one_that_its_chain_names(tmp_path: Path):
+    draft = recorded(tmp_path / "cal.json")
+    with Store.open() as store:
+        save_bundle(store.bundle("r-cage", with_chain=True), tmp_path / "run.zip")
+    (home() / "store.sqlite").rename(tmp_path / "away.sqlite")
+    session.import_bundle(tmp_path / "run.zip")
+    edited(draft, lambda c: c.update(cage_sha256="ab" * 32))
+    refused(
+        lambda: session.approve(draft, "bob"), draft, "cage_sha256: abababababab… is stated, its run was driven by none"
+    )

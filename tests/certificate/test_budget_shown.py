@@ -48,7 +48,9 @@ def test_a_budget_survives_the_file(budgeted: Calibration) -> None:
 def test_on_paper_the_largest_contribution_comes_first(budgeted: Calibration) -> None:
     overview, figures, _, in_full, _ = [*field_blocks(budgeted), *budget_blocks(budgeted)]
     assert overview.rows[0][0] == "50 µT along +x"
-    assert overview.rows[0][-1] == "reference zero x 57 %, reference scale 31 %" == largest(budgeted.budget[0])
+    assert (
+        overview.rows[0][-1] == "reference zero x 57\u00a0%, reference scale 31\u00a0%" == largest(budgeted.budget[0])
+    )
     assert figures.rows[0][:3] == ("scale x", "–", "0.00040")
     assert [row[0] for row in in_full.rows] == ["reference zero x", "reference scale", "noise of one reading"]
     assert [row[-1] for row in in_full.rows] == ["∞", "∞", "8"]

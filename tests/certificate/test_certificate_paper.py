@@ -16,6 +16,7 @@ from labcal.certificate import Signer, calibration_bytes, sign, verify
 from labcal.certificate.report import Circumstances, Page, archival_pdf, calibration_page, write_report
 from labcal.certificate.report.front import images_in
 from labcal.certificate.report.html import html
+from labcal.certificate.report.page import Section, Table
 from labcal.certificate.report.style import with_uncertainty
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter
@@ -171,6 +172,23 @@ def test_no_U_is_printed_beside_another_component_s_k(issued: Calibration, tmp_p
     budget = (BUDGET, {**BUDGET, "quantity": "b y", "U": 9.0, "k": 2.31}, {**BUDGET, "quantity": "b z"})
     page = words(page_of(tmp_path / "cal.json", replace(issued, budget=budget)))
     assert "50 µT along +x 17 9.0 17 2.00, 2.31, 2.00" in page
+
+
+def test_no_unit_1_stands_behind_a_ratio(issued: Calibration, tmp_path: Path):
+    row = {**ROW, "source": "noise", "u": 0.0006, "unit": "1", "dof": 90.0}
+    scale = {**BUDGET, "quantity": "scale x", "at": "", "unit": "1", "U": 0.0012, "rows": (row,)}
+    page = words(page_of(tmp_path / "cal.json", replace(issued, budget=(BUDGET, scale))))
+    assert "scale x: U = 0.0012, k = 2.00" in page
+    assert "noise B normal 0.00060 1 0.00060 100.0 % 90" in page  # u, and its sensitivity of one
+
+
+def test_a_key_breaks_where_a_screen_ends_and_a_date_nowhere(issued: Calibration, tmp_path: Path):
+    table = Table(
+        ("Key", "Date", "Said"), (("SHA256:zI09vECcGr48ZduHuWSgrEdbMt1yUPOHR1xl+Y3Sxjw", "2026-11-21", "a b" * 9),)
+    )
+    page = replace(page_of(tmp_path / "cal.json", issued), sections=(Section("Signatures", (table,)),))
+    assert '<td class="word">SHA256:' in html(page)
+    assert '<td class="short">2026-11-21</td><td>a b' in html(page)
 
 
 def test_what_the_sensor_indicates_is_what_its_map_reads_in_that_field(issued: Calibration, tmp_path: Path):

@@ -228,10 +228,15 @@ def test_where_another_version_differs_the_signature_stands(
     session.new_key("eve", "correct horse")
     made = read_calibration(draft)
     monkeypatch.setattr(working_out, "__version__", "9.9.9")
-    moved(0.19)
+    moved(0.02)  # a draft that nobody has approved can be made again
+    with pytest.raises(InputError, match=r"\(k_nT\[0\]: .* is stated, its run gives"):
+        session.approve(draft, "bob")
+    moved(0.009)
     session.approve(draft, "bob")
     made = read_calibration(draft)
-    moved(0.21 - 0.19)
+    moved(0.19 - 0.009)
+    assert working_out.recomputed(read_calibration(draft)).same
+    moved(0.21 - 0.009)
     with pytest.raises(InputError, match=r"\(k_nT\[0\]: .* is stated, its run gives"):
         session.sign(draft, "eve", "correct horse")
     signed_by_two_elsewhere(draft, key, other_key)

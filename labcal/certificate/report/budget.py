@@ -17,6 +17,7 @@ from labcal.certificate.report.style import (
     printed_unit,
     two_digits,
     with_uncertainty,
+    with_unit,
 )
 from labcal.model import Calibration
 from labcal.model.calibration import units_of_channels
@@ -108,7 +109,7 @@ def _rows_table(b: One, units: Mapping[str, str]) -> Table:
             row["source"],
             row["type"],
             row["distribution"],
-            f"{number(row['u'], decimals_for([row['u']]))} {printed_unit(row['unit'])}",
+            with_unit(number(row["u"], decimals_for([row["u"]])), row["unit"]),
             f"{row['sensitivity']:.3g}".replace("-", "−"),
             number(abs(row["u"] * row["sensitivity"]), decimals_for([b["U"]]) + 1),
             f"{100 * row['share']:.1f} %",
@@ -118,7 +119,7 @@ def _rows_table(b: One, units: Mapping[str, str]) -> Table:
     )
     at = f" at {_with_units(b['at'], units)}" if b["at"] else ""
     unit = printed_unit(b["unit"])
-    U, dof = f"{two_digits(b['U'])} {unit}", dof_text(b["dof"])
+    U, dof = with_unit(two_digits(b["U"]), b["unit"]), dof_text(b["dof"])
     said = f"{b['quantity']}{at}: U = {U}, k = {_k(b)}, effective degrees of freedom {dof}."
     if pairs := ", ".join(f"{c['one']} and {c['other']} {c['r']:+.2f}".replace("-", "−") for c in b["correlations"]):
         said += f" The sources are independent; of the fitted parameters these are correlated: {pairs}."
@@ -127,16 +128,16 @@ def _rows_table(b: One, units: Mapping[str, str]) -> Table:
 
 
 def _with_units(at: str, units: Mapping[str, str]) -> str:
-    """A point in words with the units of its channels, where a file states their numbers alone."""
+    """A point in words with the units of its channels, where a file states their numbers alone; no line ends in one."""
     for name, unit in units.items():
-        at = re.sub(rf"(?<= {re.escape(name)} = )[^ ,]+(?=,|$)", rf"\g<0> {unit}", at)
-    return at
+        at = re.sub(rf"(?<= {re.escape(name)} = )[^ ,]+(?=,|$)", f"\\g<0>\u00a0{unit}", at)
+    return at.replace(" = ", "\u00a0=\u00a0")
 
 
 def largest(b: One, most: int = 2) -> str:
     """The largest contributions in words, as "reference zero z 88 %"."""
     rows = sorted(b["rows"], key=lambda row: -row["share"])[:most]
-    return ", ".join(f"{row['source']} {100 * row['share']:.0f} %" for row in rows if row["share"] > SMALL)
+    return ", ".join(f"{row['source']} {100 * row['share']:.0f}\u00a0%" for row in rows if row["share"] > SMALL)
 
 
 def dof_text(dof: float | None) -> str:

@@ -216,15 +216,15 @@ def _parameters(c: Calibration) -> list[Block]:
         rows += [(f"b {axis}", *(cell[0] for cell in cells)), ("U", *(cell[1] for cell in cells))]
     header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "k (nT)")
     note = _coverage(c) if u is not None else "No covariance stated."
-    note += f" k is the offset {c.k_means()}." if c.k_means() else ""
+    note += f" The column k is the offset {c.k_means()}." if c.k_means() else ""
     return [Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note), sensor_figures(c, COVERAGE)]
 
 
 def _coverage(c: Calibration) -> str:
     """By which k the U of a parameter holds 95 %."""
     k = k_of_parameters(c)
-    said = f"U is the expanded uncertainty, k = {k_in_words(k)} (about 95 %)."
-    few = " Few degrees of freedom are behind it: it is the largest k of the sensor's figures, and holds 95 % or more."
+    said = f"U is the expanded uncertainty, coverage factor {k_in_words(k)} (about 95 %)."
+    few = " Few degrees of freedom are behind it: it is the largest of the sensor's figures, and holds 95 % or more."
     return said if k == COVERAGE else said.replace("(about 95 %)", "(95 % at least)") + few
 
 

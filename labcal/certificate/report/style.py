@@ -78,6 +78,11 @@ def number(value: float | None, decimals: int = 1) -> str:
     return text.replace(",", "\u202f").replace("-", "\u2212")
 
 
+def with_unit(text: str, unit: str) -> str:
+    """A number with its unit, as it stands in a sentence: of a ratio, whose unit is 1, the number alone."""
+    return text if unit == "1" else f"{text} {printed_unit(unit)}"
+
+
 def printed_unit(unit: str) -> str:
     """A unit with its symbol of the SI, where a file has letters for it."""
     return SYMBOLS.get(unit, unit.replace("degC", "°C"))
