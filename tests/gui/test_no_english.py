@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import pyqtgraph
 import pytest
-from PySide6.QtCore import QDate, QLocale, Qt, QTranslator
+from PySide6.QtCore import QDate, QLocale, QTranslator
 from PySide6.QtGui import QPainter, QTextDocument
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -130,14 +130,14 @@ PLACES = re.compile(  # settings, elements, columns, files and addresses, who wo
 def readable(text):
     """What a person sees of it: without markup."""
     document = QTextDocument()
-    document.setHtml(text) if Qt.mightBeRichText(text) else document.setPlainText(text)
+    document.setHtml(text) if re.search("<[a-z]", text) else document.setPlainText(text)
     return document.toPlainText()
 
 
 def english(texts, data):
     found = defaultdict(set)
     for text in texts:
-        for line in PLACES.sub(" ", readable(text)).splitlines():
+        for line in PLACES.sub(" ", readable(text or "")).splitlines():
             if left := [word for word in words_of(line) if word not in data]:
                 found[line].update(left)
     return dict(found)
@@ -212,6 +212,20 @@ def test_a_day_without_an_english_word(qtbot, tmp_path, drafted, monkeypatch, mu
         wait(lambda: page.list.count() > 0)
         window.grab()
         look("certificate")
+        window.open_page("Bench")
+        window.page("Bench").edit.click()
+        wait(lambda: window.page("Bench").editor.table.rowCount() > 0)
+        look("editor")
+        window.open_page("History")
+        history = window.page("History")
+        wait(lambda: history.table.rowCount() == 2)
+        history.table.selectAll()
+        history.compare.click()
+        wait(lambda: history.comparison.against.count() > 0)
+        window.grab()
+        look("comparison")
+        window.show_keys()
+        look("keys")
     data = data_words()
     seen["painted"] = painted
     left = {where: found for where, texts in seen.items() if (found := english(texts, data))}

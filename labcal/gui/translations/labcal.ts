@@ -4277,6 +4277,118 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a cage calibration file, from the folder of bench.toml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table, or a file: labcal.bench.specification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after a ramp, before the field is believed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after each mounting its serial is asked for, and no other is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after it no procedure begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it came in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it states it, with k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the cage: its number here, or an address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at which it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns are the coil axes in C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the sensor&apos;s axes, subtracted first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude with the coils at zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of a whole serial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of it while it was measured, peak to peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of its locks and sockets; /run/labcal-GROUP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of one axis of one sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the computer&apos;s users</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the difference of what the two halves of a pair make, relative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field at the centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the windings, where a channel tells it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of what the coils make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>planetary index of those hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is known of it and not corrected; each with its own uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the coils at zero, of any component along any direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the same reading so long, it is stuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a sample so long, it is silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|angle| that the cables bear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>largest field at the DUT {0} µT</source>
         <translation type="unfinished"></translation>
     </message>

@@ -4277,6 +4277,118 @@
         <translation>diese Messung hat von {0} nichts zu zeigen</translation>
     </message>
     <message>
+        <source>a cage calibration file, from the folder of bench.toml</source>
+        <translation>eine Datei mit Käfigkalibrierung, vom Ordner von bench.toml aus</translation>
+    </message>
+    <message>
+        <source>a table, or a file: labcal.bench.specification</source>
+        <translation>eine Tabelle oder eine Datei: labcal.bench.specification</translation>
+    </message>
+    <message>
+        <source>after a ramp, before the field is believed</source>
+        <translation>nach einer Rampe, bevor dem Feld geglaubt wird</translation>
+    </message>
+    <message>
+        <source>after each mounting its serial is asked for, and no other is taken</source>
+        <translation>nach jedem Einbau wird seine Seriennummer verlangt und keine andere genommen</translation>
+    </message>
+    <message>
+        <source>after it no procedure begins</source>
+        <translation>danach beginnt kein Ablauf</translation>
+    </message>
+    <message>
+        <source>as it came in</source>
+        <translation>wie er hereinkam</translation>
+    </message>
+    <message>
+        <source>as it states it, with k</source>
+        <translation>wie er es angibt, mit k</translation>
+    </message>
+    <message>
+        <source>at the cage: its number here, or an address</source>
+        <translation>am Käfig: ihre Nummer hier oder eine Adresse</translation>
+    </message>
+    <message>
+        <source>at which it holds</source>
+        <translation>bei der es gilt</translation>
+    </message>
+    <message>
+        <source>columns are the coil axes in C</source>
+        <translation>Spalten sind die Spulenachsen in C</translation>
+    </message>
+    <message>
+        <source>in the sensor&apos;s axes, subtracted first</source>
+        <translation>in den Achsen des Sensors, zuerst abgezogen</translation>
+    </message>
+    <message>
+        <source>magnitude with the coils at zero</source>
+        <translation>Betrag mit den Spulen auf null</translation>
+    </message>
+    <message>
+        <source>of a whole serial</source>
+        <translation>einer ganzen Seriennummer</translation>
+    </message>
+    <message>
+        <source>of it while it was measured, peak to peak</source>
+        <translation>davon während der Messung, von Spitze zu Spitze</translation>
+    </message>
+    <message>
+        <source>of its locks and sockets; /run/labcal-GROUP</source>
+        <translation>seiner Sperren und Sockets; /run/labcal-GROUP</translation>
+    </message>
+    <message>
+        <source>of one axis of one sample</source>
+        <translation>einer Achse eines Werts</translation>
+    </message>
+    <message>
+        <source>of the computer&apos;s users</source>
+        <translation>der Benutzer des Rechners</translation>
+    </message>
+    <message>
+        <source>of the difference of what the two halves of a pair make, relative</source>
+        <translation>des Unterschieds dessen, was die zwei Hälften eines Paars machen, relativ</translation>
+    </message>
+    <message>
+        <source>of the field at the centre</source>
+        <translation>des Felds in der Mitte</translation>
+    </message>
+    <message>
+        <source>of the windings, where a channel tells it</source>
+        <translation>der Wicklungen, wo ein Kanal sie nennt</translation>
+    </message>
+    <message>
+        <source>of what the coils make</source>
+        <translation>dessen, was die Spulen machen</translation>
+    </message>
+    <message>
+        <source>planetary index of those hours</source>
+        <translation>planetarischer Index dieser Stunden</translation>
+    </message>
+    <message>
+        <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
+        <translation>Effektivwert über `rms_window_s`: was der Draht auf Dauer trägt</translation>
+    </message>
+    <message>
+        <source>what is known of it and not corrected; each with its own uncertainty</source>
+        <translation>was davon bekannt und nicht korrigiert ist; jedes mit eigener Unsicherheit</translation>
+    </message>
+    <message>
+        <source>with the coils at zero, of any component along any direction</source>
+        <translation>mit den Spulen auf null, jeder Komponente längs jeder Richtung</translation>
+    </message>
+    <message>
+        <source>with the same reading so long, it is stuck</source>
+        <translation>mit so lange demselben Wert hängt er fest</translation>
+    </message>
+    <message>
+        <source>without a sample so long, it is silent</source>
+        <translation>so lange ohne Wert ist er stumm</translation>
+    </message>
+    <message>
+        <source>|angle| that the cables bear</source>
+        <translation>|Winkel|, den die Kabel tragen</translation>
+    </message>
+    <message>
         <source>largest field at the DUT {0} µT</source>
         <translation>größtes Feld am Prüfling {0} µT</translation>
     </message>

@@ -4277,6 +4277,118 @@
         <translation>cette mesure n&apos;a rien à montrer de {0}</translation>
     </message>
     <message>
+        <source>a cage calibration file, from the folder of bench.toml</source>
+        <translation>un fichier d&apos;étalonnage de cage, depuis le dossier de bench.toml</translation>
+    </message>
+    <message>
+        <source>a table, or a file: labcal.bench.specification</source>
+        <translation>une table, ou un fichier : labcal.bench.specification</translation>
+    </message>
+    <message>
+        <source>after a ramp, before the field is believed</source>
+        <translation>après une rampe, avant que le champ soit cru</translation>
+    </message>
+    <message>
+        <source>after each mounting its serial is asked for, and no other is taken</source>
+        <translation>après chaque montage son numéro de série est demandé, et aucun autre n&apos;est pris</translation>
+    </message>
+    <message>
+        <source>after it no procedure begins</source>
+        <translation>après cela aucune procédure ne commence</translation>
+    </message>
+    <message>
+        <source>as it came in</source>
+        <translation>tel qu&apos;il est arrivé</translation>
+    </message>
+    <message>
+        <source>as it states it, with k</source>
+        <translation>comme il l&apos;indique, avec k</translation>
+    </message>
+    <message>
+        <source>at the cage: its number here, or an address</source>
+        <translation>à la cage : son numéro ici, ou une adresse</translation>
+    </message>
+    <message>
+        <source>at which it holds</source>
+        <translation>à laquelle cela vaut</translation>
+    </message>
+    <message>
+        <source>columns are the coil axes in C</source>
+        <translation>les colonnes sont les axes des bobines en C</translation>
+    </message>
+    <message>
+        <source>in the sensor&apos;s axes, subtracted first</source>
+        <translation>dans les axes du capteur, soustrait d&apos;abord</translation>
+    </message>
+    <message>
+        <source>magnitude with the coils at zero</source>
+        <translation>module avec les bobines à zéro</translation>
+    </message>
+    <message>
+        <source>of a whole serial</source>
+        <translation>d&apos;un numéro de série entier</translation>
+    </message>
+    <message>
+        <source>of it while it was measured, peak to peak</source>
+        <translation>de cela pendant la mesure, crête à crête</translation>
+    </message>
+    <message>
+        <source>of its locks and sockets; /run/labcal-GROUP</source>
+        <translation>de ses verrous et sockets ; /run/labcal-GROUP</translation>
+    </message>
+    <message>
+        <source>of one axis of one sample</source>
+        <translation>d&apos;un axe d&apos;un échantillon</translation>
+    </message>
+    <message>
+        <source>of the computer&apos;s users</source>
+        <translation>des utilisateurs de l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>of the difference of what the two halves of a pair make, relative</source>
+        <translation>de la différence de ce que font les deux moitiés d&apos;une paire, relative</translation>
+    </message>
+    <message>
+        <source>of the field at the centre</source>
+        <translation>du champ au centre</translation>
+    </message>
+    <message>
+        <source>of the windings, where a channel tells it</source>
+        <translation>des enroulements, là où une voie la donne</translation>
+    </message>
+    <message>
+        <source>of what the coils make</source>
+        <translation>de ce que font les bobines</translation>
+    </message>
+    <message>
+        <source>planetary index of those hours</source>
+        <translation>indice planétaire de ces heures</translation>
+    </message>
+    <message>
+        <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
+        <translation>valeur efficace sur `rms_window_s` : ce que le fil supporte pour toujours</translation>
+    </message>
+    <message>
+        <source>what is known of it and not corrected; each with its own uncertainty</source>
+        <translation>ce qu&apos;on en sait et ne corrige pas ; chacun avec sa propre incertitude</translation>
+    </message>
+    <message>
+        <source>with the coils at zero, of any component along any direction</source>
+        <translation>avec les bobines à zéro, de toute composante selon toute direction</translation>
+    </message>
+    <message>
+        <source>with the same reading so long, it is stuck</source>
+        <translation>avec si longtemps la même lecture, il est bloqué</translation>
+    </message>
+    <message>
+        <source>without a sample so long, it is silent</source>
+        <translation>si longtemps sans échantillon, il est muet</translation>
+    </message>
+    <message>
+        <source>|angle| that the cables bear</source>
+        <translation>|angle| que les câbles supportent</translation>
+    </message>
+    <message>
         <source>largest field at the DUT {0} µT</source>
         <translation>plus grand champ au DUT {0} µT</translation>
     </message>

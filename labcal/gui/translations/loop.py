@@ -40,7 +40,8 @@ REASONS = (  # of the verdict and of each candidate
     QT_TRANSLATE_NOOP("Data", "There is structure that no known effect carries: {0}."),
     QT_TRANSLATE_NOOP("Data", "Beside the rows set aside there is structure that no known effect carries: {0}."),
     QT_TRANSLATE_NOOP(
-        "Data", "This cause has no name: it is an empirical term, and holds only where it has been seen."
+        "Data",
+        "This cause has no name: it is an empirical term, and holds only where it has been seen.",
     ),
     QT_TRANSLATE_NOOP("Data", "a function of {0}"),
     QT_TRANSLATE_NOOP("Data", "Rows set aside"),
@@ -227,7 +228,10 @@ FINDINGS = (  # of the data and the rig
     QT_TRANSLATE_NOOP("Data", "with the reference's x, y, z read as {0} and {1} flipped"),
     QT_TRANSLATE_NOOP("Data", "with the reference's x, y, z read as {0}"),
     QT_TRANSLATE_NOOP("Data", "with the reference's {0} flipped"),
-    QT_TRANSLATE_NOOP("Data", "The clocks do not agree: {0}; put right, the base model leaves {1} instead of {2} nT."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "The clocks do not agree: {0}; put right, the base model leaves {1} instead of {2} nT.",
+    ),
     QT_TRANSLATE_NOOP("Data", "the stamps of the device under test seem {0} s late"),
     QT_TRANSLATE_NOOP("Data", "the stamps of the device under test seem {0} s early"),
     QT_TRANSLATE_NOOP("Data", "the stamps of the reference seem {0} s late"),
@@ -257,19 +261,29 @@ NEXT = (  # what would tell, and why
         "what is left has the shape of errors that the run declares of its reference and mounting, and is larger",
     ),
     QT_TRANSLATE_NOOP(
-        "Data", "compare the reference with a second one in two fields, mount the device anew, and repeat"
+        "Data",
+        "compare the reference with a second one in two fields, mount the device anew, and repeat",
     ),
     QT_TRANSLATE_NOOP("Data", "more rows are set aside as outliers than a run may have that is called explained"),
     QT_TRANSLATE_NOOP("Data", "look at the link and its wiring, and repeat"),
     QT_TRANSLATE_NOOP("Data", "turn once forwards and once backwards: what stays at its angles belongs to the rig"),
-    QT_TRANSLATE_NOOP("Data", "step the field up and down along each axis: what grows with the field shows its shape"),
-    QT_TRANSLATE_NOOP("Data", "record at rest with the coils off, then switch what runs at that period off one by one"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "step the field up and down along each axis: what grows with the field shows its shape",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "record at rest with the coils off, then switch what runs at that period off one by one",
+    ),
     QT_TRANSLATE_NOOP(
         "Data",
         "repeat the run unchanged and note what is switched: a step that does not come back was an event",
     ),
     QT_TRANSLATE_NOOP("Data", "switch every load and mode on and off at one attitude, and look for the two levels"),
-    QT_TRANSLATE_NOOP("Data", "record for an hour at rest: a wander of the sensor goes on, one of the rig does not"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "record for an hour at rest: a wander of the sensor goes on, one of the rig does not",
+    ),
     QT_TRANSLATE_NOOP("Data", "turn at half and at twice the rate: what belongs to angle or field comes again"),
     QT_TRANSLATE_NOOP("Data", "record at rest with the coils off: the noise that remains is the sensor's own"),
     QT_TRANSLATE_NOOP("Data", "repeat with another reference"),
@@ -305,8 +319,14 @@ NEXT = (  # what would tell, and why
     QT_TRANSLATE_NOOP("Data", "a bent curve"),
     QT_TRANSLATE_NOOP("Data", "a product"),
     QT_TRANSLATE_NOOP("Data", "a map"),
-    QT_TRANSLATE_NOOP("Data", "a sensitivity to it that the library has no file for, or that follows another quantity"),
-    QT_TRANSLATE_NOOP("Data", "heating by a current, a magnet's force, or a straight effect on both sides of a null"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "a sensitivity to it that the library has no file for, or that follows another quantity",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "heating by a current, a magnet's force, or a straight effect on both sides of a null",
+    ),
     QT_TRANSLATE_NOOP("Data", "a core or an amplifier at its limit, or a magnetic part that saturates"),
     QT_TRANSLATE_NOOP("Data", "a mechanical or electrical resonance, or a filter's edge, at that value"),
     QT_TRANSLATE_NOOP("Data", "a thermostat, a comparator or a changeover of range at that value"),
@@ -333,9 +353,13 @@ EXPERIMENTS = (  # of each effect
         "turn the device by 90° on the platform and repeat: what the platform reads wrong stays at its angles",
     ),
     QT_TRANSLATE_NOOP("Data", "move the device by 5 cm and repeat one segment"),
-    QT_TRANSLATE_NOOP("Data", "step the quantity that the channel measures in a large field and again in a small one"),
     QT_TRANSLATE_NOOP(
-        "Data", "switch the device off and on, and repeat the segments before and after in the same field"
+        "Data",
+        "step the quantity that the channel measures in a large field and again in a small one",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "switch the device off and on, and repeat the segments before and after in the same field",
     ),
     QT_TRANSLATE_NOOP("Data", "warm the sensor in a large field and again in a small one"),
     QT_TRANSLATE_NOOP("Data", "step the field up and down through the same values, or turn backwards"),
@@ -351,7 +375,8 @@ EXPERIMENTS = (  # of each effect
     QT_TRANSLATE_NOOP("Data", "record at rest, and again at another sampling rate: an alias moves"),
     QT_TRANSLATE_NOOP("Data", "compare the reference with a second one before and after"),
     QT_TRANSLATE_NOOP(
-        "Data", "warm the room with the device kept as it is, and compare the reference with a second one"
+        "Data",
+        "warm the room with the device kept as it is, and compare the reference with a second one",
     ),
     QT_TRANSLATE_NOOP("Data", "repeat the segment and look at the link"),
     QT_TRANSLATE_NOOP("Data", "repeat at half the field"),
