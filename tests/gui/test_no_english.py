@@ -28,8 +28,10 @@ from labcal.fit.registry import METHODS
 from labcal.gui.translations import translate
 from labcal.model.effects import families
 from labcal.runner import catalogue
+from labcal.session.bench_settings import settings
 
 SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20"}
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 DOTS = re.compile(r"(\{[^}]*\}|<[^>]*>|&\w+;|\bF\d+\b)|[^\W\d_]")
 
 
@@ -103,9 +105,8 @@ def data_words():
     """Words of names that no language changes: of procedures, effects, methods, instruments, units, files, people."""
     names = [*catalogue()[0], *METHODS, *(family.id for family in families())]
     names += [entry.name for group in ("labcal.drivers", "labcal.emulators") for entry in entry_points(group=group)]
-    names += re.findall(
-        r"[\w.]+", (Path(__file__).parents[2] / "examples" / "simulated.toml").read_text(encoding="utf-8")
-    )
+    names += [key for one in settings(EXAMPLE)[1] for key in one.keys]
+    names += re.findall(r"[\w.]+", EXAMPLE.read_text(encoding="utf-8"))
     names += [QLocale().toString(QDate(2026, month, 1), "dddd ddd MMMM MMM") for month in range(1, 13)]
     names += [QLocale().dayName(n) for n in range(1, 8)]
     return {word for name in names for word in words_of(name)} | DATA
@@ -113,8 +114,23 @@ def data_words():
 
 UNITS = ("nT", "µT", "mT", "km", "mm", "Hz", "ppm", "deg", "degC")
 SETTINGS = ("none", "inertial", "nadir")  # values that `--set` takes, in the tip that says so
-OF_QT = ("Scroll", "Left", "Right")  # in Qt's own files: tests/gui/test_languages.py
-DATA = {"labcal", "Deutsch", "toml", "bx", "by", "bz", "rms", *UNITS, *SETTINGS, *OF_QT}
+OF_QT = ("Scroll", "Left", "Right", "Ctrl", "Tab")  # in Qt's own files: tests/gui/test_languages.py
+DATA = {
+    "labcal",
+    "Deutsch",
+    "toml",
+    "bx",
+    "by",
+    "bz",
+    "rms",
+    "json",
+    "Kp",
+    "square",
+    "false",
+    *UNITS,
+    *SETTINGS,
+    *OF_QT,
+}
 
 
 def words_of(text):

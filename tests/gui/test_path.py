@@ -103,7 +103,7 @@ def test_another_dut_has_a_path_of_its_own(still, path):
     still.app_state.set_identity(dut="EM-08")
     assert marks(still) == "✓○✓○"
     still.app_state.set_identity(dut="")
-    assert still.next.text() == "Next: Say who and what"
+    assert still.next.text() == "Next: Say which DUT"
 
 
 def test_a_run_that_goes_on_is_now(still, path):

@@ -4389,6 +4389,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>nT a unit of the reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nT a year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>largest field at the DUT {0} µT</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5803,7 +5811,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Say who and what</source>
+        <source>Say which DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say who works here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

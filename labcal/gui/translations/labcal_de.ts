@@ -4389,6 +4389,14 @@
         <translation>|Winkel|, den die Kabel tragen</translation>
     </message>
     <message>
+        <source>nT a unit of the reading</source>
+        <translation>nT je Einheit des Messwerts</translation>
+    </message>
+    <message>
+        <source>nT a year</source>
+        <translation>nT im Jahr</translation>
+    </message>
+    <message>
         <source>largest field at the DUT {0} µT</source>
         <translation>größtes Feld am Prüfling {0} µT</translation>
     </message>
@@ -5803,8 +5811,12 @@
         <translation>Nach {0} sehen</translation>
     </message>
     <message>
-        <source>Say who and what</source>
-        <translation>Sagen, wer und was</translation>
+        <source>Say which DUT</source>
+        <translation>Prüfling nennen</translation>
+    </message>
+    <message>
+        <source>Say who works here</source>
+        <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
         <source>Go on with the run</source>

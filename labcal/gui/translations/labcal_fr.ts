@@ -4389,6 +4389,14 @@
         <translation>|angle| que les câbles supportent</translation>
     </message>
     <message>
+        <source>nT a unit of the reading</source>
+        <translation>nT par unité de la lecture</translation>
+    </message>
+    <message>
+        <source>nT a year</source>
+        <translation>nT par an</translation>
+    </message>
+    <message>
         <source>largest field at the DUT {0} µT</source>
         <translation>plus grand champ au DUT {0} µT</translation>
     </message>
@@ -5803,8 +5811,12 @@
         <translation>S&apos;occuper de {0}</translation>
     </message>
     <message>
-        <source>Say who and what</source>
-        <translation>Dire qui et quoi</translation>
+        <source>Say which DUT</source>
+        <translation>Nommer le DUT</translation>
+    </message>
+    <message>
+        <source>Say who works here</source>
+        <translation>Dire qui travaille</translation>
     </message>
     <message>
         <source>Go on with the run</source>

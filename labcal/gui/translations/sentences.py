@@ -143,7 +143,7 @@ CHANGES = (  # from one calibration to the next
     QT_TRANSLATE_NOOP("Data", "Only the earlier corrects {0}."),
     QT_TRANSLATE_NOOP("Data", "Only the later corrects {0}."),
 )
-MEASURED = re.compile(r"(?<![\w.:])\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
+MEASURED = re.compile(r"(?<![\w.:])-?\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
 FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
 OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
 OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *FITS
@@ -193,7 +193,7 @@ def _filled_in(form: str, blanks: tuple[str, ...]) -> str:
 def _part(text: str) -> str:
     """What fills a blank: a number, a sentence, a name, a list of either, or data."""
     if NUMBER.fullmatch(text):
-        return text.replace(".", QLocale().decimalPoint())
+        return _as_in_tables(text)
     if (said := in_words(text)) != text or (said := name_in_words(text)) != text:
         return said
     for mark, joined in LISTS.items():
@@ -203,8 +203,12 @@ def _part(text: str) -> str:
 
 
 def _by_locale(sentence: str) -> str:
-    """Numbers that have a unit with the language's decimal mark; what is no number of a reading stays."""
-    return MEASURED.sub(lambda found: found[0].replace(".", QLocale().decimalPoint()), sentence)
+    """Numbers that have a unit as tables have them, with the language's decimal mark; what is none stays."""
+    return MEASURED.sub(lambda found: _as_in_tables(found[0]), sentence)
+
+
+def _as_in_tables(number: str) -> str:
+    return number.replace("-", "−").replace(".", QLocale().decimalPoint())
 
 
 @lru_cache(4000)

@@ -172,6 +172,8 @@ BENCH = (  # what a setting of bench.toml means
     QT_TRANSLATE_NOOP("Data", "with the same reading so long, it is stuck"),
     QT_TRANSLATE_NOOP("Data", "without a sample so long, it is silent"),
     QT_TRANSLATE_NOOP("Data", "|angle| that the cables bear"),
+    QT_TRANSLATE_NOOP("Data", "nT a unit of the reading"),
+    QT_TRANSLATE_NOOP("Data", "nT a year"),
 )
 PLAN = (
     QT_TRANSLATE_NOOP("Data", "largest field at the DUT {0} µT"),

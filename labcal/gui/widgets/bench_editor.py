@@ -123,7 +123,7 @@ class BenchEditor(QWidget):
         meaning = f"[{one.usual}] {said}".strip() if one.usual and not one.value else said
         if not one.here:
             meaning = self.tr("{0} (over several lines: change it in the file)").format(said).strip()
-        for column, text in enumerate((".".join(one.keys), one.value, one.unit, meaning)):
+        for column, text in enumerate((".".join(one.keys), one.value, in_words(one.unit), meaning)):
             self.table.setItem(row, column, item := QTableWidgetItem(text))
             item.setToolTip(plain(text))
             if column != VALUE or not one.here:
