@@ -109,6 +109,7 @@ class Choose(QWidget):
         self.show_plan.clicked.connect(self.rehearse)
         self.give_up = button(self.tr("Cancel"), self.tr("End the rehearsal; nothing was begun"))
         self.give_up.clicked.connect(self._give_up)
+        self.give_up.hide()
         self.work = WorkBar()
         row = QHBoxLayout()
         for widget in (self.pace_label, self.pace):

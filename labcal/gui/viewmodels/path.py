@@ -93,7 +93,7 @@ class PathViewModel(QObject):
         """The one thing to do now."""
         state, last, marks = self._lab.state, self.last(), self.marks()
         if not state.bench:
-            return Next("Bench", self.tr("Open a bench"))
+            return Next("Bench", self.tr("Open a bench"), waits=state.opening)
         if self._run.alive:
             asked = self._run.state == "asking"
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
