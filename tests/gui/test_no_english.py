@@ -159,6 +159,7 @@ def english(texts, data):
     return dict(found)
 
 
+@pytest.mark.slow
 def test_a_day_without_an_english_word(qtbot, tmp_path, drafted, monkeypatch, mute, painted, patience, window_on):
     monkeypatch.setenv("LABCAL_HOME", str(copytree(drafted, tmp_path / "home")))
     seen = defaultdict(set)
