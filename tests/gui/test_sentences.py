@@ -14,7 +14,7 @@ from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.sentences import COILS, FORMS, NAME_FORMS, form_of, in_words
 from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.parameter_form import title_of
-from labcal.record.stream import Prompt
+from labcal.record.stream import Prompt, Step
 from labcal.runner import catalogue
 
 ROOT = Path(__file__).parents[2]
@@ -138,6 +138,15 @@ def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new
     run.answer("done")
     assert Answer("mount-x", "done") in new_window.app_state.bench_worker.said
     assert "Feld" in in_words("Each coil goes to ±50 µT, then the field rotates. Hands off?")
+
+
+def test_what_a_person_notes_is_no_step_and_no_measurement(new_window, german):
+    for words in ("noise from the lift", "zero again at 9", "closing the door"):
+        new_window.app_state.lab.update(message=words)
+        assert new_window.message.text() == words
+    new_window.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    new_window.app_state.bench_worker.items.emit((Step(1.0, 1, 2, "closing", 60.0, ("zero", "closing")),))
+    assert new_window.message.text() == "Abschluss"
 
 
 def test_limits_and_readings_in_sentences_have_the_decimal_mark_of_the_language(german):
