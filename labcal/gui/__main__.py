@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 from pathlib import Path
 
@@ -19,13 +20,14 @@ def main() -> int:
     parser.add_argument("--page", default="", help="and stood on this page")
     parser.add_argument("--worker", type=int, default=0, metavar="PID", help="and its run goes on in this process")
     given = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # what is loaded has nothing to put in order yet
     try:
         from PySide6.QtWidgets import QApplication
     except ImportError as error:
         needed = " ".join(QT_PACKAGES)
         print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {needed}", file=sys.stderr)
         return 2
-    from PySide6.QtCore import QLocale
+    from PySide6.QtCore import QLocale, QTimer
 
     from labcal.gui.once import keep_picture
     from labcal.gui.reopened import Shown
@@ -41,11 +43,14 @@ def main() -> int:
     window = open_window(given.bench, watched=given.state is not None, worker=given.worker)
     shown = Shown(window, lambda window: Standing(window, given.state))
     sys.excepthook = shown.window.app_state.handle_exception
+    # Ctrl-C is no exception within whatever Qt just calls, where it would be lost, but what closing the window is.
+    signal.signal(signal.SIGINT, lambda *_: QTimer.singleShot(0, lambda: shown.window.leave(resumed_later=True)))
     if given.after_crash:
         come_back(shown.window, given.page, given.after_crash, ran=bool(given.worker))
-    code = application.exec() if given.once is None else keep_picture(shown.window, given.once)
-    shown.window.app_state.close()
-    return code
+    try:
+        return application.exec() if given.once is None else keep_picture(shown.window, given.once)
+    finally:
+        shown.window.app_state.close()
 
 
 if __name__ == "__main__":

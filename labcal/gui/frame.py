@@ -29,7 +29,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
-from labcal.gui.viewmodels.number_format import format_field, format_number, step_title
+from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import ReadoutGrid, Surface, button, label, named, plain, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
@@ -374,7 +374,7 @@ class Frame(QMainWindow):
         self.top.show_state(state)
         self.side.show_state(state)
         self.said_at.setText(state.said_at)
-        self.message.setText(step_title(in_words(state.message)))
+        self.message.setText(turns_written(in_words(state.message)))
         self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 import os
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject
 
+from labcal.gui.ipc.answers import RunLine
+from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.window import Window
 
@@ -64,3 +67,11 @@ def come_back(window: Window, page: str, report: str, *, ran: bool) -> None:
     went_on = QCoreApplication.translate("Standing", "The run went on meanwhile in its own process: here it is.")
     remedy = went_on if window.app_state.run.alive else interrupted if ran else ""
     window.app_state.fault.emit(Fault("crash", words.format(report), remedy))
+    if remedy == interrupted:
+        window.app_state.request(ListRuns(), partial(_with_its_dut, window))
+
+
+def _with_its_dut(window: Window, runs: tuple[RunLine, ...]) -> None:
+    """At the top the DUT of the run that is to be gone on with, not the one that the bench file names."""
+    if runs and runs[0].status == "interrupted":
+        window.app_state.set_identity(dut=runs[0].dut_serial)

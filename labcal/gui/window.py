@@ -279,7 +279,7 @@ class Window(Frame):
         self.next.setDisabled(to.waits and self.page_shown() == to.page)
 
     def _go_on(self) -> None:
-        """To what is next; where it is to say who and what, into the field that is wanted."""
+        """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
         to, state = self.app_state.path.next(), self.app_state.lab.state
         self.app_state.go(to)
         wanted: list[QWidget] = []

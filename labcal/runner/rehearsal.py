@@ -65,12 +65,12 @@ class Rehearsal:
         """The plan in words, one line each."""
         low, high = self.angles_deg or (0.0, 0.0)
         turns = f"turns between {low:.0f} and {high:.0f}°, at up to {self.rate_deg_per_s:.1f} °/s"
-        limits = self.temperature_C
+        kept = " to ".join(f"{limit:g}" for limit in self.temperature_C or ()).replace("-", "−")
         said = [
             f"{self.procedure}: {self.title}",
             f"largest field at the DUT {self.field_nT / 1000:.1f} µT",
             turns if high - low > TURNING_DEG else "the platform rests",
-            f"DUT kept within {limits[0]:g} to {limits[1]:g} °C" if limits else "no temperature limits are stated",
+            f"DUT kept within {kept} °C" if kept else "no temperature limits are stated",
             f"about {self.seconds / 60:.0f} min, without a person's steps",
         ]
         asked = [f"– {text.replace(' -', ' −')}" for text in dict.fromkeys(self.person)]

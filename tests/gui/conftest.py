@@ -63,8 +63,10 @@ def deaf_window_at(home):
     window.page("Run")
     window.procedures = procedures(None, ListProcedures())
     window.app_state.quick_worker.answer(ListProcedures, window.procedures)
-    yield window
-    window.leave()
+    try:
+        yield window
+    finally:
+        window.leave()
 
 
 @pytest.fixture(scope="session")
@@ -174,8 +176,16 @@ def window_at(home):
         window.app_state.set_identity(dut="EM-07", operator="J. Doe")
         window.home = str(home)
         KEPT.append(window)
-        yield window
-        window.leave()
+        try:
+            yield window
+        finally:
+            window.leave()
+
+
+@pytest.fixture
+def window_on():
+    """Opens a window on the lab of a home."""
+    return window_at
 
 
 @pytest.fixture(scope="session")

@@ -5,6 +5,8 @@ from types import SimpleNamespace
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import RunLine
+from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.once import keep_picture
 from labcal.gui.standing import Standing, come_back
@@ -30,6 +32,9 @@ def test_after_a_crash_it_stands_where_it_stood_and_says_what_happened(new_windo
     assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
     assert "window-1.zip" in new_window.fault.text.text()
     assert "resume it on Start" in new_window.fault.remedy.text()
+    left = RunLine("r9", "2026-11-22T01:10:00+00:00", "interrupted", "EM-21", "J. Doe", "preflight")
+    new_window.app_state.quick_worker.answer(ListRuns, (left,))
+    assert new_window.top.dut.text() == "EM-21"  # its run is the one to go on with
     come_back(new_window, "no such page", "window-2.zip", ran=False)
     assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
     assert "window-2.zip" in new_window.fault.text.text()

@@ -12,6 +12,7 @@ from labcal.bench.find import Found, draft
 from labcal.gui.ipc.bench_file_commands import edit
 from labcal.gui.ipc.messages import EditBench, FindOnLines, ReadBench
 from labcal.gui.ipc.wire import fault_of
+from labcal.gui.translations.sentences import form_of
 from labcal.session.bench_settings import settings
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -148,5 +149,6 @@ def test_every_setting_of_the_example_is_told_with_what_holds_where_nothing_is_s
     by_name = {".".join(one.keys): one for one in found}
     assert by_name["platform.wrap_deg"].usual == "400.0"
     assert by_name["cage.limits.temperature_C"].meaning == "of the windings, where a channel tells it"
+    assert {one.meaning for one in found if one.meaning and form_of(one.meaning) is None} == set()
     assert [one.keys for one in found if not one.here] == [("cage", "matrix_nT_per_A")]
     assert read_config(BENCH).cage.limits.current_A[0] == float(by_name[CURRENT].value)

@@ -34,7 +34,8 @@ def test_nothing_is_closed_or_said_before_an_answer(qtbot, running):
     assert running.app_state.bench_worker.said == []
     assert {"Stop", "Keep running behind", "Resume later"} == {one.text() for one in question.buttons.values()}
     assert question.findChild(type(question.back), "off").isVisible()
-    qtbot.mouseClick(question.back, Qt.MouseButton.LeftButton)
+    assert question.back.isDefault()
+    qtbot.keyClick(question, Qt.Key.Key_Return)
     assert (running.isVisible(), question.isVisible(), running.app_state.run.alive) == (True, False, True)
 
 

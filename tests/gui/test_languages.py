@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import PySide6
 import pytest
 from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QInputDialog, QLabel, QPushButton
 from shiboken6 import delete, isValid
 
 from labcal.gui.reopened import Shown
@@ -85,6 +85,15 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
     assert window.app_state.settings.value("language") == "de"
     with qtbot.waitSignal(window.coils_off):
         window.top.off.click()
+
+
+@pytest.mark.parametrize(("code", "cancel"), [("de", "Abbrechen"), ("fr", "Annuler"), ("en", "Cancel")])
+def test_what_qt_s_own_dialogs_say_is_in_the_language_too(qapp, qtbot, restored, code, cancel):
+    translate.install_translator(qapp, QLocale(code))
+    asks = QInputDialog()
+    qtbot.addWidget(asks)
+    asks.open()
+    assert cancel in {button.text().replace("&", "") for button in asks.findChildren(QPushButton)}
 
 
 def test_the_end_of_a_run_is_not_sounded_by_the_window_before(qapp, qtbot, new_window, restored, monkeypatch):

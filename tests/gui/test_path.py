@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from labcal.gui.ipc.answers import CalibrationFile, Ended, FitFigures, Fitted, RunLine, Signature, Standing
-from labcal.gui.ipc.messages import CloseLoop, FitRun, ListCalibrations, ListKeys, ListRuns, RunProcedure
+from labcal.gui.ipc.messages import CloseLoop, FitRun, ListCalibrations, ListKeys, ListRuns, ReadBench, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.start import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
@@ -103,7 +103,7 @@ def test_another_dut_has_a_path_of_its_own(still, path):
     still.app_state.set_identity(dut="EM-08")
     assert marks(still) == "✓○✓○"
     still.app_state.set_identity(dut="")
-    assert still.next.text() == "Next: Say who and what"
+    assert still.next.text() == "Next: Say which DUT"
 
 
 def test_a_run_that_goes_on_is_now(still, path):
@@ -218,6 +218,11 @@ def test_without_a_bench_next_leads_to_where_one_is_opened_and_points_at_the_but
     assert new_window.next.text() == "Next: Open a bench"
     qtbot.mouseClick(new_window.next, Qt.MouseButton.LeftButton)
     assert (new_window.page_shown(), QApplication.focusWidget().text()) == ("Bench", "Open a bench file …")
+    new_window.app_state.open_bench("another.toml")
+    assert not new_window.next.isEnabled()
+    asked = next(one for one in new_window.app_state.quick_worker.asked if isinstance(one.command, ReadBench))
+    asked.failed(Fault("input", "another.toml: there is no such file"))
+    assert new_window.next.isEnabled()
 
 
 def test_next_points_at_the_one_thing_to_do_where_the_page_stands_already(still, path, qtbot):

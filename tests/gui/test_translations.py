@@ -92,11 +92,12 @@ def test_a_tiny_translation_changes_one_word_of_the_window(qapp, qtbot, tmp_path
     assert not translate.install_translator(qapp, QLocale("fr"), [tmp_path])
     before, before_that = qapp.children(), QLocale()
     assert translate.install_translator(qapp, QLocale("de_AT"), [tmp_path])
-    (translator,) = (one for one in qapp.children() if isinstance(one, QTranslator) and one not in before)
+    added = [one for one in qapp.children() if isinstance(one, QTranslator) and one not in before]
     try:
         bar = TopBar()
         qtbot.addWidget(bar)
         assert {one.text() for one in bar.findChildren(QLabel)} >= {"Prüfling", "Operator"}
     finally:
-        qapp.removeTranslator(translator)
+        for translator in added:  # Qt's own of the language is among them
+            qapp.removeTranslator(translator)
         QLocale.setDefault(before_that)

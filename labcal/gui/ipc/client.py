@@ -39,6 +39,7 @@ WATCHED = (*COMMAND, "--watched")  # whose run goes on until a window that broke
 REJOIN = ("-P", "-m", "labcal.gui.ipc.rejoin")
 TIME_SLICE_S = 0.01  # of one turn of the event loop for what the worker said
 STDERR_TAIL = 6000  # of stderr, for the details of a crash
+KILLED_MS = 30_000  # by then a process that was killed is gone on the slowest computer
 HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing still
 
 
@@ -151,7 +152,7 @@ class Client(QObject):
         process.closeWriteChannel()
         if not process.waitForFinished(wait_ms):
             process.kill()
-            process.waitForFinished(1000)
+            process.waitForFinished(KILLED_MS)
 
     def _read_stdout(self) -> None:
         if self._process is None:

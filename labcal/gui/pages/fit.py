@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSpli
 
 from labcal.gui.ipc.answers import FitFigures, Fitted, Matrix
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.fit_words import said_of
@@ -133,7 +134,9 @@ class FitPage(QWidget):
         if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         refused = self._app_state.path.why_no_fit(study.run)
-        self.waiting.setText(self.tr("computing: {0}").format(", ".join(study.waiting)) if study.busy else refused)
+        self.waiting.setText(
+            self.tr("computing: {0}").format(", ".join(map(translated, study.waiting))) if study.busy else refused
+        )
         self.waiting.setVisible(bool(self.waiting.text()))
         self.cancel.setVisible(study.busy)
         self.work.show_work(study.busy)
@@ -173,7 +176,7 @@ class FitPage(QWidget):
             self.table.set_cell(row, 0, translated(name), colour=self._colour(name))
         for column, said in enumerate(fits.values(), start=1):
             for row, text in enumerate(cells(said.fit)):
-                self.table.set_cell(row, column, text, right=True, tip=said.fit.why_not or "")
+                self.table.set_cell(row, column, text, right=True, tip=in_words(said.fit.why_not or ""))
 
         self.why.setText("\n".join(refusals(fits)))
         self.why.setVisible(bool(self.why.text()))
@@ -205,7 +208,7 @@ def refusals(fits: dict[str, Fitted], most: int = 2) -> list[str]:
     reasons: dict[str, list[str]] = {}
     for name, said in fits.items():
         if not said.fit.ok:
-            reasons.setdefault(said.fit.why_not or "", []).append(name)
+            reasons.setdefault(in_words(said.fit.why_not or ""), []).append(name)
     return [f"✕ {', '.join(names)}: {why}" for why, names in reasons.items()][:most]
 
 

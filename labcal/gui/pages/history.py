@@ -15,6 +15,7 @@ from labcal.gui.ipc.answers import CalibrationFile, Comparison, RunLine
 from labcal.gui.ipc.messages import CompareRuns, CorrectSerial, ExportRun, ImportBundle, ListCalibrations, ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_search import cells, in_order, local_time, matches
 from labcal.gui.widgets.barcode_scanner import takes_scans
@@ -194,7 +195,7 @@ class HistoryPage(QWidget):
         self.table.setRowCount(len(found))
         for row, one in enumerate(found):
             for column, text in enumerate(cells(one)):
-                tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: one.status}
+                tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_words(one.status)}
                 self.table.set_cell(row, column, text or "–", tip=tips.get(column, ""))
         self._keep_chosen(chosen, found)
         self._chosen()

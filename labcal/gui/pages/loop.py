@@ -10,13 +10,14 @@ from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLay
 from labcal.gui.ipc.answers import Change, Loop
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.loop_words import VERDICTS, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
-from labcal.gui.widgets.common import Card, button, combo_box, label, named, set_primary, set_state, shrinkable
+from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
@@ -36,12 +37,12 @@ def cause(effect: Cause) -> str:
 
 def candidates(loop: Loop) -> list[tuple[str, Cause, str]]:
     """Every cause there was: its standing, itself, and why; the named ones first."""
-    found: list[tuple[str, Cause, str]] = [("accepted", effect, effect.why) for effect in loop.accepted]
+    found: list[tuple[str, Cause, str]] = [("accepted", effect, in_words(effect.why)) for effect in loop.accepted]
     for effect in loop.accepted:
         found += [
             ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
         ]
-    return found + [("rejected", effect, effect.why) for effect in loop.rejected]
+    return found + [("rejected", effect, in_words(effect.why)) for effect in loop.rejected]
 
 
 class LoopPage(QWidget):
@@ -242,8 +243,8 @@ class LoopPage(QWidget):
     def _show_progress(self) -> None:
         """How far the work is."""
         study = self._study
-        words = self.tr("tracing … {0}").format(study.message) if "loop" in study.waiting else ""
-        self.waiting.setText(", ".join(study.waiting) if study.busy and not words else words)
+        words = self.tr("tracing … {0}").format(in_words(study.message)) if "loop" in study.waiting else ""
+        self.waiting.setText(", ".join(map(translated, study.waiting)) if study.busy and not words else words)
         self.waiting.setVisible(study.busy)
 
     def _show_loop(self, loop: Loop) -> None:
@@ -251,12 +252,14 @@ class LoopPage(QWidget):
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
-        self.summary.setText(loop.summary)
+        self.summary.setText(in_words(loop.summary))
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
         floor = format_number(loop.noise_floor_nT, signed=False)
         self.noise.setText(
-            self.tr("held-out rms of the vector; noise alone: {0} nT, {1}").format(floor, loop.noise_floor_source)
+            self.tr("held-out rms of the vector; noise alone: {0} nT, {1}").format(
+                floor, translated(loop.noise_floor_source)
+            )
         )
         self._show_unknown(loop)
         self._fill_against(loop)
@@ -317,9 +320,10 @@ class LoopPage(QWidget):
             self._idle_queue.add(self._show_change)
 
     def _show_unknown(self, loop: Loop) -> None:
-        lines = [self.tr("Added to it: {0}.").format(one) for one in self._study.measured] + list(loop.remarks)
+        lines = [self.tr("Added to it: {0}.").format(one) for one in self._study.measured]
+        lines += map(in_words, loop.remarks)
         aside = {name: n for name, n in loop.set_aside.items() if n}
-        lines += [self.tr("Rows set aside: {0} {1}").format(n, name) for name, n in aside.items()]
+        lines += [self.tr("Rows set aside: {0} {1}").format(n, in_words(name)) for name, n in aside.items()]
         for effect in loop.accepted:
             lines += [
                 self.tr("{0} explains it about as well as {1}.").format(cause(r), cause(effect)) for r in effect.rivals
@@ -327,7 +331,7 @@ class LoopPage(QWidget):
         proposed = loop.next_experiment
         procedure = "" if proposed is None else proposed.procedure or ""
         if proposed is not None:
-            lines += [proposed.why, proposed.do]
+            lines += [in_words(proposed.why), in_words(proposed.do)]
         if procedure:
             lines.append(self.tr("Measured by the procedure {0}.").format(procedure))
         self.unknown.setPlainText("\n\n".join(lines) or self.tr("Nothing that this run could show."))
@@ -341,10 +345,7 @@ class LoopPage(QWidget):
         channels = [c for effect in effects for c in effect.channels]
         driven = channels or [loop.drawn_against.get(effect.effect, "time") for effect in effects]
         first = [name for name in against if name.split("  ")[0] in driven]
-        names = first + [name for name in against if name not in first]
-        if [self.against.itemText(n) for n in range(self.against.count())] != names:
-            self.against.clear()
-            self.against.addItems(names)
+        offer(self.against, first + [name for name in against if name not in first])
 
     def _show_left(self) -> None:
         if (said := self._study.loop) is not None:
@@ -380,7 +381,7 @@ class LoopPage(QWidget):
         return self.change_words.setToolTip(tip)
 
     def _show_change(self) -> None:
-        one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentText()
+        one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentData()
         if one is None or said is None or name not in one.against:
             return self.change.clear()
         before, after = one.before, one.after

@@ -109,6 +109,7 @@ class Choose(QWidget):
         self.show_plan.clicked.connect(self.rehearse)
         self.give_up = button(self.tr("Cancel"), self.tr("End the rehearsal; nothing was begun"))
         self.give_up.clicked.connect(self._give_up)
+        self.give_up.hide()
         self.work = WorkBar()
         row = QHBoxLayout()
         for widget in (self.pace_label, self.pace):
@@ -137,7 +138,8 @@ class Choose(QWidget):
 
         def planned(lines: tuple[str, ...]) -> None:
             self.needs.setText(needs_text(replace(self._procedures[name], lasts_min=None)))  # the plan says it better
-            show_plan("\n".join([*lines[1:], *self._what_for()]))  # the first line stands above as heading
+            said = map(plan_line, lines[1:])  # the first stands above as heading
+            show_plan("\n".join([*said, *self._what_for()]))
 
         self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
         self.plan.show()
@@ -282,3 +284,9 @@ def needs_text(one: Procedure) -> str:
     needs = translated("Needs: {0}").format(in_words(one.needs)) if one.needs else ""
     lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min or 0)
     return "\n".join(part for part in (needs, lasts if one.lasts_min else "") if part)
+
+
+def plan_line(line: str) -> str:
+    """A line of the plan, a question with its dash before it, in the window's language."""
+    dash, _, asked = line.partition("– ")
+    return in_words(line) if dash or not asked else f"– {in_words(asked)}"

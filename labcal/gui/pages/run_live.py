@@ -334,6 +334,7 @@ class Live(QWidget):
     def _show_step(self, item: QListWidgetItem, text: str, mark: str) -> None:
         if item.text() != text:
             item.setText(text)
+            item.setToolTip(text)  # a long one is cut in a narrow window
         colour = {"next": self._theme.muted, "broken": self._theme.bad}.get(mark, self._theme.text)
         if item.foreground().color().name() != colour:
             item.setForeground(QColor(colour))

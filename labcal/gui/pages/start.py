@@ -14,7 +14,7 @@ from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
-from labcal.gui.viewmodels.number_format import format_number, short_number
+from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -192,7 +192,9 @@ class StartPage(QWidget):
         days = days_since(said.run.started_utc)
         words = self.tr("Checked {0}, {1} days ago.").format(said.run.started_utc[:10], days)
         if (worst := said.measurement) is not None:
-            words += f"\n{worst.name}: {format_number(worst.value)} {worst.unit} ({short_number(worst.limit)})"
+            words += (
+                f"\n{step_title(worst.name)}: {format_number(worst.value)} {worst.unit} ({short_number(worst.limit)})"
+            )
         self._say_cage(words, days, said.verdict)
 
     def _say_cage(self, words: str, days: int, verdict: str) -> None:
@@ -211,7 +213,7 @@ class StartPage(QWidget):
         worst = said.measurement
         shape, state = STATES.get(said.verdict, ("", ""))
         U = format_number(2 * worst.u, signed=False)
-        value = f"{worst.name}: {format_number(worst.value)} ± {U} {worst.unit}"
+        value = f"{step_title(worst.name)}: {format_number(worst.value)} ± {U} {worst.unit}"
         return self._say("closing", f"{shape} {translated(said.verdict)}", f"{value}\n{run_title(said.run)}", state)
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:

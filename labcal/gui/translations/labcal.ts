@@ -1029,6 +1029,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Offsets are not of the same state: as found {0}, as left {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offsets are those at {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at any state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the two is simulated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only the earlier corrects {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2592,6 +2608,2258 @@
         <source>yes or no</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>turn the sensor about another body axis, or in a field of another magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the magnitudes do not determine all nine parameters: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the magnitudes do not determine all parameters: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I + E is not positive definite, so no real scale factors belong to it: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} rows have both a reading and a reference magnitude; nine parameters need ten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field would be uncertain by {0} nT: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field would be uncertain by {0} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current {0} never changes, so its offset is part of the bias: leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the currents {0} are linearly dependent: leave one of them out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} has no channel {1}; it has {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel {0} is no current of the DUT, which is what `telemetry` takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the filter&apos;s covariance is no longer positive definite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its covariance and the noise of the first readings allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the filter has diverged, or the sensor has changed: its innovations squared are beyond what its covariance and the noise of the first readings allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} readings with a magnitude; a start needs {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run is too short for {0} to begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the numbers broke down: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no row has both a reading and a reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines {0} of 12 parameters: 1 rotation axis in {1} segments; rotate about another body axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines {0} of 12 parameters: {1} rotation axes in {2} segments; rotate about another body axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run does not determine the parameters: the normal equations are singular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run does not determine the parameters: {0}; add longer arcs, another axis or another magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the likelihood has no clear summit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation segment {0} of {1} does not turn about its declared axis_body: at least {2} deg from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no rotation segment that states its axis_body; rotate about known body axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the magnitudes determine {0} of 9 parameters; rotate about another axis or use another magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add a rotation about another body axis, or a field at another angle to the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add a rotation about another body axis or a field of another magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings lie close to one plane; turn the sensor about another body axis as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quite another map fits as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its reference leaves the rotation of the map open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reference, so the scale is open: a field of known magnitude is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} usable rows give {1} numbers; the map needs more than {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is zero throughout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no map comes near these readings: they do not follow the reference at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} never changes: nothing determines its scale; turn the sensor or look at the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the normal equations are not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>method {0} gives no calibration of run {1}: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} has no reference: there is no residual to explain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} has {1} rows with a reading and a reference; {2} are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} does not even determine an offset: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise of the run, through the fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise of one reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>structure that held-out residuals keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference zero {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference alignment about {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alignment about {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation axes in the body about {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation axes in the cage about {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils&apos; gradient over the distance {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient over the distance {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient over the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero reading {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off 90° {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} µT along {1}, {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} µT along {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} to {1} nT held out (noise alone: {2} nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The base model reaches the noise beside what the run declares of its reference and mounting: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The base model reaches the noise: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains part of the residual, {1} % of its square above the noise: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain part of the residual, {1} % of its square above the noise: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains part of the residual: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain part of the residual: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but {2} does as well on this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but {2} does as well on this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but {2} do as well on this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but {2} do as well on this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains the residual beside what the run declares of its reference and mounting: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain the residual beside what the run declares of its reference and mounting: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is structure that no known effect carries: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beside the rows set aside there is structure that no known effect carries: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This cause has no name: it is an empirical term, and holds only where it has been seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a function of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows set aside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} row set aside as {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}, {2} row set aside as {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}, {2} rows set aside as {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} rows ({1} %) set aside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No effect was searched in such data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the others of {0} in, the held-out rms falls from {1} to {2} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the held-out rms falls from {0} to {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evidence over a slow wander without a name: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} nats, {1} needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no better than chance or a slow wander: evidence {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little evidence: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes {0} times the noise&apos;s square off the residual: not worth its parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes {0} times the noise&apos;s square off the residual in sample, but other forms of what is accepted take as much</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken to first order ({0} to {1} nT held out), and given up: fitted in full, map and effects together leave {2} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken ({0} to {1} nT held out), and given up: it would be more than half of the field, and the others would undo it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken ({0} to {1} nT held out), and given up: it is no larger than its uncertainty, declared errors included; what is not there would seem as large in {2} % of runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does as well as {0} in its place ({1} nT held out): a rival, neither is sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken, and given up on held-out blocks: {0} to {1} nT, a gain of {2} to {3} nT that may be none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken, and given up on held-out blocks: {0} to {1} nT, but it is a detail beside others, or too much is left for its name to be sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left is more than noise, though no single test (white in each segment, independent of every channel, of field, angle and time) finds of what shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left shows no material structure: white in each segment, independent of every channel, of field, angle and time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} more tests fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>follows itself from row to row, most in segment {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes with time (correlation {0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes with {0} (correlation {1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comes again wherever the field is the same ({0} % of its square)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field along {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field&apos;s magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the angle&apos;s sine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the angle&apos;s cosine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line with a period of {0} s, on {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a step at t = {0} s, on {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two levels with {0} changes between them, each kept for about {1} s (telegraph-like), on {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wander like a random walk, on {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wander that remembers itself for about {0} s, on {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more noise than is stated, without memory from row to row, on {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mostly in fields of {0} to {1} µT, mostly at angles of {2} to {3}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mostly in fields of {0} to {1} µT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mostly at angles of {0} to {1}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selection ended without a set of effects that held-out data support whole; what its last round left stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k is the offset at {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In another recording {0} begins {1} nT astray (one standard deviation) until the field has wiped that out: the held-out error does not hold it, u_nT does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: what K and k take as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left is within what the run declares: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left has the shape of what the run declares, and is larger: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} nT held out, {1} beside it (noise alone: {2} nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Likeliest: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Declared errors leave as much or more in {0} % of runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Declared errors leave as much or more in {0} % of runs: check these, or declare them as large as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference scale ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference zero ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference alignment ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, scale ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils&apos; gradient over the distance ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gradient over the distance ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation axes in the cage ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation axes in the body ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time ({0}) {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise, whose level is not stated, follows itself for about {0} s and goes with nothing that is recorded: {1} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State the device&apos;s noise, measured at rest, to be sure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise measured at rest is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise measured from row to row is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channels with {0}: {1}. They can show no cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no value in this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one value all through this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no value, nor a sure one between two others, in most rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channels {0} and {1} are one signal: no fit tells which is the cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The correction {0} is uncertain by {1} nT at {2}: the run did not go there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} in {1} µT along {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} in {1} µT across the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not written into the calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing: large fields along every axis at both ends of {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing: both ends of {0} for long enough.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of {0}, {1} are, one by one, not pinned down by this run (value below U, k = 2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of {0}, {1} is not pinned down by this run (value below U, k = 2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reading along {0} is the same in every row.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The readings come to {0} nT, the reference to {1} nT: the unit or nominal_nT_per_unit of one of them is not as declared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map ({0} alone): too few axes or fields are excited; a whole map would leave {1} instead of {2} nT, and be anyone&apos;s guess.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about the other body axes too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fitted map mirrors the axes ({0}): an axis of the device or of the reference is flipped or two are swapped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fitted map turns the axes ({0}): the mounting or the names of the axes are not as declared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is the device&apos;s {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT ({3} fits as well).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference taken in the body&apos;s frame, not the cage&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference taken in the cage&apos;s frame, not the body&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the platform&apos;s angle counted the other way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the platform&apos;s angle taken in radians, not degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} and {1} swapped and {2} flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} and {1} swapped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s x, y, z read as {0} and {1} flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s x, y, z read as {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clocks do not agree: {0}; put right, the base model leaves {1} instead of {2} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stamps of the device under test seem {0} s late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stamps of the device under test seem {0} s early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stamps of the reference seem {0} s late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stamps of the reference seem {0} s early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stamps of the platform&apos;s angle seem {0} s late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stamps of the platform&apos;s angle seem {0} s early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The readings do not follow the reference: the base model leaves {0} of {1} nT, and no flip or exchange of axes and no offset of a clock explains it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} do as well as each other on this run; the experiment would bring them {1} standard deviations apart, as the fit predicts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>structure remains that no known effect carries: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is left has the shape of errors that the run declares of its reference and mounting, and is larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compare the reference with a second one in two fields, mount the device anew, and repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more rows are set aside as outliers than a run may have that is called explained</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at the link and its wiring, and repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn once forwards and once backwards: what stays at its angles belongs to the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step the field up and down along each axis: what grows with the field shows its shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record at rest with the coils off, then switch what runs at that period off one by one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat the run unchanged and note what is switched: a step that does not come back was an event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch every load and mode on and off at one attitude, and look for the two levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record for an hour at rest: a wander of the sensor goes on, one of the rig does not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn at half and at twice the rate: what belongs to angle or field comes again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record at rest with the coils off: the noise that remains is the sensor&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat with another reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn once forwards and once backwards in one mounting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn at half and at twice the rate, there and back, in one mounting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat the run unchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step the field up and down along one axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn in two more coil fields, a third and twice as large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch every load on and off at one attitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warm the device and let it cool in two fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch the power mode there and back at one attitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the device by 5 cm and repeat the first turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the reference by 180° and repeat the first turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put the reference at twice its distance and repeat the first turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measure the bare platform&apos;s own field with the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run does not determine the whole map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn about all three body axes, in two fields at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an effect found in such data would be wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put the bundle or the wiring right, and close the loop again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cause has no name yet. {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1} about {2}: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1}: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1} about {2}: {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1}: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It differs on the way back: something remembers, as iron and warm masses do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It differs on the way back: something remembers, as iron and warm masses do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quadratic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resonant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bent curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sensitivity to it that the library has no file for, or that follows another quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heating by a current, a magnet&apos;s force, or a straight effect on both sides of a null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a core or an amplifier at its limit, or a magnetic part that saturates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mechanical or electrical resonance, or a filter&apos;s edge, at that value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thermostat, a comparator or a changeover of range at that value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interference, a converter&apos;s missing codes, or a beat with a clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a response of higher order; more range would show which</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sensitivity to one that the other changes, as a gain that follows a temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two causes that act together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step the field up and down along each axis, through more than its range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn through many attitudes in one field, then in half of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn at several rates, forwards and backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude, warm the device and let it cool, over a wider range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and step the current up and down through its range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and move {0} up and down through more than its range, twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold {0} and {1}; then the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mount the device turned by 180° about the platform axis and repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat with the coils at zero, and with the reference turned by 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the field along one axis and step it along another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat with the reference at twice the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold all else and move its input up and down through its range, twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the device by 90° on the platform and repeat: what the platform reads wrong stays at its angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the device by 5 cm and repeat one segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step the quantity that the channel measures in a large field and again in a small one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch the device off and on, and repeat the segments before and after in the same field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warm the sensor in a large field and again in a small one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step the field up and down through the same values, or turn backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn faster, and backwards: a lag grows with the rate and changes sign with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step the field along each axis through its whole range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and step the quantity that the channel measures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and switch the load that draws this current on and off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and draw three or more levels of this current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat the first segment at the end, and again after a pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and switch between the power modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat the segments before and after the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the attitude and warm the sensor, then let it cool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record at rest, and again at another sampling rate: an alias moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compare the reference with a second one before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warm the room with the device kept as it is, and compare the reference with a second one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat the segment and look at the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat at half the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings stop at the end of the range: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitting the base model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitting the map with the effects that are named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scoring every effect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scoring {0} beside {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scoring {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every effect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all candidates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delay scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spectral lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pairs that hide each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the selection on each part of the blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what does as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this run takes about {0} s more and may be stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holding out blocks of time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>so far nothing has the evidence of a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped while {0}; {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is known yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offsets so far: not yet determined by the turns made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offsets so far: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes, handedness and angle are as stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the angle runs the wrong way round: turn angle_sign in bench.toml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a turn by {0}° is seen by the DUT as {1}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s {0} axis shows {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s {0} axis points {1}° beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s axes are left-handed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference&apos;s {0} axis shows {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference&apos;s {0} axis points {1}° beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference&apos;s axes are left-handed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} nT, within which the zero lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} nT is beyond {2} nT; something moved or drifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} is beyond its limit of {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} skipped: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used: {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it answers again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the run waits: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run ends: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on after an interruption</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0} came to zero without a ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the room is fit for the job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the room is not fit for the job: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its {0} nT are {1} nT above what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its {0} nT are {1} nT below what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>iron near by, or the reference&apos;s unit and scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of {0} no field is expected: WMM is here from {1} to {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Hz is not distinguishable from {1} at {2}/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a steady field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Hz is seen as a steady field at {1} {2} samples/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Hz falls on the rotation at {1} {2} samples/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference&apos;s calibration of {0} is {1} days old, beyond {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not covered by the uncertainties, because it is not stated: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not covered by the uncertainty of the tracking error: the reference&apos;s own errors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For cage and surroundings; this is no deperm of a spacecraft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>departure from the centre, each coil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draft: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bias per ampere, one column a load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moment m = p + X b of the DUT, in its body axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ambient field as tracked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>K and k in the cage&apos;s frame, k in the middle of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too few directions for harmonics: what K and k do not hold is not reported by degree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field is the reference&apos;s, measured at the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field is that of the calibrated cage, its ambient part followed by the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset from four attitudes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field and reading along the direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the places are as if the halves towards − had been reversed, or position_m has another sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field number {0} stands {1} s after it came</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}; {1} fields set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No heading is judged: of the field the reference tells the magnitude alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the reference, because the run does not state it: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the reference, because the run states it as 0: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame as mounted; mounting uncertainty not included.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The direction of the platform&apos;s axis in the cage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the supplies&apos; read-back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the supplies&apos; currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the reference was put</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the sensor was put</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference&apos;s turn against the cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference&apos;s own linearity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction of the platform&apos;s axis in the cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s mounting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the half turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the platform&apos;s angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x along coil x: matrix_nT_per_A = {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference and three numbers, --set field_nT=0,0,30000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference; for a scalar one see {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs a scalar reference ([reference] kind); for a vector one see {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference stands elsewhere: {0} needs [cage] calibration, from {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} needs a platform with a motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} must be at least two, and different</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT has no current channel {0}; it has {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT has no temperature channel {0}; it has {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>configuration: {0} not as stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the coils have moved the field by {1} nT and the reading not at all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no field stood for as long as one sample of the reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes a file or a source, not both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>locate needs the coils&apos; geometry: state [cage.geometry] size_m, and in halves the coils of which one half can be reversed at its terminals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no coil&apos;s halves can be reversed ([cage.geometry] halves): near its middle the field of a pair does not change with the place to first order, and tells none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no half was reversed: the field of a pair as it should be is flat at its middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor does not see three coils in three directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the sensor sees fits no place inside the coils: are the halves reversed as asked?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the currents do not span all three coils: step each coil at two currents at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these turns do not determine all of the moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these fields do not determine K, k and drift: they lie in a plane, or follow the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} fields are too few: K, k and drift need {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these currents do not determine the coils: each alone in both signs, and every two together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the magnitudes are those of no three coils: does the sensor follow the currents?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these currents do not determine coils and ambient field: turn the field all round, in two sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} magnitudes are too few: coils, ambient field and its course need {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two rows at least are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time does not go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is no finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this column is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no regular file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epoch = {0}: expected ISO 8601, as 2026-01-01T00:00:00</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run has no channel {0}, which {1} rests on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this run has nothing to show of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cage calibration file, from the folder of bench.toml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table, or a file: labcal.bench.specification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after a ramp, before the field is believed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after each mounting its serial is asked for, and no other is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after it no procedure begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it came in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it states it, with k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the cage: its number here, or an address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at which it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns are the coil axes in C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the sensor&apos;s axes, subtracted first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude with the coils at zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of a whole serial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of it while it was measured, peak to peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of its locks and sockets; /run/labcal-GROUP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of one axis of one sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the computer&apos;s users</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the difference of what the two halves of a pair make, relative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the field at the centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the windings, where a channel tells it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of what the coils make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>planetary index of those hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is known of it and not corrected; each with its own uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the coils at zero, of any component along any direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the same reading so long, it is stuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a sample so long, it is silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|angle| that the cables bear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nT a unit of the reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nT a year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest field at the DUT {0} µT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns between {0} and {1}°, at up to {2} °/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the platform rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT kept within {0} to {1} °C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no temperature limits are stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} min, without a person&apos;s steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what a person is asked:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: missing sectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: wrong signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delay {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closure {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closure, {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closing: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero since the interruption</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT less reference, coils off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT less reference, first position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT less reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT {0} points beside by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference {0} points beside by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn seen by the DUT, less turn made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT behind the set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference behind the set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT behind the angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise density {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude of {0} Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Hz in reference samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Hz in dut samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: uncertainty of the matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: settling time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: departure from the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: up less down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>departure from the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up less down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computed departure in the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probe less computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: bias {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the ambient field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>permanent moment {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>induced moment {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest induced moment in {0} µT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms error while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open-loop error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of the zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} µT, degree {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verify: rms error with bench.toml&apos;s matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verify: rms error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verify: largest error in units of U by noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms tracking error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jitter of the latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jitter of the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>departure from a straight line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference from DUT: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less what is stated: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: field at the reference over that at the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>once a turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turning less holding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holding less off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude against direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnitude less the standard&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>age of its calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>components against constant modulus, largest E_n</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constant {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} from square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambient {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current at zero {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} at {1} µT per {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms heading error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms magnitude error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: polarity + less −</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT: change from bench.toml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes-check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sync-check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mount-{0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closure-{0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep at the DUT&apos;s place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep at the reference&apos;s place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}-on-{1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}-off-{1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}-on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wait for the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half-{0}-reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half-{0}-back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as they should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero by half turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constant modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>photographs</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -3543,7 +5811,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Say who and what</source>
+        <source>Say which DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say who works here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4662,6 +6934,54 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inertial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nadir</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle  deg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>time  s</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4907,6 +7227,18 @@
     </message>
     <message>
         <source>{0} and {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, or {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} at {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

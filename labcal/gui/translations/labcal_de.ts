@@ -1029,6 +1029,22 @@
         <translation>Ob sich der Sensor geändert hat, lässt sich nicht sagen: Eine Kalibrierung nennt keine Unsicherheit.</translation>
     </message>
     <message>
+        <source>Offsets are not of the same state: as found {0}, as left {1}.</source>
+        <translation>Nullpunkte sind nicht vom selben Zustand: vorgefunden {0}, hinterlassen {1}.</translation>
+    </message>
+    <message>
+        <source>Offsets are those at {0}.</source>
+        <translation>Nullpunkte sind die bei {0}.</translation>
+    </message>
+    <message>
+        <source>at any state</source>
+        <translation>bei jedem Zustand</translation>
+    </message>
+    <message>
+        <source>One of the two is simulated.</source>
+        <translation>Eines der beiden ist simuliert.</translation>
+    </message>
+    <message>
         <source>Only the earlier corrects {0}.</source>
         <translation>Nur die frühere korrigiert {0}.</translation>
     </message>
@@ -2592,6 +2608,2258 @@
         <source>yes or no</source>
         <translation>ja oder nein</translation>
     </message>
+    <message>
+        <source>turn the sensor about another body axis, or in a field of another magnitude</source>
+        <translation>den Sensor um eine andere Körperachse drehen oder in einem Feld anderer Größe</translation>
+    </message>
+    <message>
+        <source>the magnitudes do not determine all nine parameters: {0}</source>
+        <translation>die Beträge bestimmen nicht alle neun Parameter: {0}</translation>
+    </message>
+    <message>
+        <source>the magnitudes do not determine all parameters: {0}</source>
+        <translation>die Beträge bestimmen nicht alle Parameter: {0}</translation>
+    </message>
+    <message>
+        <source>I + E is not positive definite, so no real scale factors belong to it: {0}</source>
+        <translation>I + E ist nicht positiv definit, also gehören keine reellen Skalenfaktoren dazu: {0}</translation>
+    </message>
+    <message>
+        <source>{0} rows have both a reading and a reference magnitude; nine parameters need ten</source>
+        <translation>{0} Zeilen haben Messwert und Referenzbetrag; neun Parameter brauchen zehn</translation>
+    </message>
+    <message>
+        <source>the field would be uncertain by {0} nT: {1}</source>
+        <translation>das Feld wäre um {0} nT unsicher: {1}</translation>
+    </message>
+    <message>
+        <source>the field would be uncertain by {0} nT</source>
+        <translation>das Feld wäre um {0} nT unsicher</translation>
+    </message>
+    <message>
+        <source>Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {0}</source>
+        <translation>Gauß-Newton kommt nicht zur Ruhe, die Beträge bestimmen die Parameter also kaum: {0}</translation>
+    </message>
+    <message>
+        <source>the current {0} never changes, so its offset is part of the bias: leave it out</source>
+        <translation>der Strom {0} ändert sich nie, sein Nullpunkt gehört also zur Störung: weglassen</translation>
+    </message>
+    <message>
+        <source>the currents {0} are linearly dependent: leave one of them out</source>
+        <translation>die Ströme {0} sind linear abhängig: einen davon weglassen</translation>
+    </message>
+    <message>
+        <source>run {0} has no channel {1}; it has {2}</source>
+        <translation>Messung {0} hat keinen Kanal {1}; sie hat {2}</translation>
+    </message>
+    <message>
+        <source>channel {0} is no current of the DUT, which is what `telemetry` takes</source>
+        <translation>Kanal {0} ist kein Strom des Prüflings; nur solche nimmt `telemetry`</translation>
+    </message>
+    <message>
+        <source>the filter&apos;s covariance is no longer positive definite</source>
+        <translation>die Kovarianz des Filters ist nicht mehr positiv definit</translation>
+    </message>
+    <message>
+        <source>the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its covariance and the noise of the first readings allow</source>
+        <translation>das Filter ist divergiert, oder der Sensor hat sich geändert: Das Quadrat seiner Innovationen ist das {0}-fache dessen, was seine Kovarianz und das Rauschen der ersten Werte erlauben</translation>
+    </message>
+    <message>
+        <source>the filter has diverged, or the sensor has changed: its innovations squared are beyond what its covariance and the noise of the first readings allow</source>
+        <translation>das Filter ist divergiert, oder der Sensor hat sich geändert: Das Quadrat seiner Innovationen ist über allem, was seine Kovarianz und das Rauschen der ersten Werte erlauben</translation>
+    </message>
+    <message>
+        <source>{0} readings with a magnitude; a start needs {1}</source>
+        <translation>{0} Werte mit einem Betrag; ein Anfang braucht {1}</translation>
+    </message>
+    <message>
+        <source>the run is too short for {0} to begin</source>
+        <translation>die Messung ist zu kurz, als dass {0} beginnen könnte</translation>
+    </message>
+    <message>
+        <source>the numbers broke down: {0}</source>
+        <translation>die Zahlen brachen zusammen: {0}</translation>
+    </message>
+    <message>
+        <source>no row has both a reading and a reference</source>
+        <translation>keine Zeile hat Messwert und Referenz</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of 12 parameters: 1 rotation axis in {1} segments; rotate about another body axis</source>
+        <translation>die Messung bestimmt {0} von 12 Parametern: 1 Drehachse in {1} Abschnitten; um eine andere Körperachse drehen</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of 12 parameters: {1} rotation axes in {2} segments; rotate about another body axis</source>
+        <translation>die Messung bestimmt {0} von 12 Parametern: {1} Drehachsen in {2} Abschnitten; um eine andere Körperachse drehen</translation>
+    </message>
+    <message>
+        <source>the run does not determine the parameters: the normal equations are singular</source>
+        <translation>die Messung bestimmt die Parameter nicht: Die Normalgleichungen sind singulär</translation>
+    </message>
+    <message>
+        <source>the run does not determine the parameters: {0}; add longer arcs, another axis or another magnitude</source>
+        <translation>die Messung bestimmt die Parameter nicht: {0}; längere Bögen, eine andere Achse oder einen anderen Betrag hinzunehmen</translation>
+    </message>
+    <message>
+        <source>the likelihood has no clear summit</source>
+        <translation>die Likelihood hat keinen klaren Gipfel</translation>
+    </message>
+    <message>
+        <source>rotation segment {0} of {1} does not turn about its declared axis_body: at least {2} deg from it</source>
+        <translation>Drehabschnitt {0} von {1} dreht nicht um sein angegebenes axis_body: mindestens {2} deg daneben</translation>
+    </message>
+    <message>
+        <source>there is no rotation segment that states its axis_body; rotate about known body axes</source>
+        <translation>kein Drehabschnitt nennt sein axis_body; um bekannte Körperachsen drehen</translation>
+    </message>
+    <message>
+        <source>the magnitudes determine {0} of 9 parameters; rotate about another axis or use another magnitude</source>
+        <translation>die Beträge bestimmen {0} von 9 Parametern; um eine andere Achse drehen oder einen anderen Betrag nehmen</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
+        <translation>die Messung bestimmt {0} von {1} Parametern, nicht {2} und {3} weitere: {4}</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
+        <translation>die Messung bestimmt {0} von {1} Parametern, nicht {2}: {3}</translation>
+    </message>
+    <message>
+        <source>add a rotation about another body axis, or a field at another angle to the axis</source>
+        <translation>eine Drehung um eine andere Körperachse hinzunehmen oder ein Feld in anderem Winkel zur Achse</translation>
+    </message>
+    <message>
+        <source>add a rotation about another body axis or a field of another magnitude</source>
+        <translation>eine Drehung um eine andere Körperachse oder ein Feld anderer Größe hinzunehmen</translation>
+    </message>
+    <message>
+        <source>the readings lie close to one plane; turn the sensor about another body axis as well</source>
+        <translation>die Messwerte liegen nahe einer Ebene; den Sensor auch um eine andere Körperachse drehen</translation>
+    </message>
+    <message>
+        <source>quite another map fits as well</source>
+        <translation>eine ganz andere Abbildung passt ebenso</translation>
+    </message>
+    <message>
+        <source>its reference leaves the rotation of the map open</source>
+        <translation>seine Referenz lässt die Drehung der Abbildung offen</translation>
+    </message>
+    <message>
+        <source>there is no reference, so the scale is open: a field of known magnitude is needed</source>
+        <translation>es gibt keine Referenz, der Maßstab ist also offen: ein Feld bekannter Größe ist nötig</translation>
+    </message>
+    <message>
+        <source>{0} usable rows give {1} numbers; the map needs more than {2}</source>
+        <translation>{0} brauchbare Zeilen geben {1} Zahlen; die Abbildung braucht mehr als {2}</translation>
+    </message>
+    <message>
+        <source>the reference is zero throughout</source>
+        <translation>die Referenz ist durchweg null</translation>
+    </message>
+    <message>
+        <source>no map comes near these readings: they do not follow the reference at all</source>
+        <translation>keine Abbildung kommt diesen Werten nahe: Sie folgen der Referenz gar nicht</translation>
+    </message>
+    <message>
+        <source>{0} never changes: nothing determines its scale; turn the sensor or look at the axis</source>
+        <translation>{0} ändert sich nie: Nichts bestimmt seinen Maßstab; den Sensor drehen oder die Achse ansehen</translation>
+    </message>
+    <message>
+        <source>the normal equations are not finite</source>
+        <translation>die Normalgleichungen sind nicht endlich</translation>
+    </message>
+    <message>
+        <source>method {0} gives no calibration of run {1}: {2}</source>
+        <translation>Verfahren {0} gibt keine Kalibrierung der Messung {1}: {2}</translation>
+    </message>
+    <message>
+        <source>run {0} has no reference: there is no residual to explain</source>
+        <translation>Messung {0} hat keine Referenz: Es gibt keinen Rest zu erklären</translation>
+    </message>
+    <message>
+        <source>run {0} has {1} rows with a reading and a reference; {2} are needed</source>
+        <translation>Messung {0} hat {1} Zeilen mit Messwert und Referenz; {2} sind nötig</translation>
+    </message>
+    <message>
+        <source>run {0} does not even determine an offset: {1}</source>
+        <translation>Messung {0} bestimmt nicht einmal einen Nullpunkt: {1}</translation>
+    </message>
+    <message>
+        <source>noise of the run, through the fit</source>
+        <translation>Rauschen der Messung, durch die Anpassung</translation>
+    </message>
+    <message>
+        <source>noise of one reading</source>
+        <translation>Rauschen eines Messwerts</translation>
+    </message>
+    <message>
+        <source>structure that held-out residuals keep</source>
+        <translation>Struktur, die zurückgehaltene Reste behalten</translation>
+    </message>
+    <message>
+        <source>reference scale</source>
+        <translation>Maßstab der Referenz</translation>
+    </message>
+    <message>
+        <source>reference zero {0}</source>
+        <translation>Nullpunkt der Referenz {0}</translation>
+    </message>
+    <message>
+        <source>reference zero</source>
+        <translation>Nullpunkt der Referenz</translation>
+    </message>
+    <message>
+        <source>reference alignment about {0}</source>
+        <translation>Ausrichtung der Referenz um {0}</translation>
+    </message>
+    <message>
+        <source>alignment about {0}</source>
+        <translation>Ausrichtung um {0}</translation>
+    </message>
+    <message>
+        <source>rotation axes in the body about {0}</source>
+        <translation>Drehachsen im Körper um {0}</translation>
+    </message>
+    <message>
+        <source>rotation axes in the cage about {0}</source>
+        <translation>Drehachsen im Käfig um {0}</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, scale</source>
+        <translation>Temperatur der Referenz, Maßstab</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero {0}</source>
+        <translation>Temperatur der Referenz, Nullpunkt {0}</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero</source>
+        <translation>Temperatur der Referenz, Nullpunkt</translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate {0}</source>
+        <translation>Drift der Referenz seit ihrem Schein {0}</translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate</source>
+        <translation>Drift der Referenz seit ihrem Schein</translation>
+    </message>
+    <message>
+        <source>coils&apos; gradient over the distance {0}</source>
+        <translation>Gradient der Spulen über den Abstand {0}</translation>
+    </message>
+    <message>
+        <source>gradient over the distance {0}</source>
+        <translation>Gradient über den Abstand {0}</translation>
+    </message>
+    <message>
+        <source>gradient over the distance</source>
+        <translation>Gradient über den Abstand</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>zero reading {0}</source>
+        <translation>Anzeige bei null {0}</translation>
+    </message>
+    <message>
+        <source>off 90° {0}</source>
+        <translation>Abweichung von 90° {0}</translation>
+    </message>
+    <message>
+        <source>{0} µT along {1}, {2}</source>
+        <translation>{0} µT längs {1}, {2}</translation>
+    </message>
+    <message>
+        <source>{0} µT along {1}</source>
+        <translation>{0} µT längs {1}</translation>
+    </message>
+    <message>
+        <source>{0} to {1} nT held out (noise alone: {2} nT)</source>
+        <translation>zurückgehalten {0} auf {1} nT (Rauschen allein: {2} nT)</translation>
+    </message>
+    <message>
+        <source>The base model reaches the noise beside what the run declares of its reference and mounting: {0}.</source>
+        <translation>Das Grundmodell erreicht das Rauschen neben dem, was die Messung von Referenz und Einbau angibt: {0}.</translation>
+    </message>
+    <message>
+        <source>The base model reaches the noise: {0}.</source>
+        <translation>Das Grundmodell erreicht das Rauschen: {0}.</translation>
+    </message>
+    <message>
+        <source>{0} explains part of the residual, {1} % of its square above the noise: {2}.</source>
+        <translation>{0} erklärt einen Teil des Rests, {1} % seines Quadrats über dem Rauschen: {2}.</translation>
+    </message>
+    <message>
+        <source>{0} explain part of the residual, {1} % of its square above the noise: {2}.</source>
+        <translation>{0} erklären einen Teil des Rests, {1} % seines Quadrats über dem Rauschen: {2}.</translation>
+    </message>
+    <message>
+        <source>{0} explains part of the residual: {1}.</source>
+        <translation>{0} erklärt einen Teil des Rests: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explain part of the residual: {1}.</source>
+        <translation>{0} erklären einen Teil des Rests: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
+        <translation>{0} erklärt den Rest: {1}; doch von einer Messung, von der mehr als {2} % der Zeilen als Ausreißer weggelegt sind, heißt nichts erklärt.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
+        <translation>{0} erklären den Rest: {1}; doch von einer Messung, von der mehr als {2} % der Zeilen als Ausreißer weggelegt sind, heißt nichts erklärt.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but {2} does as well on this run.</source>
+        <translation>{0} erklärt den Rest: {1}; doch {2} tut es bei dieser Messung ebenso.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but {2} does as well on this run.</source>
+        <translation>{0} erklären den Rest: {1}; doch {2} tut es bei dieser Messung ebenso.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but {2} do as well on this run.</source>
+        <translation>{0} erklärt den Rest: {1}; doch {2} tun es bei dieser Messung ebenso.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but {2} do as well on this run.</source>
+        <translation>{0} erklären den Rest: {1}; doch {2} tun es bei dieser Messung ebenso.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual beside what the run declares of its reference and mounting: {1}.</source>
+        <translation>{0} erklärt den Rest neben dem, was die Messung von Referenz und Einbau angibt: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual beside what the run declares of its reference and mounting: {1}.</source>
+        <translation>{0} erklären den Rest neben dem, was die Messung von Referenz und Einbau angibt: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}.</source>
+        <translation>{0} erklärt den Rest: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}.</source>
+        <translation>{0} erklären den Rest: {1}.</translation>
+    </message>
+    <message>
+        <source>There is structure that no known effect carries: {0}.</source>
+        <translation>Es ist Struktur da, die kein bekannter Effekt trägt: {0}.</translation>
+    </message>
+    <message>
+        <source>Beside the rows set aside there is structure that no known effect carries: {0}.</source>
+        <translation>Neben den weggelegten Zeilen ist Struktur da, die kein bekannter Effekt trägt: {0}.</translation>
+    </message>
+    <message>
+        <source>This cause has no name: it is an empirical term, and holds only where it has been seen.</source>
+        <translation>Diese Ursache hat keinen Namen: Sie ist ein empirischer Term und gilt nur, wo sie gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>a function of {0}</source>
+        <translation>eine Funktion von {0}</translation>
+    </message>
+    <message>
+        <source>Rows set aside</source>
+        <translation>Weggelegte Zeilen</translation>
+    </message>
+    <message>
+        <source>{0} row set aside as {1}</source>
+        <translation>{0} Zeile weggelegt als {1}</translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}, {2} row set aside as {3}</source>
+        <translation>{0} Zeilen weggelegt als {1}, {2} Zeile als {3}</translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}, {2} rows set aside as {3}</source>
+        <translation>{0} Zeilen weggelegt als {1}, {2} als {3}</translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}</source>
+        <translation>{0} Zeilen weggelegt als {1}</translation>
+    </message>
+    <message>
+        <source>{0} rows ({1} %) set aside</source>
+        <translation>{0} Zeilen ({1} %) weggelegt</translation>
+    </message>
+    <message>
+        <source>outliers</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>No effect was searched in such data.</source>
+        <translation>In solchen Daten wurde kein Effekt gesucht.</translation>
+    </message>
+    <message>
+        <source>with the others of {0} in, the held-out rms falls from {1} to {2} nT</source>
+        <translation>mit den anderen von {0} darin fällt die zurückgehaltene rms von {1} auf {2} nT</translation>
+    </message>
+    <message>
+        <source>the held-out rms falls from {0} to {1} nT</source>
+        <translation>die zurückgehaltene rms fällt von {0} auf {1} nT</translation>
+    </message>
+    <message>
+        <source>evidence over a slow wander without a name: {0}</source>
+        <translation>Evidenz gegenüber einem langsamen Wandern ohne Namen: {0}</translation>
+    </message>
+    <message>
+        <source>{0} nats, {1} needed</source>
+        <translation>{0} nat, {1} sind nötig</translation>
+    </message>
+    <message>
+        <source>no better than chance or a slow wander: evidence {0}</source>
+        <translation>nicht besser als Zufall oder ein langsames Wandern: Evidenz {0}</translation>
+    </message>
+    <message>
+        <source>too little evidence: {0}</source>
+        <translation>zu wenig Evidenz: {0}</translation>
+    </message>
+    <message>
+        <source>takes {0} times the noise&apos;s square off the residual: not worth its parameters</source>
+        <translation>nimmt vom Rest das {0}-fache des Rauschquadrats: seine Parameter nicht wert</translation>
+    </message>
+    <message>
+        <source>takes {0} times the noise&apos;s square off the residual in sample, but other forms of what is accepted take as much</source>
+        <translation>nimmt vom Rest in der Stichprobe das {0}-fache des Rauschquadrats, doch andere Formen des Angenommenen nehmen ebenso viel</translation>
+    </message>
+    <message>
+        <source>taken to first order ({0} to {1} nT held out), and given up: fitted in full, map and effects together leave {2} nT</source>
+        <translation>in erster Ordnung genommen (zurückgehalten {0} auf {1} nT) und aufgegeben: ganz angepasst lassen Abbildung und Effekte zusammen {2} nT übrig</translation>
+    </message>
+    <message>
+        <source>taken ({0} to {1} nT held out), and given up: it would be more than half of the field, and the others would undo it</source>
+        <translation>genommen (zurückgehalten {0} auf {1} nT) und aufgegeben: Es wäre mehr als das halbe Feld, und die anderen höben es auf</translation>
+    </message>
+    <message>
+        <source>taken ({0} to {1} nT held out), and given up: it is no larger than its uncertainty, declared errors included; what is not there would seem as large in {2} % of runs</source>
+        <translation>genommen (zurückgehalten {0} auf {1} nT) und aufgegeben: Es ist nicht größer als seine Unsicherheit samt den angegebenen Fehlern; was nicht da ist, sähe in {2} % der Messungen ebenso groß aus</translation>
+    </message>
+    <message>
+        <source>does as well as {0} in its place ({1} nT held out): a rival, neither is sure</source>
+        <translation>tut an Stelle von {0} ebenso viel (zurückgehalten {1} nT): ein Rivale, keiner ist sicher</translation>
+    </message>
+    <message>
+        <source>taken, and given up on held-out blocks: {0} to {1} nT, a gain of {2} to {3} nT that may be none</source>
+        <translation>genommen und auf zurückgehaltenen Blöcken aufgegeben: {0} auf {1} nT, ein Gewinn von {2} bis {3} nT, der keiner sein kann</translation>
+    </message>
+    <message>
+        <source>taken, and given up on held-out blocks: {0} to {1} nT, but it is a detail beside others, or too much is left for its name to be sure</source>
+        <translation>genommen und auf zurückgehaltenen Blöcken aufgegeben: {0} auf {1} nT, doch neben anderen ist es eine Einzelheit, oder es bleibt zu viel übrig, als dass sein Name sicher wäre</translation>
+    </message>
+    <message>
+        <source>What is left is more than noise, though no single test (white in each segment, independent of every channel, of field, angle and time) finds of what shape.</source>
+        <translation>Was übrig ist, ist mehr als Rauschen, doch kein einzelner Test (weiß in jedem Abschnitt, unabhängig von jedem Kanal, von Feld, Winkel und Zeit) findet, von welcher Gestalt.</translation>
+    </message>
+    <message>
+        <source>What is left shows no material structure: white in each segment, independent of every channel, of field, angle and time.</source>
+        <translation>Was übrig ist, zeigt keine wesentliche Struktur: weiß in jedem Abschnitt, unabhängig von jedem Kanal, von Feld, Winkel und Zeit.</translation>
+    </message>
+    <message>
+        <source>What is left: {0}</source>
+        <translation>Was übrig ist: {0}</translation>
+    </message>
+    <message>
+        <source>What is left {0}.</source>
+        <translation>Was übrig ist, {0}.</translation>
+    </message>
+    <message>
+        <source>{0} more tests fail</source>
+        <translation>{0} weitere Tests schlagen fehl</translation>
+    </message>
+    <message>
+        <source>follows itself from row to row, most in segment {0}</source>
+        <translation>folgt sich selbst von Zeile zu Zeile, am meisten im Abschnitt {0}</translation>
+    </message>
+    <message>
+        <source>goes with time (correlation {0})</source>
+        <translation>geht mit der Zeit (Korrelation {0})</translation>
+    </message>
+    <message>
+        <source>goes with {0} (correlation {1})</source>
+        <translation>geht mit {0} (Korrelation {1})</translation>
+    </message>
+    <message>
+        <source>comes again wherever the field is the same ({0} % of its square)</source>
+        <translation>kommt wieder, wo das Feld dasselbe ist ({0} % seines Quadrats)</translation>
+    </message>
+    <message>
+        <source>the field along {0}</source>
+        <translation>dem Feld längs {0}</translation>
+    </message>
+    <message>
+        <source>the field&apos;s magnitude</source>
+        <translation>dem Betrag des Felds</translation>
+    </message>
+    <message>
+        <source>the angle&apos;s sine</source>
+        <translation>dem Sinus des Winkels</translation>
+    </message>
+    <message>
+        <source>the angle&apos;s cosine</source>
+        <translation>dem Kosinus des Winkels</translation>
+    </message>
+    <message>
+        <source>a line with a period of {0} s, on {1}</source>
+        <translation>eine Linie mit einer Periode von {0} s, auf {1}</translation>
+    </message>
+    <message>
+        <source>a step at t = {0} s, on {1}</source>
+        <translation>eine Stufe bei t = {0} s, auf {1}</translation>
+    </message>
+    <message>
+        <source>two levels with {0} changes between them, each kept for about {1} s (telegraph-like), on {2}</source>
+        <translation>zwei Pegel mit {0} Wechseln dazwischen, jeder etwa {1} s gehalten (wie ein Telegraf), auf {2}</translation>
+    </message>
+    <message>
+        <source>a wander like a random walk, on {0}</source>
+        <translation>ein Wandern wie ein Zufallsweg, auf {0}</translation>
+    </message>
+    <message>
+        <source>a wander that remembers itself for about {0} s, on {1}</source>
+        <translation>ein Wandern, das sich etwa {0} s an sich erinnert, auf {1}</translation>
+    </message>
+    <message>
+        <source>more noise than is stated, without memory from row to row, on {0}</source>
+        <translation>mehr Rauschen als angegeben, ohne Gedächtnis von Zeile zu Zeile, auf {0}</translation>
+    </message>
+    <message>
+        <source>mostly in fields of {0} to {1} µT, mostly at angles of {2} to {3}°</source>
+        <translation>meist in Feldern von {0} bis {1} µT, meist bei Winkeln von {2} bis {3}°</translation>
+    </message>
+    <message>
+        <source>mostly in fields of {0} to {1} µT</source>
+        <translation>meist in Feldern von {0} bis {1} µT</translation>
+    </message>
+    <message>
+        <source>mostly at angles of {0} to {1}°</source>
+        <translation>meist bei Winkeln von {0} bis {1}°</translation>
+    </message>
+    <message>
+        <source>the magnitude</source>
+        <translation>dem Betrag</translation>
+    </message>
+    <message>
+        <source>all axes</source>
+        <translation>allen Achsen</translation>
+    </message>
+    <message>
+        <source>axis {0}</source>
+        <translation>Achse {0}</translation>
+    </message>
+    <message>
+        <source>axes {0}</source>
+        <translation>den Achsen {0}</translation>
+    </message>
+    <message>
+        <source>The selection ended without a set of effects that held-out data support whole; what its last round left stands.</source>
+        <translation>Die Auswahl endete ohne eine Gruppe von Effekten, die zurückgehaltene Daten ganz stützen; es gilt, was ihre letzte Runde übrig ließ.</translation>
+    </message>
+    <message>
+        <source>k is the offset at {0}.</source>
+        <translation>k ist der Nullpunkt bei {0}.</translation>
+    </message>
+    <message>
+        <source>In another recording {0} begins {1} nT astray (one standard deviation) until the field has wiped that out: the held-out error does not hold it, u_nT does.</source>
+        <translation>In einer anderen Aufzeichnung beginnt {0} um {1} nT daneben (eine Standardabweichung), bis das Feld das gelöscht hat: Der zurückgehaltene Fehler enthält es nicht, u_nT schon.</translation>
+    </message>
+    <message>
+        <source>{0}: what K and k take as well</source>
+        <translation>{0}: was K und k ebenso nehmen</translation>
+    </message>
+    <message>
+        <source>What is left is within what the run declares: {0}.</source>
+        <translation>Was übrig ist, liegt in dem, was die Messung angibt: {0}.</translation>
+    </message>
+    <message>
+        <source>What is left has the shape of what the run declares, and is larger: {0}.</source>
+        <translation>Was übrig ist, hat die Gestalt dessen, was die Messung angibt, und ist größer: {0}.</translation>
+    </message>
+    <message>
+        <source>{0} nT held out, {1} beside it (noise alone: {2} nT)</source>
+        <translation>zurückgehalten {0} nT, {1} daneben (Rauschen allein: {2} nT)</translation>
+    </message>
+    <message>
+        <source>Likeliest: {0}.</source>
+        <translation>Am wahrscheinlichsten: {0}.</translation>
+    </message>
+    <message>
+        <source>Declared errors leave as much or more in {0} % of runs.</source>
+        <translation>Angegebene Fehler lassen in {0} % der Messungen so viel oder mehr übrig.</translation>
+    </message>
+    <message>
+        <source>Declared errors leave as much or more in {0} % of runs: check these, or declare them as large as they are.</source>
+        <translation>Angegebene Fehler lassen in {0} % der Messungen so viel oder mehr übrig: Diese prüfen oder so groß angeben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>reference scale ({0}) {1} nT</source>
+        <translation>Maßstab der Referenz ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference zero ({0}) {1} nT</source>
+        <translation>Nullpunkt der Referenz ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference alignment ({0}) {1} nT</source>
+        <translation>Ausrichtung der Referenz ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, scale ({0}) {1} nT</source>
+        <translation>Temperatur der Referenz, Maßstab ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero ({0}) {1} nT</source>
+        <translation>Temperatur der Referenz, Nullpunkt ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate ({0}) {1} nT</source>
+        <translation>Drift der Referenz seit ihrem Schein ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>coils&apos; gradient over the distance ({0}) {1} nT</source>
+        <translation>Gradient der Spulen über den Abstand ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>gradient over the distance ({0}) {1} nT</source>
+        <translation>Gradient über den Abstand ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>rotation axes in the cage ({0}) {1} nT</source>
+        <translation>Drehachsen im Käfig ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>rotation axes in the body ({0}) {1} nT</source>
+        <translation>Drehachsen im Körper ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>time ({0}) {1} nT</source>
+        <translation>Zeit ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>The noise, whose level is not stated, follows itself for about {0} s and goes with nothing that is recorded: {1} nT.</source>
+        <translation>Das Rauschen, dessen Größe nicht angegeben ist, folgt sich etwa {0} s lang und geht mit nichts Aufgezeichnetem: {1} nT.</translation>
+    </message>
+    <message>
+        <source>State the device&apos;s noise, measured at rest, to be sure.</source>
+        <translation>Um sicher zu sein, das Rauschen des Prüflings angeben, in Ruhe gemessen.</translation>
+    </message>
+    <message>
+        <source>The noise measured at rest is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
+        <translation>Das in Ruhe gemessene Rauschen ist das {0}-fache des angegebenen: Der Boden von {1} nT, mit dem Ergebnisse verglichen werden, kann falsch sein.</translation>
+    </message>
+    <message>
+        <source>The noise measured from row to row is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
+        <translation>Das von Zeile zu Zeile gemessene Rauschen ist das {0}-fache des angegebenen: Der Boden von {1} nT, mit dem Ergebnisse verglichen werden, kann falsch sein.</translation>
+    </message>
+    <message>
+        <source>Channels with {0}: {1}. They can show no cause.</source>
+        <translation>Kanäle mit {0}: {1}. Sie können keine Ursache zeigen.</translation>
+    </message>
+    <message>
+        <source>no value in this run</source>
+        <translation>keinem Wert in dieser Messung</translation>
+    </message>
+    <message>
+        <source>one value all through this run</source>
+        <translation>einem einzigen Wert durch die ganze Messung</translation>
+    </message>
+    <message>
+        <source>no value, nor a sure one between two others, in most rows</source>
+        <translation>in den meisten Zeilen keinem Wert, auch keinem sicheren zwischen zwei anderen</translation>
+    </message>
+    <message>
+        <source>Channels {0} and {1} are one signal: no fit tells which is the cause.</source>
+        <translation>Die Kanäle {0} und {1} sind ein Signal: Keine Anpassung sagt, welcher die Ursache ist.</translation>
+    </message>
+    <message>
+        <source>The correction {0} is uncertain by {1} nT at {2}: the run did not go there.</source>
+        <translation>Die Korrektur {0} ist um {1} nT unsicher bei {2}: Dorthin kam die Messung nicht.</translation>
+    </message>
+    <message>
+        <source>{0} in {1} µT along {2}</source>
+        <translation>{0} in {1} µT längs {2}</translation>
+    </message>
+    <message>
+        <source>{0} in {1} µT across the axes</source>
+        <translation>{0} in {1} µT quer zu den Achsen</translation>
+    </message>
+    <message>
+        <source>It is not written into the calibration.</source>
+        <translation>Sie wird nicht in die Kalibrierung geschrieben.</translation>
+    </message>
+    <message>
+        <source>Missing: large fields along every axis at both ends of {0}.</source>
+        <translation>Es fehlen: große Felder längs jeder Achse an beiden Enden von {0}.</translation>
+    </message>
+    <message>
+        <source>Missing: both ends of {0} for long enough.</source>
+        <translation>Es fehlen: beide Enden von {0}, lange genug.</translation>
+    </message>
+    <message>
+        <source>Of {0}, {1} are, one by one, not pinned down by this run (value below U, k = 2).</source>
+        <translation>Von {0} sind {1}, einzeln genommen, durch diese Messung nicht bestimmt (Wert unter U, k = 2).</translation>
+    </message>
+    <message>
+        <source>Of {0}, {1} is not pinned down by this run (value below U, k = 2).</source>
+        <translation>Von {0} ist {1} durch diese Messung nicht bestimmt (Wert unter U, k = 2).</translation>
+    </message>
+    <message>
+        <source>The reading along {0} is the same in every row.</source>
+        <translation>Der Messwert längs {0} ist in jeder Zeile derselbe.</translation>
+    </message>
+    <message>
+        <source>The readings come to {0} nT, the reference to {1} nT: the unit or nominal_nT_per_unit of one of them is not as declared.</source>
+        <translation>Die Messwerte kommen auf {0} nT, die Referenz auf {1} nT: Einheit oder nominal_nT_per_unit von einem ist nicht wie angegeben.</translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map ({0} alone): too few axes or fields are excited; a whole map would leave {1} instead of {2} nT, and be anyone&apos;s guess.</source>
+        <translation>Diese Messung bestimmt nicht die ganze Abbildung (nur {0}): Zu wenige Achsen oder Felder sind angeregt; eine ganze Abbildung ließe {1} statt {2} nT übrig und wäre geraten.</translation>
+    </message>
+    <message>
+        <source>Turn about the other body axes too.</source>
+        <translation>Auch um die anderen Körperachsen drehen.</translation>
+    </message>
+    <message>
+        <source>The fitted map mirrors the axes ({0}): an axis of the device or of the reference is flipped or two are swapped.</source>
+        <translation>Die angepasste Abbildung spiegelt die Achsen ({0}): Eine Achse des Prüflings oder der Referenz ist umgedreht, oder zwei sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The fitted map turns the axes ({0}): the mounting or the names of the axes are not as declared.</source>
+        <translation>Die angepasste Abbildung dreht die Achsen ({0}): Einbau oder Namen der Achsen sind nicht wie angegeben.</translation>
+    </message>
+    <message>
+        <source>{0} is the device&apos;s {1}</source>
+        <translation>{0} ist {1} des Prüflings</translation>
+    </message>
+    <message>
+        <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT ({3} fits as well).</source>
+        <translation>Die Messung passt viel besser {0}: Das Grundmodell lässt {1} statt {2} nT übrig (ebenso passt {3}).</translation>
+    </message>
+    <message>
+        <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT.</source>
+        <translation>Die Messung passt viel besser {0}: Das Grundmodell lässt {1} statt {2} nT übrig.</translation>
+    </message>
+    <message>
+        <source>with the reference taken in the body&apos;s frame, not the cage&apos;s</source>
+        <translation>mit der Referenz im System des Körpers statt des Käfigs</translation>
+    </message>
+    <message>
+        <source>with the reference taken in the cage&apos;s frame, not the body&apos;s</source>
+        <translation>mit der Referenz im System des Käfigs statt des Körpers</translation>
+    </message>
+    <message>
+        <source>with the platform&apos;s angle counted the other way</source>
+        <translation>mit dem Tischwinkel andersherum gezählt</translation>
+    </message>
+    <message>
+        <source>with the platform&apos;s angle taken in radians, not degrees</source>
+        <translation>mit dem Tischwinkel in Radiant statt Grad</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} and {1} swapped and {2} flipped</source>
+        <translation>mit {0} und {1} der Referenz vertauscht und {2} umgedreht</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} and {1} swapped</source>
+        <translation>mit {0} und {1} der Referenz vertauscht</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s x, y, z read as {0} and {1} flipped</source>
+        <translation>mit x, y, z der Referenz gelesen als {0} und {1} umgedreht</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s x, y, z read as {0}</source>
+        <translation>mit x, y, z der Referenz gelesen als {0}</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} flipped</source>
+        <translation>mit {0} der Referenz umgedreht</translation>
+    </message>
+    <message>
+        <source>The clocks do not agree: {0}; put right, the base model leaves {1} instead of {2} nT.</source>
+        <translation>Die Uhren stimmen nicht überein: {0}; richtiggestellt lässt das Grundmodell {1} statt {2} nT übrig.</translation>
+    </message>
+    <message>
+        <source>the stamps of the device under test seem {0} s late</source>
+        <translation>die Zeitstempel des Prüflings scheinen {0} s zu spät</translation>
+    </message>
+    <message>
+        <source>the stamps of the device under test seem {0} s early</source>
+        <translation>die Zeitstempel des Prüflings scheinen {0} s zu früh</translation>
+    </message>
+    <message>
+        <source>the stamps of the reference seem {0} s late</source>
+        <translation>die Zeitstempel der Referenz scheinen {0} s zu spät</translation>
+    </message>
+    <message>
+        <source>the stamps of the reference seem {0} s early</source>
+        <translation>die Zeitstempel der Referenz scheinen {0} s zu früh</translation>
+    </message>
+    <message>
+        <source>the stamps of the platform&apos;s angle seem {0} s late</source>
+        <translation>die Zeitstempel des Tischwinkels scheinen {0} s zu spät</translation>
+    </message>
+    <message>
+        <source>the stamps of the platform&apos;s angle seem {0} s early</source>
+        <translation>die Zeitstempel des Tischwinkels scheinen {0} s zu früh</translation>
+    </message>
+    <message>
+        <source>The readings do not follow the reference: the base model leaves {0} of {1} nT, and no flip or exchange of axes and no offset of a clock explains it.</source>
+        <translation>Die Messwerte folgen der Referenz nicht: Das Grundmodell lässt {0} von {1} nT übrig, und kein Umdrehen oder Vertauschen von Achsen und kein Versatz einer Uhr erklärt es.</translation>
+    </message>
+    <message>
+        <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
+        <translation>{0} tun bei dieser Messung gleich viel, und nichts, was die Abläufe dieses Labors tun, trennte sie um {1} Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>{0} do as well as each other on this run; the experiment would bring them {1} standard deviations apart, as the fit predicts</source>
+        <translation>{0} tun bei dieser Messung gleich viel; der Versuch brächte sie nach der Anpassung {1} Standardabweichungen auseinander</translation>
+    </message>
+    <message>
+        <source>structure remains that no known effect carries: {0}</source>
+        <translation>es bleibt Struktur, die kein bekannter Effekt trägt: {0}</translation>
+    </message>
+    <message>
+        <source>what is left has the shape of errors that the run declares of its reference and mounting, and is larger</source>
+        <translation>was übrig ist, hat die Gestalt von Fehlern, die die Messung von Referenz und Einbau angibt, und ist größer</translation>
+    </message>
+    <message>
+        <source>compare the reference with a second one in two fields, mount the device anew, and repeat</source>
+        <translation>die Referenz in zwei Feldern mit einer zweiten vergleichen, den Prüfling neu einbauen, wiederholen</translation>
+    </message>
+    <message>
+        <source>more rows are set aside as outliers than a run may have that is called explained</source>
+        <translation>es sind mehr Zeilen als Ausreißer weggelegt, als eine Messung haben darf, die erklärt heißt</translation>
+    </message>
+    <message>
+        <source>look at the link and its wiring, and repeat</source>
+        <translation>die Verbindung und ihre Leitungen ansehen, wiederholen</translation>
+    </message>
+    <message>
+        <source>turn once forwards and once backwards: what stays at its angles belongs to the rig</source>
+        <translation>einmal vorwärts und einmal rückwärts drehen: Was an seinen Winkeln bleibt, gehört zum Aufbau</translation>
+    </message>
+    <message>
+        <source>step the field up and down along each axis: what grows with the field shows its shape</source>
+        <translation>das Feld längs jeder Achse in Stufen auf und ab: Was mit dem Feld wächst, zeigt seine Gestalt</translation>
+    </message>
+    <message>
+        <source>record at rest with the coils off, then switch what runs at that period off one by one</source>
+        <translation>in Ruhe mit ausgeschalteten Spulen aufzeichnen, dann einzeln ausschalten, was mit dieser Periode läuft</translation>
+    </message>
+    <message>
+        <source>repeat the run unchanged and note what is switched: a step that does not come back was an event</source>
+        <translation>die Messung unverändert wiederholen und notieren, was geschaltet wird: Eine Stufe, die nicht wiederkommt, war ein Ereignis</translation>
+    </message>
+    <message>
+        <source>switch every load and mode on and off at one attitude, and look for the two levels</source>
+        <translation>jede Last und jeden Zustand in einer Lage ein- und ausschalten und nach den zwei Pegeln sehen</translation>
+    </message>
+    <message>
+        <source>record for an hour at rest: a wander of the sensor goes on, one of the rig does not</source>
+        <translation>eine Stunde in Ruhe aufzeichnen: Ein Wandern des Sensors geht weiter, eines des Aufbaus nicht</translation>
+    </message>
+    <message>
+        <source>turn at half and at twice the rate: what belongs to angle or field comes again</source>
+        <translation>mit halber und doppelter Rate drehen: Was zu Winkel oder Feld gehört, kommt wieder</translation>
+    </message>
+    <message>
+        <source>record at rest with the coils off: the noise that remains is the sensor&apos;s own</source>
+        <translation>in Ruhe mit ausgeschalteten Spulen aufzeichnen: Das Rauschen, das bleibt, ist das des Sensors</translation>
+    </message>
+    <message>
+        <source>repeat with another reference</source>
+        <translation>mit einer anderen Referenz wiederholen</translation>
+    </message>
+    <message>
+        <source>turn once forwards and once backwards in one mounting</source>
+        <translation>in einem Einbau einmal vorwärts und einmal rückwärts drehen</translation>
+    </message>
+    <message>
+        <source>turn at half and at twice the rate, there and back, in one mounting</source>
+        <translation>in einem Einbau mit halber und doppelter Rate hin und zurück drehen</translation>
+    </message>
+    <message>
+        <source>repeat the run unchanged</source>
+        <translation>die Messung unverändert wiederholen</translation>
+    </message>
+    <message>
+        <source>step the field up and down along one axis</source>
+        <translation>das Feld längs einer Achse in Stufen auf und ab</translation>
+    </message>
+    <message>
+        <source>turn in two more coil fields, a third and twice as large</source>
+        <translation>in zwei weiteren Spulenfeldern drehen, einem Drittel und dem Doppelten</translation>
+    </message>
+    <message>
+        <source>switch every load on and off at one attitude</source>
+        <translation>jede Last in einer Lage ein- und ausschalten</translation>
+    </message>
+    <message>
+        <source>warm the device and let it cool in two fields</source>
+        <translation>den Prüfling in zwei Feldern wärmen und abkühlen lassen</translation>
+    </message>
+    <message>
+        <source>switch the power mode there and back at one attitude</source>
+        <translation>den Betriebszustand in einer Lage hin und zurück schalten</translation>
+    </message>
+    <message>
+        <source>move the device by 5 cm and repeat the first turns</source>
+        <translation>den Prüfling um 5 cm versetzen und die ersten Drehungen wiederholen</translation>
+    </message>
+    <message>
+        <source>turn the reference by 180° and repeat the first turns</source>
+        <translation>die Referenz um 180° drehen und die ersten Drehungen wiederholen</translation>
+    </message>
+    <message>
+        <source>put the reference at twice its distance and repeat the first turns</source>
+        <translation>die Referenz in den doppelten Abstand stellen und die ersten Drehungen wiederholen</translation>
+    </message>
+    <message>
+        <source>measure the bare platform&apos;s own field with the reference</source>
+        <translation>das Eigenfeld des leeren Tisches mit der Referenz messen</translation>
+    </message>
+    <message>
+        <source>the run does not determine the whole map</source>
+        <translation>die Messung bestimmt nicht die ganze Abbildung</translation>
+    </message>
+    <message>
+        <source>turn about all three body axes, in two fields at least</source>
+        <translation>um alle drei Körperachsen drehen, in mindestens zwei Feldern</translation>
+    </message>
+    <message>
+        <source>an effect found in such data would be wrong</source>
+        <translation>ein Effekt, der in solchen Daten gefunden würde, wäre falsch</translation>
+    </message>
+    <message>
+        <source>put the bundle or the wiring right, and close the loop again</source>
+        <translation>Daten oder Leitungen richtigstellen und die Ursache neu suchen</translation>
+    </message>
+    <message>
+        <source>the cause has no name yet. {0}</source>
+        <translation>die Ursache hat noch keinen Namen. {0}</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1} about {2}: {3}.</source>
+        <translation>Über {0} ist es {1} um {2}: {3}.</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1}: {2}.</source>
+        <translation>Über {0} ist es {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1} about {2}: {3}</source>
+        <translation>Über {0} ist es {1} um {2}: {3}</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1}: {2}</source>
+        <translation>Über {0} ist es {1}: {2}</translation>
+    </message>
+    <message>
+        <source>It differs on the way back: something remembers, as iron and warm masses do.</source>
+        <translation>Auf dem Rückweg ist es anders: Etwas erinnert sich, wie es Eisen und warme Massen tun.</translation>
+    </message>
+    <message>
+        <source>It differs on the way back: something remembers, as iron and warm masses do</source>
+        <translation>Auf dem Rückweg ist es anders: Etwas erinnert sich, wie es Eisen und warme Massen tun</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>quadratic</source>
+        <translation>quadratisch</translation>
+    </message>
+    <message>
+        <source>saturating</source>
+        <translation>sättigend</translation>
+    </message>
+    <message>
+        <source>resonant</source>
+        <translation>resonant</translation>
+    </message>
+    <message>
+        <source>a step</source>
+        <translation>eine Stufe</translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation>wellig</translation>
+    </message>
+    <message>
+        <source>a bent curve</source>
+        <translation>eine gebogene Kurve</translation>
+    </message>
+    <message>
+        <source>a product</source>
+        <translation>ein Produkt</translation>
+    </message>
+    <message>
+        <source>a map</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a sensitivity to it that the library has no file for, or that follows another quantity</source>
+        <translation>eine Empfindlichkeit dafür, für die die Sammlung keine Datei hat oder die einer anderen Größe folgt</translation>
+    </message>
+    <message>
+        <source>heating by a current, a magnet&apos;s force, or a straight effect on both sides of a null</source>
+        <translation>Erwärmung durch einen Strom, die Kraft eines Magneten oder ein gerader Effekt zu beiden Seiten einer Null</translation>
+    </message>
+    <message>
+        <source>a core or an amplifier at its limit, or a magnetic part that saturates</source>
+        <translation>ein Kern oder Verstärker an seiner Grenze oder ein magnetisches Teil, das sättigt</translation>
+    </message>
+    <message>
+        <source>a mechanical or electrical resonance, or a filter&apos;s edge, at that value</source>
+        <translation>eine mechanische oder elektrische Resonanz oder die Flanke eines Filters bei diesem Wert</translation>
+    </message>
+    <message>
+        <source>a thermostat, a comparator or a changeover of range at that value</source>
+        <translation>ein Thermostat, ein Komparator oder ein Wechsel des Messbereichs bei diesem Wert</translation>
+    </message>
+    <message>
+        <source>interference, a converter&apos;s missing codes, or a beat with a clock</source>
+        <translation>Störung, fehlende Codes eines Wandlers oder eine Schwebung mit einem Takt</translation>
+    </message>
+    <message>
+        <source>a response of higher order; more range would show which</source>
+        <translation>eine Antwort höherer Ordnung; mehr Bereich zeigte, welche</translation>
+    </message>
+    <message>
+        <source>a sensitivity to one that the other changes, as a gain that follows a temperature</source>
+        <translation>eine Empfindlichkeit für das eine, die das andere ändert, wie eine Verstärkung, die einer Temperatur folgt</translation>
+    </message>
+    <message>
+        <source>two causes that act together</source>
+        <translation>zwei Ursachen, die zusammen wirken</translation>
+    </message>
+    <message>
+        <source>step the field up and down along each axis, through more than its range</source>
+        <translation>das Feld längs jeder Achse in Stufen auf und ab, über mehr als seinen Bereich</translation>
+    </message>
+    <message>
+        <source>turn through many attitudes in one field, then in half of it</source>
+        <translation>in einem Feld durch viele Lagen drehen, dann in seiner Hälfte</translation>
+    </message>
+    <message>
+        <source>turn at several rates, forwards and backwards</source>
+        <translation>mit mehreren Raten drehen, vorwärts und rückwärts</translation>
+    </message>
+    <message>
+        <source>hold the attitude, warm the device and let it cool, over a wider range</source>
+        <translation>die Lage halten, den Prüfling wärmen und abkühlen lassen, über einen weiteren Bereich</translation>
+    </message>
+    <message>
+        <source>hold the attitude and step the current up and down through its range</source>
+        <translation>die Lage halten und den Strom in Stufen durch seinen Bereich auf und ab</translation>
+    </message>
+    <message>
+        <source>hold the attitude and move {0} up and down through more than its range, twice</source>
+        <translation>die Lage halten und {0} zweimal über mehr als seinen Bereich auf und ab bewegen</translation>
+    </message>
+    <message>
+        <source>hold {0} and {1}; then the other way round</source>
+        <translation>{0} festhalten und {1}; dann umgekehrt</translation>
+    </message>
+    <message>
+        <source>mount the device turned by 180° about the platform axis and repeat</source>
+        <translation>den Prüfling um 180° um die Tischachse gedreht einbauen und wiederholen</translation>
+    </message>
+    <message>
+        <source>repeat with the coils at zero, and with the reference turned by 180°</source>
+        <translation>mit den Spulen auf null wiederholen, und mit der Referenz um 180° gedreht</translation>
+    </message>
+    <message>
+        <source>hold the field along one axis and step it along another</source>
+        <translation>das Feld längs einer Achse halten und längs einer anderen in Stufen ändern</translation>
+    </message>
+    <message>
+        <source>repeat with the reference at twice the distance</source>
+        <translation>mit der Referenz im doppelten Abstand wiederholen</translation>
+    </message>
+    <message>
+        <source>hold all else and move its input up and down through its range, twice</source>
+        <translation>alles andere halten und seinen Eingang zweimal durch seinen Bereich auf und ab bewegen</translation>
+    </message>
+    <message>
+        <source>turn the device by 90° on the platform and repeat: what the platform reads wrong stays at its angles</source>
+        <translation>den Prüfling auf dem Tisch um 90° drehen und wiederholen: Was der Tisch falsch abliest, bleibt an seinen Winkeln</translation>
+    </message>
+    <message>
+        <source>move the device by 5 cm and repeat one segment</source>
+        <translation>den Prüfling um 5 cm versetzen und einen Abschnitt wiederholen</translation>
+    </message>
+    <message>
+        <source>step the quantity that the channel measures in a large field and again in a small one</source>
+        <translation>die Größe, die der Kanal misst, in einem großen Feld in Stufen ändern und wieder in einem kleinen</translation>
+    </message>
+    <message>
+        <source>switch the device off and on, and repeat the segments before and after in the same field</source>
+        <translation>den Prüfling aus- und einschalten und die Abschnitte davor und danach im selben Feld wiederholen</translation>
+    </message>
+    <message>
+        <source>warm the sensor in a large field and again in a small one</source>
+        <translation>den Sensor in einem großen Feld wärmen und wieder in einem kleinen</translation>
+    </message>
+    <message>
+        <source>step the field up and down through the same values, or turn backwards</source>
+        <translation>das Feld in Stufen durch dieselben Werte auf und ab, oder rückwärts drehen</translation>
+    </message>
+    <message>
+        <source>turn faster, and backwards: a lag grows with the rate and changes sign with it</source>
+        <translation>schneller drehen, und rückwärts: Ein Verzug wächst mit der Rate und wechselt mit ihr das Vorzeichen</translation>
+    </message>
+    <message>
+        <source>step the field along each axis through its whole range</source>
+        <translation>das Feld längs jeder Achse in Stufen durch seinen ganzen Bereich</translation>
+    </message>
+    <message>
+        <source>hold the attitude and step the quantity that the channel measures</source>
+        <translation>die Lage halten und die Größe, die der Kanal misst, in Stufen ändern</translation>
+    </message>
+    <message>
+        <source>hold the attitude and switch the load that draws this current on and off</source>
+        <translation>die Lage halten und die Last, die diesen Strom zieht, ein- und ausschalten</translation>
+    </message>
+    <message>
+        <source>hold the attitude and draw three or more levels of this current</source>
+        <translation>die Lage halten und drei oder mehr Stufen dieses Stroms ziehen</translation>
+    </message>
+    <message>
+        <source>repeat the first segment at the end, and again after a pause</source>
+        <translation>den ersten Abschnitt am Ende wiederholen, und nach einer Pause noch einmal</translation>
+    </message>
+    <message>
+        <source>hold the attitude and switch between the power modes</source>
+        <translation>die Lage halten und zwischen den Betriebszuständen schalten</translation>
+    </message>
+    <message>
+        <source>repeat the segments before and after the step</source>
+        <translation>die Abschnitte vor und nach der Stufe wiederholen</translation>
+    </message>
+    <message>
+        <source>hold the attitude and warm the sensor, then let it cool</source>
+        <translation>die Lage halten und den Sensor wärmen, dann abkühlen lassen</translation>
+    </message>
+    <message>
+        <source>record at rest, and again at another sampling rate: an alias moves</source>
+        <translation>in Ruhe aufzeichnen, und mit einer anderen Abtastrate noch einmal: Ein Alias wandert</translation>
+    </message>
+    <message>
+        <source>compare the reference with a second one before and after</source>
+        <translation>die Referenz vorher und nachher mit einer zweiten vergleichen</translation>
+    </message>
+    <message>
+        <source>warm the room with the device kept as it is, and compare the reference with a second one</source>
+        <translation>den Raum wärmen, den Prüfling lassen, wie er ist, und die Referenz mit einer zweiten vergleichen</translation>
+    </message>
+    <message>
+        <source>repeat the segment and look at the link</source>
+        <translation>den Abschnitt wiederholen und die Verbindung ansehen</translation>
+    </message>
+    <message>
+        <source>repeat at half the field</source>
+        <translation>bei halbem Feld wiederholen</translation>
+    </message>
+    <message>
+        <source>readings stop at the end of the range: {0}</source>
+        <translation>Messwerte enden am Rand des Bereichs: {0}</translation>
+    </message>
+    <message>
+        <source>fitting the base model</source>
+        <translation>das Grundmodell wird angepasst</translation>
+    </message>
+    <message>
+        <source>fitting the map with the effects that are named</source>
+        <translation>die Abbildung wird mit den benannten Effekten angepasst</translation>
+    </message>
+    <message>
+        <source>scoring every effect</source>
+        <translation>jeder Effekt wird bewertet</translation>
+    </message>
+    <message>
+        <source>scoring {0} beside {1}</source>
+        <translation>bewertet wird {0} neben {1}</translation>
+    </message>
+    <message>
+        <source>scoring {0}</source>
+        <translation>bewertet wird {0}</translation>
+    </message>
+    <message>
+        <source>every effect</source>
+        <translation>jeder Effekt</translation>
+    </message>
+    <message>
+        <source>all candidates</source>
+        <translation>alle Kandidaten</translation>
+    </message>
+    <message>
+        <source>delay scan</source>
+        <translation>die Suche nach Verzügen</translation>
+    </message>
+    <message>
+        <source>spectral lines</source>
+        <translation>die Suche nach Linien</translation>
+    </message>
+    <message>
+        <source>pairs that hide each other</source>
+        <translation>Paare, die einander verdecken</translation>
+    </message>
+    <message>
+        <source>the selection on each part of the blocks</source>
+        <translation>die Auswahl auf jedem Teil der Blöcke</translation>
+    </message>
+    <message>
+        <source>what does as well</source>
+        <translation>was ebenso viel tut</translation>
+    </message>
+    <message>
+        <source>this run takes about {0} s more and may be stopped</source>
+        <translation>diese Messung braucht noch etwa {0} s und darf abgebrochen werden</translation>
+    </message>
+    <message>
+        <source>holding out blocks of time</source>
+        <translation>Zeitblöcke werden zurückgehalten</translation>
+    </message>
+    <message>
+        <source>so far nothing has the evidence of a name</source>
+        <translation>bisher hat nichts die Evidenz eines Namens</translation>
+    </message>
+    <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
+        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2}-faches Rauschen</translation>
+    </message>
+    <message>
+        <source>stopped while {0}; {1}</source>
+        <translation>abgebrochen: {0}; {1}</translation>
+    </message>
+    <message>
+        <source>nothing is known yet</source>
+        <translation>noch ist nichts bekannt</translation>
+    </message>
+    <message>
+        <source>offsets so far: not yet determined by the turns made</source>
+        <translation>Nullpunkte bisher: durch die gemachten Drehungen noch nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
+        <translation>Nullpunkte bisher, allein aus Beträgen: {0} nT (k = 2)</translation>
+    </message>
+    <message>
+        <source>offsets so far: {0}</source>
+        <translation>Nullpunkte bisher: {0}</translation>
+    </message>
+    <message>
+        <source>axes, handedness and angle are as stated</source>
+        <translation>Achsen, Händigkeit und Winkel sind wie angegeben</translation>
+    </message>
+    <message>
+        <source>the angle runs the wrong way round: turn angle_sign in bench.toml</source>
+        <translation>der Winkel läuft falsch herum: angle_sign in bench.toml umdrehen</translation>
+    </message>
+    <message>
+        <source>a turn by {0}° is seen by the DUT as {1}°</source>
+        <translation>eine Drehung um {0}° sieht der Prüfling als {1}°</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s {0} axis shows {1}</source>
+        <translation>Prüfling: Achse {0} zeigt {1}</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s {0} axis points {1}° beside</source>
+        <translation>Prüfling: Achse {0} zeigt {1}° daneben</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s axes are left-handed</source>
+        <translation>Prüfling: die Achsen sind linkshändig</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s {0} axis shows {1}</source>
+        <translation>Referenz: Achse {0} zeigt {1}</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s {0} axis points {1}° beside</source>
+        <translation>Referenz: Achse {0} zeigt {1}° daneben</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s axes are left-handed</source>
+        <translation>Referenz: die Achsen sind linkshändig</translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
+        <translation>Achsenprüfung: {0}. Ist der Prüfling wie verlangt eingebaut? Dann seine Achsen ansehen.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} nT, within which the zero lies</source>
+        <translation>{0}: {1} nT, innerhalb deren der Nullpunkt liegt</translation>
+    </message>
+    <message>
+        <source>{0}: {1} nT is beyond {2} nT; something moved or drifted</source>
+        <translation>{0}: {1} nT ist über {2} nT; etwas hat sich bewegt oder ist gedriftet</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is beyond its limit of {2}</source>
+        <translation>{0}: {1} ist über der Grenze von {2}</translation>
+    </message>
+    <message>
+        <source>{0} skipped: {1}</source>
+        <translation>{0} ausgelassen: {1}</translation>
+    </message>
+    <message>
+        <source>not used: {0}: {1}</source>
+        <translation>nicht verwendet: {0}: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: it answers again</source>
+        <translation>{0}: antwortet wieder</translation>
+    </message>
+    <message>
+        <source>the end of the run waits: {0}</source>
+        <translation>das Ende der Messung wartet: {0}</translation>
+    </message>
+    <message>
+        <source>the run ends: {0}</source>
+        <translation>die Messung endet: {0}</translation>
+    </message>
+    <message>
+        <source>goes on after an interruption</source>
+        <translation>geht nach einer Unterbrechung weiter</translation>
+    </message>
+    <message>
+        <source>goes on</source>
+        <translation>geht weiter</translation>
+    </message>
+    <message>
+        <source>coil {0} came to zero without a ramp</source>
+        <translation>Spule {0} ging ohne Rampe auf null</translation>
+    </message>
+    <message>
+        <source>the room is fit for the job</source>
+        <translation>der Raum eignet sich</translation>
+    </message>
+    <message>
+        <source>the room is not fit for the job: {0}</source>
+        <translation>der Raum eignet sich nicht: {0}</translation>
+    </message>
+    <message>
+        <source>its {0} nT are {1} nT above what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
+        <translation>seine {0} nT liegen {1} nT über dem, was {2} im Freien erwartet ({3} nT, U = {4} nT, k = 2)</translation>
+    </message>
+    <message>
+        <source>its {0} nT are {1} nT below what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
+        <translation>seine {0} nT liegen {1} nT unter dem, was {2} im Freien erwartet ({3} nT, U = {4} nT, k = 2)</translation>
+    </message>
+    <message>
+        <source>iron near by, or the reference&apos;s unit and scale</source>
+        <translation>Eisen in der Nähe oder Einheit und Maßstab der Referenz</translation>
+    </message>
+    <message>
+        <source>of {0} no field is expected: WMM is here from {1} to {2}</source>
+        <translation>für {0} wird kein Feld erwartet: WMM gibt es hier von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>{0} Hz is not distinguishable from {1} at {2}/s</source>
+        <translation>{0} Hz ist bei {2}/s nicht von {1} zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>a steady field</source>
+        <translation>einem festen Feld</translation>
+    </message>
+    <message>
+        <source>{0} Hz is seen as a steady field at {1} {2} samples/s</source>
+        <translation>{0} Hz ist bei {1} Werten/s ({2}) ein festes Feld</translation>
+    </message>
+    <message>
+        <source>{0} Hz falls on the rotation at {1} {2} samples/s</source>
+        <translation>{0} Hz fällt bei {1} Werten/s ({2}) auf die Drehung</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s calibration of {0} is {1} days old, beyond {2}</source>
+        <translation>die Kalibrierung der Referenz vom {0} ist {1} Tage alt, mehr als {2}</translation>
+    </message>
+    <message>
+        <source>Not covered by the uncertainties, because it is not stated: {0}.</source>
+        <translation>Von den Unsicherheiten nicht erfasst, weil nicht angegeben: {0}.</translation>
+    </message>
+    <message>
+        <source>Not covered by the uncertainty of the tracking error: the reference&apos;s own errors.</source>
+        <translation>Von der Unsicherheit des Folgefehlers nicht erfasst: die eigenen Fehler der Referenz.</translation>
+    </message>
+    <message>
+        <source>For cage and surroundings; this is no deperm of a spacecraft.</source>
+        <translation>Für Käfig und Umgebung; dies ist keine Entmagnetisierung eines Raumfahrzeugs.</translation>
+    </message>
+    <message>
+        <source>departure from the centre, each coil</source>
+        <translation>Abweichung von der Mitte, je Spule</translation>
+    </message>
+    <message>
+        <source>draft: {0}</source>
+        <translation>Entwurf: {0}</translation>
+    </message>
+    <message>
+        <source>bias per ampere, one column a load</source>
+        <translation>Störung je Ampere, eine Spalte je Last</translation>
+    </message>
+    <message>
+        <source>moment m = p + X b of the DUT, in its body axes</source>
+        <translation>Moment m = p + X b des Prüflings, in seinen Körperachsen</translation>
+    </message>
+    <message>
+        <source>the ambient field as tracked</source>
+        <translation>das Umgebungsfeld, wie es verfolgt wurde</translation>
+    </message>
+    <message>
+        <source>K and k in the cage&apos;s frame, k in the middle of the run</source>
+        <translation>K und k im System des Käfigs, k in der Mitte der Messung</translation>
+    </message>
+    <message>
+        <source>too few directions for harmonics: what K and k do not hold is not reported by degree</source>
+        <translation>zu wenige Richtungen für Kugelfunktionen: was K und k nicht halten, wird nicht nach Grad berichtet</translation>
+    </message>
+    <message>
+        <source>the field is the reference&apos;s, measured at the DUT</source>
+        <translation>das Feld ist das der Referenz, am Prüfling gemessen</translation>
+    </message>
+    <message>
+        <source>the field is that of the calibrated cage, its ambient part followed by the reference</source>
+        <translation>das Feld ist das des kalibrierten Käfigs, die Umgebung von der Referenz verfolgt</translation>
+    </message>
+    <message>
+        <source>offset from four attitudes</source>
+        <translation>Nullpunkt aus vier Lagen</translation>
+    </message>
+    <message>
+        <source>field and reading along the direction</source>
+        <translation>Feld und Messwert längs der Richtung</translation>
+    </message>
+    <message>
+        <source>the places are as if the halves towards − had been reversed, or position_m has another sign</source>
+        <translation>die Orte sind, als wären die Hälften bei − umgepolt, oder position_m hat ein anderes Vorzeichen</translation>
+    </message>
+    <message>
+        <source>field number {0} stands {1} s after it came</source>
+        <translation>Feld Nummer {0} steht {1} s, nachdem es kam</translation>
+    </message>
+    <message>
+        <source>{0}; {1} fields set</source>
+        <translation>{0}; {1} Felder gestellt</translation>
+    </message>
+    <message>
+        <source>No heading is judged: of the field the reference tells the magnitude alone.</source>
+        <translation>Keine Richtung wird beurteilt: Vom Feld nennt die Referenz nur den Betrag.</translation>
+    </message>
+    <message>
+        <source>Of the reference, because the run does not state it: {0}.</source>
+        <translation>Von der Referenz, weil die Messung es nicht angibt: {0}.</translation>
+    </message>
+    <message>
+        <source>Of the reference, because the run states it as 0: {0}.</source>
+        <translation>Von der Referenz, weil die Messung 0 angibt: {0}.</translation>
+    </message>
+    <message>
+        <source>Frame as mounted; mounting uncertainty not included.</source>
+        <translation>System wie eingebaut; Unsicherheit des Einbaus nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>The direction of the platform&apos;s axis in the cage.</source>
+        <translation>Die Richtung der Tischachse im Käfig.</translation>
+    </message>
+    <message>
+        <source>the supplies&apos; read-back</source>
+        <translation>das Rücklesen der Netzgeräte</translation>
+    </message>
+    <message>
+        <source>the supplies&apos; currents</source>
+        <translation>die Ströme der Netzgeräte</translation>
+    </message>
+    <message>
+        <source>where the reference was put</source>
+        <translation>wohin die Referenz gestellt wurde</translation>
+    </message>
+    <message>
+        <source>where the sensor was put</source>
+        <translation>wohin der Sensor gestellt wurde</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s turn against the cage</source>
+        <translation>die Drehung der Referenz gegen den Käfig</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s own linearity</source>
+        <translation>die Linearität der Referenz selbst</translation>
+    </message>
+    <message>
+        <source>the direction of the platform&apos;s axis in the cage</source>
+        <translation>die Richtung der Tischachse im Käfig</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s mounting</source>
+        <translation>der Einbau des Prüflings</translation>
+    </message>
+    <message>
+        <source>the standard</source>
+        <translation>das Normal</translation>
+    </message>
+    <message>
+        <source>the half turns</source>
+        <translation>die halben Drehungen</translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation>der Käfig</translation>
+    </message>
+    <message>
+        <source>the platform&apos;s angle</source>
+        <translation>der Winkel des Tisches</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>own calibration</source>
+        <translation>eigene Kalibrierung</translation>
+    </message>
+    <message>
+        <source>x along coil x: matrix_nT_per_A = {0}</source>
+        <translation>x längs Spule x: matrix_nT_per_A = {0}</translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference and three numbers, --set field_nT=0,0,30000</source>
+        <translation>{0} braucht eine Vektorreferenz und drei Zahlen, --set field_nT=0,0,30000</translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference; for a scalar one see {1}</source>
+        <translation>{0} braucht eine Vektorreferenz; für eine skalare siehe {1}</translation>
+    </message>
+    <message>
+        <source>{0} needs a scalar reference ([reference] kind); for a vector one see {1}</source>
+        <translation>{0} braucht eine skalare Referenz ([reference] kind); für eine vektorielle siehe {1}</translation>
+    </message>
+    <message>
+        <source>the reference stands elsewhere: {0} needs [cage] calibration, from {1}</source>
+        <translation>die Referenz steht woanders: {0} braucht [cage] calibration, von {1}</translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference</source>
+        <translation>{0} braucht eine Vektorreferenz</translation>
+    </message>
+    <message>
+        <source>{0} needs a platform with a motor</source>
+        <translation>{0} braucht einen Tisch mit Motor</translation>
+    </message>
+    <message>
+        <source>{0} must be at least two, and different</source>
+        <translation>{0} müssen mindestens zwei und verschieden sein</translation>
+    </message>
+    <message>
+        <source>the DUT has no current channel {0}; it has {1}</source>
+        <translation>der Prüfling hat keinen Stromkanal {0}; er hat {1}</translation>
+    </message>
+    <message>
+        <source>the DUT has no temperature channel {0}; it has {1}</source>
+        <translation>der Prüfling hat keinen Temperaturkanal {0}; er hat {1}</translation>
+    </message>
+    <message>
+        <source>configuration: {0} not as stated</source>
+        <translation>Konfiguration: {0} nicht wie angegeben</translation>
+    </message>
+    <message>
+        <source>{0}: the coils have moved the field by {1} nT and the reading not at all.</source>
+        <translation>{0}: Die Spulen haben das Feld um {1} nT bewegt, den Messwert gar nicht.</translation>
+    </message>
+    <message>
+        <source>no field stood for as long as one sample of the reference.</source>
+        <translation>kein Feld stand so lange wie ein Wert der Referenz.</translation>
+    </message>
+    <message>
+        <source>{0} takes a file or a source, not both</source>
+        <translation>{0} nimmt eine Datei oder eine Quelle, nicht beides</translation>
+    </message>
+    <message>
+        <source>locate needs the coils&apos; geometry: state [cage.geometry] size_m, and in halves the coils of which one half can be reversed at its terminals</source>
+        <translation>locate braucht die Geometrie der Spulen: [cage.geometry] size_m angeben, und in halves die Spulen, deren eine Hälfte an den Klemmen umgepolt werden kann</translation>
+    </message>
+    <message>
+        <source>no coil&apos;s halves can be reversed ([cage.geometry] halves): near its middle the field of a pair does not change with the place to first order, and tells none</source>
+        <translation>keiner Spule Hälften sind umpolbar ([cage.geometry] halves): Nahe der Mitte ändert sich das Feld eines Paars in erster Ordnung nicht mit dem Ort und verrät keinen</translation>
+    </message>
+    <message>
+        <source>no half was reversed: the field of a pair as it should be is flat at its middle</source>
+        <translation>keine Hälfte war umgepolt: Das Feld eines Paars, wie es sein soll, ist in der Mitte flach</translation>
+    </message>
+    <message>
+        <source>the sensor does not see three coils in three directions</source>
+        <translation>der Sensor sieht nicht drei Spulen in drei Richtungen</translation>
+    </message>
+    <message>
+        <source>what the sensor sees fits no place inside the coils: are the halves reversed as asked?</source>
+        <translation>was der Sensor sieht, passt zu keinem Ort in den Spulen: Sind die Hälften wie verlangt umgepolt?</translation>
+    </message>
+    <message>
+        <source>the currents do not span all three coils: step each coil at two currents at least</source>
+        <translation>die Ströme umfassen nicht alle drei Spulen: jede Spule in mindestens zwei Strömen stufen</translation>
+    </message>
+    <message>
+        <source>these turns do not determine all of the moment</source>
+        <translation>diese Drehungen bestimmen nicht das ganze Moment</translation>
+    </message>
+    <message>
+        <source>these fields do not determine K, k and drift: they lie in a plane, or follow the time</source>
+        <translation>diese Felder bestimmen K, k und Drift nicht: Sie liegen in einer Ebene oder folgen der Zeit</translation>
+    </message>
+    <message>
+        <source>{0} fields are too few: K, k and drift need {1}</source>
+        <translation>{0} Felder sind zu wenige: K, k und Drift brauchen {1}</translation>
+    </message>
+    <message>
+        <source>these currents do not determine the coils: each alone in both signs, and every two together</source>
+        <translation>diese Ströme bestimmen die Spulen nicht: jede allein in beiden Vorzeichen, und je zwei zusammen</translation>
+    </message>
+    <message>
+        <source>the magnitudes are those of no three coils: does the sensor follow the currents?</source>
+        <translation>die Beträge sind die von keinen drei Spulen: Folgt der Sensor den Strömen?</translation>
+    </message>
+    <message>
+        <source>these currents do not determine coils and ambient field: turn the field all round, in two sizes</source>
+        <translation>diese Ströme bestimmen Spulen und Umgebungsfeld nicht: das Feld ganz herum drehen, in zwei Größen</translation>
+    </message>
+    <message>
+        <source>{0} magnitudes are too few: coils, ambient field and its course need {1}</source>
+        <translation>{0} Beträge sind zu wenige: Spulen, Umgebungsfeld und sein Verlauf brauchen {1}</translation>
+    </message>
+    <message>
+        <source>two rows at least are needed</source>
+        <translation>mindestens zwei Zeilen sind nötig</translation>
+    </message>
+    <message>
+        <source>time does not go on</source>
+        <translation>die Zeit geht nicht weiter</translation>
+    </message>
+    <message>
+        <source>{0} is no finite number</source>
+        <translation>{0} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>this column is missing</source>
+        <translation>diese Spalte fehlt</translation>
+    </message>
+    <message>
+        <source>is no regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>epoch = {0}: expected ISO 8601, as 2026-01-01T00:00:00</source>
+        <translation>epoch = {0}: erwartet wird ISO 8601, wie 2026-01-01T00:00:00</translation>
+    </message>
+    <message>
+        <source>the run has no channel {0}, which {1} rests on</source>
+        <translation>die Messung hat keinen Kanal {0}, auf dem {1} beruht</translation>
+    </message>
+    <message>
+        <source>this run has nothing to show of {0}</source>
+        <translation>diese Messung hat von {0} nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>a cage calibration file, from the folder of bench.toml</source>
+        <translation>eine Datei mit Käfigkalibrierung, vom Ordner von bench.toml aus</translation>
+    </message>
+    <message>
+        <source>a table, or a file: labcal.bench.specification</source>
+        <translation>eine Tabelle oder eine Datei: labcal.bench.specification</translation>
+    </message>
+    <message>
+        <source>after a ramp, before the field is believed</source>
+        <translation>nach einer Rampe, bevor dem Feld geglaubt wird</translation>
+    </message>
+    <message>
+        <source>after each mounting its serial is asked for, and no other is taken</source>
+        <translation>nach jedem Einbau wird seine Seriennummer verlangt und keine andere genommen</translation>
+    </message>
+    <message>
+        <source>after it no procedure begins</source>
+        <translation>danach beginnt kein Ablauf</translation>
+    </message>
+    <message>
+        <source>as it came in</source>
+        <translation>wie er hereinkam</translation>
+    </message>
+    <message>
+        <source>as it states it, with k</source>
+        <translation>wie er es angibt, mit k</translation>
+    </message>
+    <message>
+        <source>at the cage: its number here, or an address</source>
+        <translation>am Käfig: ihre Nummer hier oder eine Adresse</translation>
+    </message>
+    <message>
+        <source>at which it holds</source>
+        <translation>bei der es gilt</translation>
+    </message>
+    <message>
+        <source>columns are the coil axes in C</source>
+        <translation>Spalten sind die Spulenachsen in C</translation>
+    </message>
+    <message>
+        <source>in the sensor&apos;s axes, subtracted first</source>
+        <translation>in den Achsen des Sensors, zuerst abgezogen</translation>
+    </message>
+    <message>
+        <source>magnitude with the coils at zero</source>
+        <translation>Betrag mit den Spulen auf null</translation>
+    </message>
+    <message>
+        <source>of a whole serial</source>
+        <translation>einer ganzen Seriennummer</translation>
+    </message>
+    <message>
+        <source>of it while it was measured, peak to peak</source>
+        <translation>davon während der Messung, von Spitze zu Spitze</translation>
+    </message>
+    <message>
+        <source>of its locks and sockets; /run/labcal-GROUP</source>
+        <translation>seiner Sperren und Sockets; /run/labcal-GROUP</translation>
+    </message>
+    <message>
+        <source>of one axis of one sample</source>
+        <translation>einer Achse eines Werts</translation>
+    </message>
+    <message>
+        <source>of the computer&apos;s users</source>
+        <translation>der Benutzer des Rechners</translation>
+    </message>
+    <message>
+        <source>of the difference of what the two halves of a pair make, relative</source>
+        <translation>des Unterschieds dessen, was die zwei Hälften eines Paars machen, relativ</translation>
+    </message>
+    <message>
+        <source>of the field at the centre</source>
+        <translation>des Felds in der Mitte</translation>
+    </message>
+    <message>
+        <source>of the windings, where a channel tells it</source>
+        <translation>der Wicklungen, wo ein Kanal sie nennt</translation>
+    </message>
+    <message>
+        <source>of what the coils make</source>
+        <translation>dessen, was die Spulen machen</translation>
+    </message>
+    <message>
+        <source>planetary index of those hours</source>
+        <translation>planetarischer Index dieser Stunden</translation>
+    </message>
+    <message>
+        <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
+        <translation>Effektivwert über `rms_window_s`: was der Draht auf Dauer trägt</translation>
+    </message>
+    <message>
+        <source>what is known of it and not corrected; each with its own uncertainty</source>
+        <translation>was davon bekannt und nicht korrigiert ist; jedes mit eigener Unsicherheit</translation>
+    </message>
+    <message>
+        <source>with the coils at zero, of any component along any direction</source>
+        <translation>mit den Spulen auf null, jeder Komponente längs jeder Richtung</translation>
+    </message>
+    <message>
+        <source>with the same reading so long, it is stuck</source>
+        <translation>mit so lange demselben Wert hängt er fest</translation>
+    </message>
+    <message>
+        <source>without a sample so long, it is silent</source>
+        <translation>so lange ohne Wert ist er stumm</translation>
+    </message>
+    <message>
+        <source>|angle| that the cables bear</source>
+        <translation>|Winkel|, den die Kabel tragen</translation>
+    </message>
+    <message>
+        <source>nT a unit of the reading</source>
+        <translation>nT je Einheit des Messwerts</translation>
+    </message>
+    <message>
+        <source>nT a year</source>
+        <translation>nT im Jahr</translation>
+    </message>
+    <message>
+        <source>largest field at the DUT {0} µT</source>
+        <translation>größtes Feld am Prüfling {0} µT</translation>
+    </message>
+    <message>
+        <source>turns between {0} and {1}°, at up to {2} °/s</source>
+        <translation>dreht zwischen {0} und {1}°, mit bis zu {2} °/s</translation>
+    </message>
+    <message>
+        <source>the platform rests</source>
+        <translation>der Tisch ruht</translation>
+    </message>
+    <message>
+        <source>DUT kept within {0} to {1} °C</source>
+        <translation>Prüfling zwischen {0} und {1} °C gehalten</translation>
+    </message>
+    <message>
+        <source>no temperature limits are stated</source>
+        <translation>keine Temperaturgrenzen sind angegeben</translation>
+    </message>
+    <message>
+        <source>about {0} min, without a person&apos;s steps</source>
+        <translation>etwa {0} min, ohne die Schritte eines Menschen</translation>
+    </message>
+    <message>
+        <source>what a person is asked:</source>
+        <translation>was ein Mensch gefragt wird:</translation>
+    </message>
+    <message>
+        <source>{0}: missing sectors</source>
+        <translation>{0}: fehlende Sektoren</translation>
+    </message>
+    <message>
+        <source>{0}: noise</source>
+        <translation>{0}: Rauschen</translation>
+    </message>
+    <message>
+        <source>{0}: wrong signs</source>
+        <translation>{0}: falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>delay {0}</source>
+        <translation>Verzug {0}</translation>
+    </message>
+    <message>
+        <source>closure {0}</source>
+        <translation>Schluss {0}</translation>
+    </message>
+    <message>
+        <source>closure, {0}</source>
+        <translation>Schluss, {0}</translation>
+    </message>
+    <message>
+        <source>zero: {0}</source>
+        <translation>Nullmessung: {0}</translation>
+    </message>
+    <message>
+        <source>closing: {0}</source>
+        <translation>Abschluss: {0}</translation>
+    </message>
+    <message>
+        <source>zero since the interruption</source>
+        <translation>Nullpunkt seit der Unterbrechung</translation>
+    </message>
+    <message>
+        <source>DUT less reference, coils off</source>
+        <translation>Prüfling weniger Referenz, Spulen aus</translation>
+    </message>
+    <message>
+        <source>DUT less reference, first position</source>
+        <translation>Prüfling weniger Referenz, erste Stellung</translation>
+    </message>
+    <message>
+        <source>DUT less reference</source>
+        <translation>Prüfling weniger Referenz</translation>
+    </message>
+    <message>
+        <source>rotation rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>DUT {0} points beside by</source>
+        <translation>Prüfling {0} zeigt daneben um</translation>
+    </message>
+    <message>
+        <source>reference {0} points beside by</source>
+        <translation>Referenz {0} zeigt daneben um</translation>
+    </message>
+    <message>
+        <source>turn seen by the DUT, less turn made</source>
+        <translation>vom Prüfling gesehene Drehung weniger gemachte</translation>
+    </message>
+    <message>
+        <source>DUT behind the set-point</source>
+        <translation>Prüfling hinter dem Sollwert</translation>
+    </message>
+    <message>
+        <source>reference behind the set-point</source>
+        <translation>Referenz hinter dem Sollwert</translation>
+    </message>
+    <message>
+        <source>DUT behind the angle</source>
+        <translation>Prüfling hinter dem Winkel</translation>
+    </message>
+    <message>
+        <source>mean {0}</source>
+        <translation>Mittel {0}</translation>
+    </message>
+    <message>
+        <source>drift {0}</source>
+        <translation>Drift {0}</translation>
+    </message>
+    <message>
+        <source>noise {0}</source>
+        <translation>Rauschen {0}</translation>
+    </message>
+    <message>
+        <source>noise density {0}</source>
+        <translation>Rauschdichte {0}</translation>
+    </message>
+    <message>
+        <source>amplitude of {0} Hz</source>
+        <translation>Amplitude von {0} Hz</translation>
+    </message>
+    <message>
+        <source>magnitude by {0}</source>
+        <translation>Betrag nach {0}</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>{0} Hz in reference samples</source>
+        <translation>{0} Hz in Werten der Referenz</translation>
+    </message>
+    <message>
+        <source>{0} Hz in dut samples</source>
+        <translation>{0} Hz in Werten des Prüflings</translation>
+    </message>
+    <message>
+        <source>{0}: uncertainty of the matrix</source>
+        <translation>{0}: Unsicherheit der Matrix</translation>
+    </message>
+    <message>
+        <source>{0}: settling time</source>
+        <translation>{0}: Einschwingzeit</translation>
+    </message>
+    <message>
+        <source>{0}: departure from the line</source>
+        <translation>{0}: Abweichung von der Geraden</translation>
+    </message>
+    <message>
+        <source>{0}: up less down</source>
+        <translation>{0}: aufwärts weniger abwärts</translation>
+    </message>
+    <message>
+        <source>departure from the line</source>
+        <translation>Abweichung von der Geraden</translation>
+    </message>
+    <message>
+        <source>up less down</source>
+        <translation>aufwärts weniger abwärts</translation>
+    </message>
+    <message>
+        <source>computed departure in the volume</source>
+        <translation>berechnete Abweichung im Volumen</translation>
+    </message>
+    <message>
+        <source>probe less computed</source>
+        <translation>Sonde weniger Rechnung</translation>
+    </message>
+    <message>
+        <source>{0}: bias {1}</source>
+        <translation>{0}: Störung {1}</translation>
+    </message>
+    <message>
+        <source>change of the ambient field</source>
+        <translation>Änderung des Umgebungsfelds</translation>
+    </message>
+    <message>
+        <source>permanent moment {0}</source>
+        <translation>Dauermoment {0}</translation>
+    </message>
+    <message>
+        <source>induced moment {0}</source>
+        <translation>induziertes Moment {0}</translation>
+    </message>
+    <message>
+        <source>largest induced moment in {0} µT</source>
+        <translation>größtes induziertes Moment in {0} µT</translation>
+    </message>
+    <message>
+        <source>rms error while held</source>
+        <translation>rms-Fehler beim Halten</translation>
+    </message>
+    <message>
+        <source>open-loop error</source>
+        <translation>Fehler ohne Regelung</translation>
+    </message>
+    <message>
+        <source>drift of the zero</source>
+        <translation>Drift des Nullpunkts</translation>
+    </message>
+    <message>
+        <source>{0} µT, degree {1}</source>
+        <translation>{0} µT, Grad {1}</translation>
+    </message>
+    <message>
+        <source>verify: rms error with bench.toml&apos;s matrix</source>
+        <translation>Nachprüfung: rms-Fehler mit der Matrix von bench.toml</translation>
+    </message>
+    <message>
+        <source>verify: rms error</source>
+        <translation>Nachprüfung: rms-Fehler</translation>
+    </message>
+    <message>
+        <source>verify: largest error in units of U by noise</source>
+        <translation>Nachprüfung: größter Fehler in Einheiten von U durch Rauschen</translation>
+    </message>
+    <message>
+        <source>rms tracking error</source>
+        <translation>rms-Folgefehler</translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>jitter of the latency</source>
+        <translation>Schwanken der Latenz</translation>
+    </message>
+    <message>
+        <source>jitter of the source</source>
+        <translation>Schwanken der Quelle</translation>
+    </message>
+    <message>
+        <source>departure from a straight line</source>
+        <translation>Abweichung von einer Geraden</translation>
+    </message>
+    <message>
+        <source>reference from DUT: {0}</source>
+        <translation>Referenz vom Prüfling aus: {0}</translation>
+    </message>
+    <message>
+        <source>less what is stated: {0}</source>
+        <translation>weniger dem Genannten: {0}</translation>
+    </message>
+    <message>
+        <source>coil {0}: field at the reference over that at the DUT</source>
+        <translation>Spule {0}: Feld an der Referenz durch das am Prüfling</translation>
+    </message>
+    <message>
+        <source>once a turn</source>
+        <translation>einmal je Drehung</translation>
+    </message>
+    <message>
+        <source>turning less holding</source>
+        <translation>drehend weniger haltend</translation>
+    </message>
+    <message>
+        <source>holding less off</source>
+        <translation>haltend weniger aus</translation>
+    </message>
+    <message>
+        <source>zero {0}</source>
+        <translation>Nullpunkt {0}</translation>
+    </message>
+    <message>
+        <source>magnitude against direction</source>
+        <translation>Betrag über der Richtung</translation>
+    </message>
+    <message>
+        <source>magnitude less the standard&apos;s</source>
+        <translation>Betrag weniger dem des Normals</translation>
+    </message>
+    <message>
+        <source>age of its calibration</source>
+        <translation>Alter ihrer Kalibrierung</translation>
+    </message>
+    <message>
+        <source>components against constant modulus, largest E_n</source>
+        <translation>Komponenten gegen festen Betrag, größtes E_n</translation>
+    </message>
+    <message>
+        <source>constant {0}</source>
+        <translation>Konstante {0}</translation>
+    </message>
+    <message>
+        <source>{0} from square</source>
+        <translation>{0} vom rechten Winkel</translation>
+    </message>
+    <message>
+        <source>ambient {0}</source>
+        <translation>Umgebung {0}</translation>
+    </message>
+    <message>
+        <source>current at zero {0}</source>
+        <translation>Strom bei null {0}</translation>
+    </message>
+    <message>
+        <source>{0} at {1} µT per {2}</source>
+        <translation>{0} bei {1} µT je {2}</translation>
+    </message>
+    <message>
+        <source>offset {0}</source>
+        <translation>Nullpunkt {0}</translation>
+    </message>
+    <message>
+        <source>rms heading error</source>
+        <translation>rms-Richtungsfehler</translation>
+    </message>
+    <message>
+        <source>rms magnitude error</source>
+        <translation>rms-Betragsfehler</translation>
+    </message>
+    <message>
+        <source>{0}: polarity + less −</source>
+        <translation>{0}: Polarität + weniger −</translation>
+    </message>
+    <message>
+        <source>DUT: change from bench.toml</source>
+        <translation>Prüfling: Änderung gegen bench.toml</translation>
+    </message>
+    <message>
+        <source>axes-check</source>
+        <translation>Achsenprüfung</translation>
+    </message>
+    <message>
+        <source>sync-check</source>
+        <translation>Zeitprüfung</translation>
+    </message>
+    <message>
+        <source>mount-{0}</source>
+        <translation>Einbau {0}</translation>
+    </message>
+    <message>
+        <source>closure-{0}</source>
+        <translation>Schluss {0}</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>Abschluss</translation>
+    </message>
+    <message>
+        <source>coil {0}</source>
+        <translation>Spule {0}</translation>
+    </message>
+    <message>
+        <source>sweep at the DUT&apos;s place</source>
+        <translation>Abfahren am Ort des Prüflings</translation>
+    </message>
+    <message>
+        <source>sweep at the reference&apos;s place</source>
+        <translation>Abfahren am Ort der Referenz</translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation>Punkt {0}</translation>
+    </message>
+    <message>
+        <source>{0}-on-{1}</source>
+        <translation>{0} an {1}</translation>
+    </message>
+    <message>
+        <source>{0}-off-{1}</source>
+        <translation>{0} aus {1}</translation>
+    </message>
+    <message>
+        <source>{0}-on</source>
+        <translation>{0} an</translation>
+    </message>
+    <message>
+        <source>{0}-off</source>
+        <translation>{0} aus</translation>
+    </message>
+    <message>
+        <source>open loop</source>
+        <translation>ohne Regelung</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>field steps</source>
+        <translation>Feldstufen</translation>
+    </message>
+    <message>
+        <source>wait for the source</source>
+        <translation>Warten auf die Quelle</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>half-{0}-reversed</source>
+        <translation>Hälfte {0} umgepolt</translation>
+    </message>
+    <message>
+        <source>half-{0}-back</source>
+        <translation>Hälfte {0} zurück</translation>
+    </message>
+    <message>
+        <source>as they should be</source>
+        <translation>wie sie sein sollen</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>drehend</translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation>haltend</translation>
+    </message>
+    <message>
+        <source>motor off</source>
+        <translation>Motor aus</translation>
+    </message>
+    <message>
+        <source>zero by half turns</source>
+        <translation>Nullpunkt durch halbe Drehungen</translation>
+    </message>
+    <message>
+        <source>six directions</source>
+        <translation>sechs Richtungen</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>constant modulus</source>
+        <translation>fester Betrag</translation>
+    </message>
+    <message>
+        <source>round {0}</source>
+        <translation>Runde {0}</translation>
+    </message>
+    <message>
+        <source>position {0}</source>
+        <translation>Stellung {0}</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>photographs</source>
+        <translation>Fotos</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -3543,8 +5811,12 @@
         <translation>Nach {0} sehen</translation>
     </message>
     <message>
-        <source>Say who and what</source>
-        <translation>Sagen, wer und was</translation>
+        <source>Say which DUT</source>
+        <translation>Prüfling nennen</translation>
+    </message>
+    <message>
+        <source>Say who works here</source>
+        <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
         <source>Go on with the run</source>
@@ -4690,6 +6962,54 @@
         <translation>Achsfehler, größter  Grad</translation>
     </message>
     <message>
+        <source>look</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Ursachen</translation>
+    </message>
+    <message>
+        <source>all rows</source>
+        <translation>alle Zeilen</translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>in Ruhe gemessen</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>aus Differenzen</translation>
+    </message>
+    <message>
+        <source>inertial</source>
+        <translation>inertial</translation>
+    </message>
+    <message>
+        <source>nadir</source>
+        <translation>zum Nadir</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>angle  deg</source>
+        <translation>Winkel  deg</translation>
+    </message>
+    <message>
+        <source>field  nT</source>
+        <translation>Feld  nT</translation>
+    </message>
+    <message>
         <source>time  s</source>
         <translation>Zeit  s</translation>
     </message>
@@ -4908,6 +7228,18 @@
     <message>
         <source>{0} and {1}</source>
         <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>{0}, or {1}</source>
+        <translation>{0}, oder {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>{0} at {1}</source>
+        <translation>{0} bei {1}</translation>
     </message>
     <message>
         <source>rows that were set aside</source>

@@ -1029,6 +1029,22 @@
         <translation>On ne peut dire si le capteur a changé : un étalonnage n&apos;indique pas d&apos;incertitude.</translation>
     </message>
     <message>
+        <source>Offsets are not of the same state: as found {0}, as left {1}.</source>
+        <translation>Les décalages ne sont pas du même état : trouvé {0}, laissé {1}.</translation>
+    </message>
+    <message>
+        <source>Offsets are those at {0}.</source>
+        <translation>Les décalages sont ceux à {0}.</translation>
+    </message>
+    <message>
+        <source>at any state</source>
+        <translation>à tout état</translation>
+    </message>
+    <message>
+        <source>One of the two is simulated.</source>
+        <translation>L&apos;un des deux est simulé.</translation>
+    </message>
+    <message>
         <source>Only the earlier corrects {0}.</source>
         <translation>Seul l&apos;ancien corrige {0}.</translation>
     </message>
@@ -2592,6 +2608,2258 @@
         <source>yes or no</source>
         <translation>oui ou non</translation>
     </message>
+    <message>
+        <source>turn the sensor about another body axis, or in a field of another magnitude</source>
+        <translation>tournez le capteur autour d&apos;un autre axe du corps, ou dans un champ d&apos;un autre module</translation>
+    </message>
+    <message>
+        <source>the magnitudes do not determine all nine parameters: {0}</source>
+        <translation>les modules ne déterminent pas les neuf paramètres : {0}</translation>
+    </message>
+    <message>
+        <source>the magnitudes do not determine all parameters: {0}</source>
+        <translation>les modules ne déterminent pas tous les paramètres : {0}</translation>
+    </message>
+    <message>
+        <source>I + E is not positive definite, so no real scale factors belong to it: {0}</source>
+        <translation>I + E n&apos;est pas définie positive, donc aucun facteur d&apos;échelle réel n&apos;y correspond : {0}</translation>
+    </message>
+    <message>
+        <source>{0} rows have both a reading and a reference magnitude; nine parameters need ten</source>
+        <translation>{0} lignes ont une lecture et un module de référence ; neuf paramètres en demandent dix</translation>
+    </message>
+    <message>
+        <source>the field would be uncertain by {0} nT: {1}</source>
+        <translation>le champ serait incertain de {0} nT : {1}</translation>
+    </message>
+    <message>
+        <source>the field would be uncertain by {0} nT</source>
+        <translation>le champ serait incertain de {0} nT</translation>
+    </message>
+    <message>
+        <source>Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {0}</source>
+        <translation>Gauss-Newton ne se stabilise pas, donc les modules déterminent à peine les paramètres : {0}</translation>
+    </message>
+    <message>
+        <source>the current {0} never changes, so its offset is part of the bias: leave it out</source>
+        <translation>le courant {0} ne change jamais, son décalage fait donc partie du biais : omettez-le</translation>
+    </message>
+    <message>
+        <source>the currents {0} are linearly dependent: leave one of them out</source>
+        <translation>les courants {0} sont linéairement dépendants : omettez-en un</translation>
+    </message>
+    <message>
+        <source>run {0} has no channel {1}; it has {2}</source>
+        <translation>la mesure {0} n&apos;a pas de voie {1} ; elle a {2}</translation>
+    </message>
+    <message>
+        <source>channel {0} is no current of the DUT, which is what `telemetry` takes</source>
+        <translation>la voie {0} n&apos;est pas un courant du DUT ; c&apos;est ce que prend `telemetry`</translation>
+    </message>
+    <message>
+        <source>the filter&apos;s covariance is no longer positive definite</source>
+        <translation>la covariance du filtre n&apos;est plus définie positive</translation>
+    </message>
+    <message>
+        <source>the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its covariance and the noise of the first readings allow</source>
+        <translation>le filtre a divergé, ou le capteur a changé : ses innovations au carré sont {0} fois ce que permettent sa covariance et le bruit des premières lectures</translation>
+    </message>
+    <message>
+        <source>the filter has diverged, or the sensor has changed: its innovations squared are beyond what its covariance and the noise of the first readings allow</source>
+        <translation>le filtre a divergé, ou le capteur a changé : ses innovations au carré dépassent ce que permettent sa covariance et le bruit des premières lectures</translation>
+    </message>
+    <message>
+        <source>{0} readings with a magnitude; a start needs {1}</source>
+        <translation>{0} lectures avec un module ; un départ en demande {1}</translation>
+    </message>
+    <message>
+        <source>the run is too short for {0} to begin</source>
+        <translation>la mesure est trop courte pour que {0} commence</translation>
+    </message>
+    <message>
+        <source>the numbers broke down: {0}</source>
+        <translation>les nombres ont lâché : {0}</translation>
+    </message>
+    <message>
+        <source>no row has both a reading and a reference</source>
+        <translation>aucune ligne n&apos;a à la fois une lecture et une référence</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of 12 parameters: 1 rotation axis in {1} segments; rotate about another body axis</source>
+        <translation>la mesure détermine {0} paramètres sur 12 : 1 axe de rotation dans {1} segments ; tournez autour d&apos;un autre axe du corps</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of 12 parameters: {1} rotation axes in {2} segments; rotate about another body axis</source>
+        <translation>la mesure détermine {0} paramètres sur 12 : {1} axes de rotation dans {2} segments ; tournez autour d&apos;un autre axe du corps</translation>
+    </message>
+    <message>
+        <source>the run does not determine the parameters: the normal equations are singular</source>
+        <translation>la mesure ne détermine pas les paramètres : les équations normales sont singulières</translation>
+    </message>
+    <message>
+        <source>the run does not determine the parameters: {0}; add longer arcs, another axis or another magnitude</source>
+        <translation>la mesure ne détermine pas les paramètres : {0} ; ajoutez des arcs plus longs, un autre axe ou un autre module</translation>
+    </message>
+    <message>
+        <source>the likelihood has no clear summit</source>
+        <translation>la vraisemblance n&apos;a pas de sommet net</translation>
+    </message>
+    <message>
+        <source>rotation segment {0} of {1} does not turn about its declared axis_body: at least {2} deg from it</source>
+        <translation>le segment de rotation {0} sur {1} ne tourne pas autour de son axis_body déclaré : à au moins {2} deg</translation>
+    </message>
+    <message>
+        <source>there is no rotation segment that states its axis_body; rotate about known body axes</source>
+        <translation>aucun segment de rotation n&apos;indique son axis_body ; tournez autour d&apos;axes connus du corps</translation>
+    </message>
+    <message>
+        <source>the magnitudes determine {0} of 9 parameters; rotate about another axis or use another magnitude</source>
+        <translation>les modules déterminent {0} paramètres sur 9 ; tournez autour d&apos;un autre axe ou prenez un autre module</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
+        <translation>la mesure détermine {0} paramètres sur {1}, pas {2} ni {3} autres : {4}</translation>
+    </message>
+    <message>
+        <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
+        <translation>la mesure détermine {0} paramètres sur {1}, pas {2} : {3}</translation>
+    </message>
+    <message>
+        <source>add a rotation about another body axis, or a field at another angle to the axis</source>
+        <translation>ajoutez une rotation autour d&apos;un autre axe du corps, ou un champ sous un autre angle de l&apos;axe</translation>
+    </message>
+    <message>
+        <source>add a rotation about another body axis or a field of another magnitude</source>
+        <translation>ajoutez une rotation autour d&apos;un autre axe du corps ou un champ d&apos;un autre module</translation>
+    </message>
+    <message>
+        <source>the readings lie close to one plane; turn the sensor about another body axis as well</source>
+        <translation>les lectures sont proches d&apos;un plan ; tournez aussi le capteur autour d&apos;un autre axe du corps</translation>
+    </message>
+    <message>
+        <source>quite another map fits as well</source>
+        <translation>une tout autre application convient aussi</translation>
+    </message>
+    <message>
+        <source>its reference leaves the rotation of the map open</source>
+        <translation>sa référence laisse ouverte la rotation de l&apos;application</translation>
+    </message>
+    <message>
+        <source>there is no reference, so the scale is open: a field of known magnitude is needed</source>
+        <translation>il n&apos;y a pas de référence, l&apos;échelle est donc ouverte : il faut un champ de module connu</translation>
+    </message>
+    <message>
+        <source>{0} usable rows give {1} numbers; the map needs more than {2}</source>
+        <translation>{0} lignes utilisables donnent {1} nombres ; l&apos;application en demande plus de {2}</translation>
+    </message>
+    <message>
+        <source>the reference is zero throughout</source>
+        <translation>la référence est nulle partout</translation>
+    </message>
+    <message>
+        <source>no map comes near these readings: they do not follow the reference at all</source>
+        <translation>aucune application n&apos;approche ces lectures : elles ne suivent pas du tout la référence</translation>
+    </message>
+    <message>
+        <source>{0} never changes: nothing determines its scale; turn the sensor or look at the axis</source>
+        <translation>{0} ne change jamais : rien ne détermine son échelle ; tournez le capteur ou regardez l&apos;axe</translation>
+    </message>
+    <message>
+        <source>the normal equations are not finite</source>
+        <translation>les équations normales ne sont pas finies</translation>
+    </message>
+    <message>
+        <source>method {0} gives no calibration of run {1}: {2}</source>
+        <translation>la méthode {0} ne donne pas d&apos;étalonnage de la mesure {1} : {2}</translation>
+    </message>
+    <message>
+        <source>run {0} has no reference: there is no residual to explain</source>
+        <translation>la mesure {0} n&apos;a pas de référence : il n&apos;y a pas de résidu à expliquer</translation>
+    </message>
+    <message>
+        <source>run {0} has {1} rows with a reading and a reference; {2} are needed</source>
+        <translation>la mesure {0} a {1} lignes avec une lecture et une référence ; il en faut {2}</translation>
+    </message>
+    <message>
+        <source>run {0} does not even determine an offset: {1}</source>
+        <translation>la mesure {0} ne détermine même pas un décalage : {1}</translation>
+    </message>
+    <message>
+        <source>noise of the run, through the fit</source>
+        <translation>bruit de la mesure, à travers l&apos;ajustement</translation>
+    </message>
+    <message>
+        <source>noise of one reading</source>
+        <translation>bruit d&apos;une lecture</translation>
+    </message>
+    <message>
+        <source>structure that held-out residuals keep</source>
+        <translation>structure que gardent les résidus mis de côté</translation>
+    </message>
+    <message>
+        <source>reference scale</source>
+        <translation>échelle de la référence</translation>
+    </message>
+    <message>
+        <source>reference zero {0}</source>
+        <translation>zéro de la référence {0}</translation>
+    </message>
+    <message>
+        <source>reference zero</source>
+        <translation>zéro de la référence</translation>
+    </message>
+    <message>
+        <source>reference alignment about {0}</source>
+        <translation>alignement de la référence autour de {0}</translation>
+    </message>
+    <message>
+        <source>alignment about {0}</source>
+        <translation>alignement autour de {0}</translation>
+    </message>
+    <message>
+        <source>rotation axes in the body about {0}</source>
+        <translation>axes de rotation dans le corps autour de {0}</translation>
+    </message>
+    <message>
+        <source>rotation axes in the cage about {0}</source>
+        <translation>axes de rotation dans la cage autour de {0}</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, scale</source>
+        <translation>température de la référence, échelle</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero {0}</source>
+        <translation>température de la référence, zéro {0}</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero</source>
+        <translation>température de la référence, zéro</translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate {0}</source>
+        <translation>dérive de la référence depuis son certificat {0}</translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate</source>
+        <translation>dérive de la référence depuis son certificat</translation>
+    </message>
+    <message>
+        <source>coils&apos; gradient over the distance {0}</source>
+        <translation>gradient des bobines sur la distance {0}</translation>
+    </message>
+    <message>
+        <source>gradient over the distance {0}</source>
+        <translation>gradient sur la distance {0}</translation>
+    </message>
+    <message>
+        <source>gradient over the distance</source>
+        <translation>gradient sur la distance</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>zero reading {0}</source>
+        <translation>lecture à zéro {0}</translation>
+    </message>
+    <message>
+        <source>off 90° {0}</source>
+        <translation>écart à 90° {0}</translation>
+    </message>
+    <message>
+        <source>{0} µT along {1}, {2}</source>
+        <translation>{0} µT selon {1}, {2}</translation>
+    </message>
+    <message>
+        <source>{0} µT along {1}</source>
+        <translation>{0} µT selon {1}</translation>
+    </message>
+    <message>
+        <source>{0} to {1} nT held out (noise alone: {2} nT)</source>
+        <translation>{0} à {1} nT mis de côté (bruit seul : {2} nT)</translation>
+    </message>
+    <message>
+        <source>The base model reaches the noise beside what the run declares of its reference and mounting: {0}.</source>
+        <translation>Le modèle de base atteint le bruit, à côté de ce que la mesure déclare de sa référence et de son montage : {0}.</translation>
+    </message>
+    <message>
+        <source>The base model reaches the noise: {0}.</source>
+        <translation>Le modèle de base atteint le bruit : {0}.</translation>
+    </message>
+    <message>
+        <source>{0} explains part of the residual, {1} % of its square above the noise: {2}.</source>
+        <translation>{0} explique une partie du résidu, {1} % de son carré au-dessus du bruit : {2}.</translation>
+    </message>
+    <message>
+        <source>{0} explain part of the residual, {1} % of its square above the noise: {2}.</source>
+        <translation>{0} expliquent une partie du résidu, {1} % de son carré au-dessus du bruit : {2}.</translation>
+    </message>
+    <message>
+        <source>{0} explains part of the residual: {1}.</source>
+        <translation>{0} explique une partie du résidu : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explain part of the residual: {1}.</source>
+        <translation>{0} expliquent une partie du résidu : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
+        <translation>{0} explique le résidu : {1} ; mais d&apos;une mesure dont plus de {2} % des lignes sont écartées comme aberrantes, rien n&apos;est dit expliqué.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
+        <translation>{0} expliquent le résidu : {1} ; mais d&apos;une mesure dont plus de {2} % des lignes sont écartées comme aberrantes, rien n&apos;est dit expliqué.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but {2} does as well on this run.</source>
+        <translation>{0} explique le résidu : {1} ; mais {2} fait aussi bien sur cette mesure.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but {2} does as well on this run.</source>
+        <translation>{0} expliquent le résidu : {1} ; mais {2} fait aussi bien sur cette mesure.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}; but {2} do as well on this run.</source>
+        <translation>{0} explique le résidu : {1} ; mais {2} font aussi bien sur cette mesure.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}; but {2} do as well on this run.</source>
+        <translation>{0} expliquent le résidu : {1} ; mais {2} font aussi bien sur cette mesure.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual beside what the run declares of its reference and mounting: {1}.</source>
+        <translation>{0} explique le résidu, à côté de ce que la mesure déclare de sa référence et de son montage : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual beside what the run declares of its reference and mounting: {1}.</source>
+        <translation>{0} expliquent le résidu, à côté de ce que la mesure déclare de sa référence et de son montage : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explains the residual: {1}.</source>
+        <translation>{0} explique le résidu : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} explain the residual: {1}.</source>
+        <translation>{0} expliquent le résidu : {1}.</translation>
+    </message>
+    <message>
+        <source>There is structure that no known effect carries: {0}.</source>
+        <translation>Il y a une structure qu&apos;aucun effet connu ne porte : {0}.</translation>
+    </message>
+    <message>
+        <source>Beside the rows set aside there is structure that no known effect carries: {0}.</source>
+        <translation>À côté des lignes écartées, il y a une structure qu&apos;aucun effet connu ne porte : {0}.</translation>
+    </message>
+    <message>
+        <source>This cause has no name: it is an empirical term, and holds only where it has been seen.</source>
+        <translation>Cette cause n&apos;a pas de nom : c&apos;est un terme empirique, qui ne vaut que là où on l&apos;a vu.</translation>
+    </message>
+    <message>
+        <source>a function of {0}</source>
+        <translation>une fonction de {0}</translation>
+    </message>
+    <message>
+        <source>Rows set aside</source>
+        <translation>Les lignes écartées</translation>
+    </message>
+    <message>
+        <source>{0} row set aside as {1}</source>
+        <translation>{0} ligne écartée comme {1}</translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}, {2} row set aside as {3}</source>
+        <translation>{0} lignes écartées comme {1}, {2} ligne comme {3}</translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}, {2} rows set aside as {3}</source>
+        <translation>{0} lignes écartées comme {1}, {2} comme {3}</translation>
+    </message>
+    <message>
+        <source>{0} rows set aside as {1}</source>
+        <translation>{0} lignes écartées comme {1}</translation>
+    </message>
+    <message>
+        <source>{0} rows ({1} %) set aside</source>
+        <translation>{0} lignes ({1} %) écartées</translation>
+    </message>
+    <message>
+        <source>outliers</source>
+        <translation>valeurs aberrantes</translation>
+    </message>
+    <message>
+        <source>saturation</source>
+        <translation>saturation</translation>
+    </message>
+    <message>
+        <source>No effect was searched in such data.</source>
+        <translation>Aucun effet n&apos;a été cherché dans de telles données.</translation>
+    </message>
+    <message>
+        <source>with the others of {0} in, the held-out rms falls from {1} to {2} nT</source>
+        <translation>avec les autres de {0}, le rms mis de côté tombe de {1} à {2} nT</translation>
+    </message>
+    <message>
+        <source>the held-out rms falls from {0} to {1} nT</source>
+        <translation>le rms mis de côté tombe de {0} à {1} nT</translation>
+    </message>
+    <message>
+        <source>evidence over a slow wander without a name: {0}</source>
+        <translation>évidence face à une lente dérive sans nom : {0}</translation>
+    </message>
+    <message>
+        <source>{0} nats, {1} needed</source>
+        <translation>{0} nats, {1} nécessaires</translation>
+    </message>
+    <message>
+        <source>no better than chance or a slow wander: evidence {0}</source>
+        <translation>pas mieux que le hasard ou une lente dérive : évidence {0}</translation>
+    </message>
+    <message>
+        <source>too little evidence: {0}</source>
+        <translation>trop peu d&apos;évidence : {0}</translation>
+    </message>
+    <message>
+        <source>takes {0} times the noise&apos;s square off the residual: not worth its parameters</source>
+        <translation>ôte au résidu {0} fois le carré du bruit : ne vaut pas ses paramètres</translation>
+    </message>
+    <message>
+        <source>takes {0} times the noise&apos;s square off the residual in sample, but other forms of what is accepted take as much</source>
+        <translation>ôte au résidu, dans l&apos;échantillon, {0} fois le carré du bruit, mais d&apos;autres formes de ce qui est retenu en ôtent autant</translation>
+    </message>
+    <message>
+        <source>taken to first order ({0} to {1} nT held out), and given up: fitted in full, map and effects together leave {2} nT</source>
+        <translation>pris au premier ordre ({0} à {1} nT mis de côté), puis abandonné : ajustés en entier, application et effets laissent ensemble {2} nT</translation>
+    </message>
+    <message>
+        <source>taken ({0} to {1} nT held out), and given up: it would be more than half of the field, and the others would undo it</source>
+        <translation>pris ({0} à {1} nT mis de côté), puis abandonné : ce serait plus de la moitié du champ, et les autres l&apos;annuleraient</translation>
+    </message>
+    <message>
+        <source>taken ({0} to {1} nT held out), and given up: it is no larger than its uncertainty, declared errors included; what is not there would seem as large in {2} % of runs</source>
+        <translation>pris ({0} à {1} nT mis de côté), puis abandonné : il n&apos;est pas plus grand que son incertitude, erreurs déclarées comprises ; ce qui n&apos;existe pas paraîtrait aussi grand dans {2} % des mesures</translation>
+    </message>
+    <message>
+        <source>does as well as {0} in its place ({1} nT held out): a rival, neither is sure</source>
+        <translation>fait aussi bien que {0} à sa place ({1} nT mis de côté) : un rival, aucun n&apos;est sûr</translation>
+    </message>
+    <message>
+        <source>taken, and given up on held-out blocks: {0} to {1} nT, a gain of {2} to {3} nT that may be none</source>
+        <translation>pris, puis abandonné sur les blocs mis de côté : {0} à {1} nT, un gain de {2} à {3} nT qui peut être nul</translation>
+    </message>
+    <message>
+        <source>taken, and given up on held-out blocks: {0} to {1} nT, but it is a detail beside others, or too much is left for its name to be sure</source>
+        <translation>pris, puis abandonné sur les blocs mis de côté : {0} à {1} nT, mais c&apos;est un détail à côté d&apos;autres, ou il reste trop pour que son nom soit sûr</translation>
+    </message>
+    <message>
+        <source>What is left is more than noise, though no single test (white in each segment, independent of every channel, of field, angle and time) finds of what shape.</source>
+        <translation>Ce qui reste est plus que du bruit, mais aucun test seul (blanc dans chaque segment, indépendant de chaque voie, du champ, de l&apos;angle et du temps) n&apos;en trouve la forme.</translation>
+    </message>
+    <message>
+        <source>What is left shows no material structure: white in each segment, independent of every channel, of field, angle and time.</source>
+        <translation>Ce qui reste ne montre aucune structure notable : blanc dans chaque segment, indépendant de chaque voie, du champ, de l&apos;angle et du temps.</translation>
+    </message>
+    <message>
+        <source>What is left: {0}</source>
+        <translation>Ce qui reste : {0}</translation>
+    </message>
+    <message>
+        <source>What is left {0}.</source>
+        <translation>Ce qui reste {0}.</translation>
+    </message>
+    <message>
+        <source>{0} more tests fail</source>
+        <translation>{0} autres tests échouent</translation>
+    </message>
+    <message>
+        <source>follows itself from row to row, most in segment {0}</source>
+        <translation>se suit lui-même de ligne en ligne, surtout dans le segment {0}</translation>
+    </message>
+    <message>
+        <source>goes with time (correlation {0})</source>
+        <translation>va avec le temps (corrélation {0})</translation>
+    </message>
+    <message>
+        <source>goes with {0} (correlation {1})</source>
+        <translation>va avec {0} (corrélation {1})</translation>
+    </message>
+    <message>
+        <source>comes again wherever the field is the same ({0} % of its square)</source>
+        <translation>revient partout où le champ est le même ({0} % de son carré)</translation>
+    </message>
+    <message>
+        <source>the field along {0}</source>
+        <translation>le champ selon {0}</translation>
+    </message>
+    <message>
+        <source>the field&apos;s magnitude</source>
+        <translation>le module du champ</translation>
+    </message>
+    <message>
+        <source>the angle&apos;s sine</source>
+        <translation>le sinus de l&apos;angle</translation>
+    </message>
+    <message>
+        <source>the angle&apos;s cosine</source>
+        <translation>le cosinus de l&apos;angle</translation>
+    </message>
+    <message>
+        <source>a line with a period of {0} s, on {1}</source>
+        <translation>une raie de période {0} s, sur {1}</translation>
+    </message>
+    <message>
+        <source>a step at t = {0} s, on {1}</source>
+        <translation>un saut à t = {0} s, sur {1}</translation>
+    </message>
+    <message>
+        <source>two levels with {0} changes between them, each kept for about {1} s (telegraph-like), on {2}</source>
+        <translation>deux niveaux avec {0} passages de l&apos;un à l&apos;autre, chacun tenu environ {1} s (comme un télégraphe), sur {2}</translation>
+    </message>
+    <message>
+        <source>a wander like a random walk, on {0}</source>
+        <translation>une dérive comme une marche aléatoire, sur {0}</translation>
+    </message>
+    <message>
+        <source>a wander that remembers itself for about {0} s, on {1}</source>
+        <translation>une dérive qui se souvient d&apos;elle-même environ {0} s, sur {1}</translation>
+    </message>
+    <message>
+        <source>more noise than is stated, without memory from row to row, on {0}</source>
+        <translation>plus de bruit qu&apos;indiqué, sans mémoire de ligne en ligne, sur {0}</translation>
+    </message>
+    <message>
+        <source>mostly in fields of {0} to {1} µT, mostly at angles of {2} to {3}°</source>
+        <translation>surtout dans des champs de {0} à {1} µT, surtout aux angles de {2} à {3}°</translation>
+    </message>
+    <message>
+        <source>mostly in fields of {0} to {1} µT</source>
+        <translation>surtout dans des champs de {0} à {1} µT</translation>
+    </message>
+    <message>
+        <source>mostly at angles of {0} to {1}°</source>
+        <translation>surtout aux angles de {0} à {1}°</translation>
+    </message>
+    <message>
+        <source>the magnitude</source>
+        <translation>le module</translation>
+    </message>
+    <message>
+        <source>all axes</source>
+        <translation>tous les axes</translation>
+    </message>
+    <message>
+        <source>axis {0}</source>
+        <translation>l&apos;axe {0}</translation>
+    </message>
+    <message>
+        <source>axes {0}</source>
+        <translation>les axes {0}</translation>
+    </message>
+    <message>
+        <source>The selection ended without a set of effects that held-out data support whole; what its last round left stands.</source>
+        <translation>La sélection s&apos;est terminée sans groupe d&apos;effets que les données mises de côté soutiennent en entier ; ce que son dernier tour a laissé demeure.</translation>
+    </message>
+    <message>
+        <source>k is the offset at {0}.</source>
+        <translation>k est le décalage à {0}.</translation>
+    </message>
+    <message>
+        <source>In another recording {0} begins {1} nT astray (one standard deviation) until the field has wiped that out: the held-out error does not hold it, u_nT does.</source>
+        <translation>Dans un autre enregistrement, {0} commence à {1} nT d&apos;écart (un écart-type) jusqu&apos;à ce que le champ l&apos;ait effacé : l&apos;erreur mise de côté ne le contient pas, u_nT si.</translation>
+    </message>
+    <message>
+        <source>{0}: what K and k take as well</source>
+        <translation>{0} : ce que K et k prennent aussi</translation>
+    </message>
+    <message>
+        <source>What is left is within what the run declares: {0}.</source>
+        <translation>Ce qui reste est dans ce que la mesure déclare : {0}.</translation>
+    </message>
+    <message>
+        <source>What is left has the shape of what the run declares, and is larger: {0}.</source>
+        <translation>Ce qui reste a la forme de ce que la mesure déclare, en plus grand : {0}.</translation>
+    </message>
+    <message>
+        <source>{0} nT held out, {1} beside it (noise alone: {2} nT)</source>
+        <translation>{0} nT mis de côté, {1} à côté (bruit seul : {2} nT)</translation>
+    </message>
+    <message>
+        <source>Likeliest: {0}.</source>
+        <translation>Le plus probable : {0}.</translation>
+    </message>
+    <message>
+        <source>Declared errors leave as much or more in {0} % of runs.</source>
+        <translation>Les erreurs déclarées laissent autant ou plus dans {0} % des mesures.</translation>
+    </message>
+    <message>
+        <source>Declared errors leave as much or more in {0} % of runs: check these, or declare them as large as they are.</source>
+        <translation>Les erreurs déclarées laissent autant ou plus dans {0} % des mesures : vérifiez-les, ou déclarez-les aussi grandes qu&apos;elles sont.</translation>
+    </message>
+    <message>
+        <source>reference scale ({0}) {1} nT</source>
+        <translation>échelle de la référence ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference zero ({0}) {1} nT</source>
+        <translation>zéro de la référence ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference alignment ({0}) {1} nT</source>
+        <translation>alignement de la référence ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, scale ({0}) {1} nT</source>
+        <translation>température de la référence, échelle ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference&apos;s temperature, zero ({0}) {1} nT</source>
+        <translation>température de la référence, zéro ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>reference&apos;s drift since its certificate ({0}) {1} nT</source>
+        <translation>dérive de la référence depuis son certificat ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>coils&apos; gradient over the distance ({0}) {1} nT</source>
+        <translation>gradient des bobines sur la distance ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>gradient over the distance ({0}) {1} nT</source>
+        <translation>gradient sur la distance ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>rotation axes in the cage ({0}) {1} nT</source>
+        <translation>axes de rotation dans la cage ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>rotation axes in the body ({0}) {1} nT</source>
+        <translation>axes de rotation dans le corps ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>time ({0}) {1} nT</source>
+        <translation>temps ({0}) {1} nT</translation>
+    </message>
+    <message>
+        <source>The noise, whose level is not stated, follows itself for about {0} s and goes with nothing that is recorded: {1} nT.</source>
+        <translation>Le bruit, dont le niveau n&apos;est pas indiqué, se suit environ {0} s et ne va avec rien d&apos;enregistré : {1} nT.</translation>
+    </message>
+    <message>
+        <source>State the device&apos;s noise, measured at rest, to be sure.</source>
+        <translation>Pour être sûr, indiquez le bruit du DUT, mesuré au repos.</translation>
+    </message>
+    <message>
+        <source>The noise measured at rest is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
+        <translation>Le bruit mesuré au repos est {0} fois celui déclaré : le plancher de {1} nT auquel les résultats sont comparés peut être faux.</translation>
+    </message>
+    <message>
+        <source>The noise measured from row to row is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
+        <translation>Le bruit mesuré de ligne en ligne est {0} fois celui déclaré : le plancher de {1} nT auquel les résultats sont comparés peut être faux.</translation>
+    </message>
+    <message>
+        <source>Channels with {0}: {1}. They can show no cause.</source>
+        <translation>Voies avec {0} : {1}. Elles ne peuvent montrer aucune cause.</translation>
+    </message>
+    <message>
+        <source>no value in this run</source>
+        <translation>aucune valeur dans cette mesure</translation>
+    </message>
+    <message>
+        <source>one value all through this run</source>
+        <translation>une seule valeur dans toute la mesure</translation>
+    </message>
+    <message>
+        <source>no value, nor a sure one between two others, in most rows</source>
+        <translation>aucune valeur, ni une sûre entre deux autres, dans la plupart des lignes</translation>
+    </message>
+    <message>
+        <source>Channels {0} and {1} are one signal: no fit tells which is the cause.</source>
+        <translation>Les voies {0} et {1} sont un seul signal : aucun ajustement ne dit laquelle est la cause.</translation>
+    </message>
+    <message>
+        <source>The correction {0} is uncertain by {1} nT at {2}: the run did not go there.</source>
+        <translation>La correction {0} est incertaine de {1} nT à {2} : la mesure n&apos;y est pas allée.</translation>
+    </message>
+    <message>
+        <source>{0} in {1} µT along {2}</source>
+        <translation>{0} dans {1} µT selon {2}</translation>
+    </message>
+    <message>
+        <source>{0} in {1} µT across the axes</source>
+        <translation>{0} dans {1} µT en travers des axes</translation>
+    </message>
+    <message>
+        <source>It is not written into the calibration.</source>
+        <translation>Elle n&apos;est pas écrite dans l&apos;étalonnage.</translation>
+    </message>
+    <message>
+        <source>Missing: large fields along every axis at both ends of {0}.</source>
+        <translation>Il manque : de grands champs selon chaque axe aux deux bouts de {0}.</translation>
+    </message>
+    <message>
+        <source>Missing: both ends of {0} for long enough.</source>
+        <translation>Il manque : les deux bouts de {0}, assez longtemps.</translation>
+    </message>
+    <message>
+        <source>Of {0}, {1} are, one by one, not pinned down by this run (value below U, k = 2).</source>
+        <translation>De {0}, {1} ne sont pas, un à un, fixés par cette mesure (valeur sous U, k = 2).</translation>
+    </message>
+    <message>
+        <source>Of {0}, {1} is not pinned down by this run (value below U, k = 2).</source>
+        <translation>De {0}, {1} n&apos;est pas fixé par cette mesure (valeur sous U, k = 2).</translation>
+    </message>
+    <message>
+        <source>The reading along {0} is the same in every row.</source>
+        <translation>La lecture selon {0} est la même dans chaque ligne.</translation>
+    </message>
+    <message>
+        <source>The readings come to {0} nT, the reference to {1} nT: the unit or nominal_nT_per_unit of one of them is not as declared.</source>
+        <translation>Les lectures sont de {0} nT, la référence de {1} nT : l&apos;unité ou nominal_nT_per_unit de l&apos;un n&apos;est pas comme déclaré.</translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map ({0} alone): too few axes or fields are excited; a whole map would leave {1} instead of {2} nT, and be anyone&apos;s guess.</source>
+        <translation>Cette mesure ne détermine pas toute l&apos;application ({0} seulement) : trop peu d&apos;axes ou de champs sont excités ; une application entière laisserait {1} au lieu de {2} nT, et serait devinée.</translation>
+    </message>
+    <message>
+        <source>Turn about the other body axes too.</source>
+        <translation>Tournez aussi autour des autres axes du corps.</translation>
+    </message>
+    <message>
+        <source>The fitted map mirrors the axes ({0}): an axis of the device or of the reference is flipped or two are swapped.</source>
+        <translation>L&apos;application ajustée reflète les axes ({0}) : un axe du DUT ou de la référence est retourné, ou deux sont échangés.</translation>
+    </message>
+    <message>
+        <source>The fitted map turns the axes ({0}): the mounting or the names of the axes are not as declared.</source>
+        <translation>L&apos;application ajustée tourne les axes ({0}) : le montage ou les noms des axes ne sont pas comme déclaré.</translation>
+    </message>
+    <message>
+        <source>{0} is the device&apos;s {1}</source>
+        <translation>{0} est le {1} du DUT</translation>
+    </message>
+    <message>
+        <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT ({3} fits as well).</source>
+        <translation>La mesure s&apos;ajuste bien mieux {0} : le modèle de base laisse {1} au lieu de {2} nT ({3} va aussi).</translation>
+    </message>
+    <message>
+        <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT.</source>
+        <translation>La mesure s&apos;ajuste bien mieux {0} : le modèle de base laisse {1} au lieu de {2} nT.</translation>
+    </message>
+    <message>
+        <source>with the reference taken in the body&apos;s frame, not the cage&apos;s</source>
+        <translation>avec la référence prise dans le repère du corps, non de la cage</translation>
+    </message>
+    <message>
+        <source>with the reference taken in the cage&apos;s frame, not the body&apos;s</source>
+        <translation>avec la référence prise dans le repère de la cage, non du corps</translation>
+    </message>
+    <message>
+        <source>with the platform&apos;s angle counted the other way</source>
+        <translation>avec l&apos;angle du plateau compté dans l&apos;autre sens</translation>
+    </message>
+    <message>
+        <source>with the platform&apos;s angle taken in radians, not degrees</source>
+        <translation>avec l&apos;angle du plateau pris en radians, non en degrés</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} and {1} swapped and {2} flipped</source>
+        <translation>avec {0} et {1} de la référence échangés et {2} retourné</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} and {1} swapped</source>
+        <translation>avec {0} et {1} de la référence échangés</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s x, y, z read as {0} and {1} flipped</source>
+        <translation>avec x, y, z de la référence lus comme {0} et {1} retourné</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s x, y, z read as {0}</source>
+        <translation>avec x, y, z de la référence lus comme {0}</translation>
+    </message>
+    <message>
+        <source>with the reference&apos;s {0} flipped</source>
+        <translation>avec {0} de la référence retourné</translation>
+    </message>
+    <message>
+        <source>The clocks do not agree: {0}; put right, the base model leaves {1} instead of {2} nT.</source>
+        <translation>Les horloges ne s&apos;accordent pas : {0} ; corrigées, le modèle de base laisse {1} au lieu de {2} nT.</translation>
+    </message>
+    <message>
+        <source>the stamps of the device under test seem {0} s late</source>
+        <translation>les dates du DUT semblent en retard de {0} s</translation>
+    </message>
+    <message>
+        <source>the stamps of the device under test seem {0} s early</source>
+        <translation>les dates du DUT semblent en avance de {0} s</translation>
+    </message>
+    <message>
+        <source>the stamps of the reference seem {0} s late</source>
+        <translation>les dates de la référence semblent en retard de {0} s</translation>
+    </message>
+    <message>
+        <source>the stamps of the reference seem {0} s early</source>
+        <translation>les dates de la référence semblent en avance de {0} s</translation>
+    </message>
+    <message>
+        <source>the stamps of the platform&apos;s angle seem {0} s late</source>
+        <translation>les dates de l&apos;angle du plateau semblent en retard de {0} s</translation>
+    </message>
+    <message>
+        <source>the stamps of the platform&apos;s angle seem {0} s early</source>
+        <translation>les dates de l&apos;angle du plateau semblent en avance de {0} s</translation>
+    </message>
+    <message>
+        <source>The readings do not follow the reference: the base model leaves {0} of {1} nT, and no flip or exchange of axes and no offset of a clock explains it.</source>
+        <translation>Les lectures ne suivent pas la référence : le modèle de base laisse {0} de {1} nT, et ni retournement ni échange d&apos;axes ni décalage d&apos;horloge ne l&apos;explique.</translation>
+    </message>
+    <message>
+        <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
+        <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure, et rien de ce que font les procédures de ce laboratoire ne les séparerait de {1} écarts-types</translation>
+    </message>
+    <message>
+        <source>{0} do as well as each other on this run; the experiment would bring them {1} standard deviations apart, as the fit predicts</source>
+        <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure ; l&apos;essai les écarterait de {1} écarts-types, selon l&apos;ajustement</translation>
+    </message>
+    <message>
+        <source>structure remains that no known effect carries: {0}</source>
+        <translation>il reste une structure qu&apos;aucun effet connu ne porte : {0}</translation>
+    </message>
+    <message>
+        <source>what is left has the shape of errors that the run declares of its reference and mounting, and is larger</source>
+        <translation>ce qui reste a la forme d&apos;erreurs que la mesure déclare de sa référence et de son montage, en plus grand</translation>
+    </message>
+    <message>
+        <source>compare the reference with a second one in two fields, mount the device anew, and repeat</source>
+        <translation>comparez la référence à une seconde dans deux champs, remontez le DUT, et recommencez</translation>
+    </message>
+    <message>
+        <source>more rows are set aside as outliers than a run may have that is called explained</source>
+        <translation>plus de lignes sont écartées comme aberrantes que n&apos;en peut avoir une mesure dite expliquée</translation>
+    </message>
+    <message>
+        <source>look at the link and its wiring, and repeat</source>
+        <translation>regardez la liaison et son câblage, et recommencez</translation>
+    </message>
+    <message>
+        <source>turn once forwards and once backwards: what stays at its angles belongs to the rig</source>
+        <translation>tournez une fois en avant et une fois en arrière : ce qui reste à ses angles appartient au montage</translation>
+    </message>
+    <message>
+        <source>step the field up and down along each axis: what grows with the field shows its shape</source>
+        <translation>faites monter et descendre le champ par paliers selon chaque axe : ce qui croît avec le champ montre sa forme</translation>
+    </message>
+    <message>
+        <source>record at rest with the coils off, then switch what runs at that period off one by one</source>
+        <translation>enregistrez au repos, bobines coupées, puis arrêtez un à un ce qui marche à cette période</translation>
+    </message>
+    <message>
+        <source>repeat the run unchanged and note what is switched: a step that does not come back was an event</source>
+        <translation>répétez la mesure telle quelle et notez ce qui est commuté : un saut qui ne revient pas était un événement</translation>
+    </message>
+    <message>
+        <source>switch every load and mode on and off at one attitude, and look for the two levels</source>
+        <translation>allumez et coupez chaque charge et mode dans une attitude, et cherchez les deux niveaux</translation>
+    </message>
+    <message>
+        <source>record for an hour at rest: a wander of the sensor goes on, one of the rig does not</source>
+        <translation>enregistrez une heure au repos : une dérive du capteur continue, celle du montage non</translation>
+    </message>
+    <message>
+        <source>turn at half and at twice the rate: what belongs to angle or field comes again</source>
+        <translation>tournez à la moitié et au double de la vitesse : ce qui tient à l&apos;angle ou au champ revient</translation>
+    </message>
+    <message>
+        <source>record at rest with the coils off: the noise that remains is the sensor&apos;s own</source>
+        <translation>enregistrez au repos, bobines coupées : le bruit qui reste est celui du capteur</translation>
+    </message>
+    <message>
+        <source>repeat with another reference</source>
+        <translation>recommencez avec une autre référence</translation>
+    </message>
+    <message>
+        <source>turn once forwards and once backwards in one mounting</source>
+        <translation>tournez une fois en avant et une fois en arrière dans un même montage</translation>
+    </message>
+    <message>
+        <source>turn at half and at twice the rate, there and back, in one mounting</source>
+        <translation>tournez à la moitié et au double de la vitesse, aller et retour, dans un même montage</translation>
+    </message>
+    <message>
+        <source>repeat the run unchanged</source>
+        <translation>répétez la mesure telle quelle</translation>
+    </message>
+    <message>
+        <source>step the field up and down along one axis</source>
+        <translation>faites monter et descendre le champ par paliers selon un axe</translation>
+    </message>
+    <message>
+        <source>turn in two more coil fields, a third and twice as large</source>
+        <translation>tournez dans deux autres champs des bobines, un tiers et le double</translation>
+    </message>
+    <message>
+        <source>switch every load on and off at one attitude</source>
+        <translation>allumez et coupez chaque charge dans une attitude</translation>
+    </message>
+    <message>
+        <source>warm the device and let it cool in two fields</source>
+        <translation>chauffez le DUT et laissez-le refroidir dans deux champs</translation>
+    </message>
+    <message>
+        <source>switch the power mode there and back at one attitude</source>
+        <translation>changez le mode d&apos;alimentation, aller et retour, dans une attitude</translation>
+    </message>
+    <message>
+        <source>move the device by 5 cm and repeat the first turns</source>
+        <translation>déplacez le DUT de 5 cm et répétez les premiers tours</translation>
+    </message>
+    <message>
+        <source>turn the reference by 180° and repeat the first turns</source>
+        <translation>tournez la référence de 180° et répétez les premiers tours</translation>
+    </message>
+    <message>
+        <source>put the reference at twice its distance and repeat the first turns</source>
+        <translation>mettez la référence au double de sa distance et répétez les premiers tours</translation>
+    </message>
+    <message>
+        <source>measure the bare platform&apos;s own field with the reference</source>
+        <translation>mesurez le champ propre du plateau nu avec la référence</translation>
+    </message>
+    <message>
+        <source>the run does not determine the whole map</source>
+        <translation>la mesure ne détermine pas toute l&apos;application</translation>
+    </message>
+    <message>
+        <source>turn about all three body axes, in two fields at least</source>
+        <translation>tournez autour des trois axes du corps, dans deux champs au moins</translation>
+    </message>
+    <message>
+        <source>an effect found in such data would be wrong</source>
+        <translation>un effet trouvé dans de telles données serait faux</translation>
+    </message>
+    <message>
+        <source>put the bundle or the wiring right, and close the loop again</source>
+        <translation>corrigez les données ou le câblage, et cherchez de nouveau la cause</translation>
+    </message>
+    <message>
+        <source>the cause has no name yet. {0}</source>
+        <translation>la cause n&apos;a pas encore de nom. {0}</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1} about {2}: {3}.</source>
+        <translation>En fonction de {0}, c&apos;est {1} autour de {2} : {3}.</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1}: {2}.</source>
+        <translation>En fonction de {0}, c&apos;est {1} : {2}.</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1} about {2}: {3}</source>
+        <translation>En fonction de {0}, c&apos;est {1} autour de {2} : {3}</translation>
+    </message>
+    <message>
+        <source>Over {0} it is {1}: {2}</source>
+        <translation>En fonction de {0}, c&apos;est {1} : {2}</translation>
+    </message>
+    <message>
+        <source>It differs on the way back: something remembers, as iron and warm masses do.</source>
+        <translation>Il diffère au retour : quelque chose se souvient, comme le font le fer et les masses chaudes.</translation>
+    </message>
+    <message>
+        <source>It differs on the way back: something remembers, as iron and warm masses do</source>
+        <translation>Il diffère au retour : quelque chose se souvient, comme le font le fer et les masses chaudes</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>quadratic</source>
+        <translation>quadratique</translation>
+    </message>
+    <message>
+        <source>saturating</source>
+        <translation>saturant</translation>
+    </message>
+    <message>
+        <source>resonant</source>
+        <translation>résonant</translation>
+    </message>
+    <message>
+        <source>a step</source>
+        <translation>un saut</translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation>ondulé</translation>
+    </message>
+    <message>
+        <source>a bent curve</source>
+        <translation>une courbe pliée</translation>
+    </message>
+    <message>
+        <source>a product</source>
+        <translation>un produit</translation>
+    </message>
+    <message>
+        <source>a map</source>
+        <translation>une surface</translation>
+    </message>
+    <message>
+        <source>a sensitivity to it that the library has no file for, or that follows another quantity</source>
+        <translation>une sensibilité pour laquelle la bibliothèque n&apos;a pas de fichier, ou qui suit une autre grandeur</translation>
+    </message>
+    <message>
+        <source>heating by a current, a magnet&apos;s force, or a straight effect on both sides of a null</source>
+        <translation>l&apos;échauffement par un courant, la force d&apos;un aimant, ou un effet droit des deux côtés d&apos;un zéro</translation>
+    </message>
+    <message>
+        <source>a core or an amplifier at its limit, or a magnetic part that saturates</source>
+        <translation>un noyau ou un amplificateur à sa limite, ou une pièce magnétique qui sature</translation>
+    </message>
+    <message>
+        <source>a mechanical or electrical resonance, or a filter&apos;s edge, at that value</source>
+        <translation>une résonance mécanique ou électrique, ou le bord d&apos;un filtre, à cette valeur</translation>
+    </message>
+    <message>
+        <source>a thermostat, a comparator or a changeover of range at that value</source>
+        <translation>un thermostat, un comparateur ou un changement de gamme à cette valeur</translation>
+    </message>
+    <message>
+        <source>interference, a converter&apos;s missing codes, or a beat with a clock</source>
+        <translation>une interférence, des codes manquants d&apos;un convertisseur, ou un battement avec une horloge</translation>
+    </message>
+    <message>
+        <source>a response of higher order; more range would show which</source>
+        <translation>une réponse d&apos;ordre supérieur ; plus d&apos;étendue montrerait laquelle</translation>
+    </message>
+    <message>
+        <source>a sensitivity to one that the other changes, as a gain that follows a temperature</source>
+        <translation>une sensibilité à l&apos;un que l&apos;autre change, comme un gain qui suit une température</translation>
+    </message>
+    <message>
+        <source>two causes that act together</source>
+        <translation>deux causes qui agissent ensemble</translation>
+    </message>
+    <message>
+        <source>step the field up and down along each axis, through more than its range</source>
+        <translation>faites monter et descendre le champ selon chaque axe, au-delà de son étendue</translation>
+    </message>
+    <message>
+        <source>turn through many attitudes in one field, then in half of it</source>
+        <translation>tournez par de nombreuses attitudes dans un champ, puis dans sa moitié</translation>
+    </message>
+    <message>
+        <source>turn at several rates, forwards and backwards</source>
+        <translation>tournez à plusieurs vitesses, en avant et en arrière</translation>
+    </message>
+    <message>
+        <source>hold the attitude, warm the device and let it cool, over a wider range</source>
+        <translation>tenez l&apos;attitude, chauffez le DUT et laissez-le refroidir, sur une plus grande étendue</translation>
+    </message>
+    <message>
+        <source>hold the attitude and step the current up and down through its range</source>
+        <translation>tenez l&apos;attitude et faites monter et descendre le courant dans son étendue</translation>
+    </message>
+    <message>
+        <source>hold the attitude and move {0} up and down through more than its range, twice</source>
+        <translation>tenez l&apos;attitude et faites monter et descendre {0} au-delà de son étendue, deux fois</translation>
+    </message>
+    <message>
+        <source>hold {0} and {1}; then the other way round</source>
+        <translation>fixez {0} et {1} ; puis l&apos;inverse</translation>
+    </message>
+    <message>
+        <source>mount the device turned by 180° about the platform axis and repeat</source>
+        <translation>montez le DUT tourné de 180° autour de l&apos;axe du plateau et recommencez</translation>
+    </message>
+    <message>
+        <source>repeat with the coils at zero, and with the reference turned by 180°</source>
+        <translation>recommencez avec les bobines à zéro, et avec la référence tournée de 180°</translation>
+    </message>
+    <message>
+        <source>hold the field along one axis and step it along another</source>
+        <translation>tenez le champ selon un axe et changez-le par paliers selon un autre</translation>
+    </message>
+    <message>
+        <source>repeat with the reference at twice the distance</source>
+        <translation>recommencez avec la référence au double de la distance</translation>
+    </message>
+    <message>
+        <source>hold all else and move its input up and down through its range, twice</source>
+        <translation>tenez tout le reste et faites monter et descendre son entrée dans son étendue, deux fois</translation>
+    </message>
+    <message>
+        <source>turn the device by 90° on the platform and repeat: what the platform reads wrong stays at its angles</source>
+        <translation>tournez le DUT de 90° sur le plateau et recommencez : ce que le plateau lit mal reste à ses angles</translation>
+    </message>
+    <message>
+        <source>move the device by 5 cm and repeat one segment</source>
+        <translation>déplacez le DUT de 5 cm et répétez un segment</translation>
+    </message>
+    <message>
+        <source>step the quantity that the channel measures in a large field and again in a small one</source>
+        <translation>changez par paliers la grandeur que la voie mesure dans un grand champ, puis dans un petit</translation>
+    </message>
+    <message>
+        <source>switch the device off and on, and repeat the segments before and after in the same field</source>
+        <translation>coupez et rallumez le DUT, et répétez les segments d&apos;avant et d&apos;après dans le même champ</translation>
+    </message>
+    <message>
+        <source>warm the sensor in a large field and again in a small one</source>
+        <translation>chauffez le capteur dans un grand champ, puis dans un petit</translation>
+    </message>
+    <message>
+        <source>step the field up and down through the same values, or turn backwards</source>
+        <translation>faites monter et descendre le champ par les mêmes valeurs, ou tournez en arrière</translation>
+    </message>
+    <message>
+        <source>turn faster, and backwards: a lag grows with the rate and changes sign with it</source>
+        <translation>tournez plus vite, et en arrière : un retard croît avec la vitesse et change de signe avec elle</translation>
+    </message>
+    <message>
+        <source>step the field along each axis through its whole range</source>
+        <translation>faites varier le champ par paliers selon chaque axe dans toute son étendue</translation>
+    </message>
+    <message>
+        <source>hold the attitude and step the quantity that the channel measures</source>
+        <translation>tenez l&apos;attitude et changez par paliers la grandeur que la voie mesure</translation>
+    </message>
+    <message>
+        <source>hold the attitude and switch the load that draws this current on and off</source>
+        <translation>tenez l&apos;attitude et allumez puis coupez la charge qui tire ce courant</translation>
+    </message>
+    <message>
+        <source>hold the attitude and draw three or more levels of this current</source>
+        <translation>tenez l&apos;attitude et tirez trois niveaux ou plus de ce courant</translation>
+    </message>
+    <message>
+        <source>repeat the first segment at the end, and again after a pause</source>
+        <translation>répétez le premier segment à la fin, puis encore après une pause</translation>
+    </message>
+    <message>
+        <source>hold the attitude and switch between the power modes</source>
+        <translation>tenez l&apos;attitude et passez d&apos;un mode d&apos;alimentation à l&apos;autre</translation>
+    </message>
+    <message>
+        <source>repeat the segments before and after the step</source>
+        <translation>répétez les segments avant et après le saut</translation>
+    </message>
+    <message>
+        <source>hold the attitude and warm the sensor, then let it cool</source>
+        <translation>tenez l&apos;attitude et chauffez le capteur, puis laissez-le refroidir</translation>
+    </message>
+    <message>
+        <source>record at rest, and again at another sampling rate: an alias moves</source>
+        <translation>enregistrez au repos, puis à une autre cadence : un repliement se déplace</translation>
+    </message>
+    <message>
+        <source>compare the reference with a second one before and after</source>
+        <translation>comparez la référence à une seconde avant et après</translation>
+    </message>
+    <message>
+        <source>warm the room with the device kept as it is, and compare the reference with a second one</source>
+        <translation>chauffez la salle en gardant le DUT tel qu&apos;il est, et comparez la référence à une seconde</translation>
+    </message>
+    <message>
+        <source>repeat the segment and look at the link</source>
+        <translation>répétez le segment et regardez la liaison</translation>
+    </message>
+    <message>
+        <source>repeat at half the field</source>
+        <translation>recommencez à la moitié du champ</translation>
+    </message>
+    <message>
+        <source>readings stop at the end of the range: {0}</source>
+        <translation>les lectures s&apos;arrêtent au bout de l&apos;étendue : {0}</translation>
+    </message>
+    <message>
+        <source>fitting the base model</source>
+        <translation>ajustement du modèle de base</translation>
+    </message>
+    <message>
+        <source>fitting the map with the effects that are named</source>
+        <translation>ajustement de l&apos;application avec les effets nommés</translation>
+    </message>
+    <message>
+        <source>scoring every effect</source>
+        <translation>évaluation de chaque effet</translation>
+    </message>
+    <message>
+        <source>scoring {0} beside {1}</source>
+        <translation>évaluation : {0} à côté de {1}</translation>
+    </message>
+    <message>
+        <source>scoring {0}</source>
+        <translation>évaluation : {0}</translation>
+    </message>
+    <message>
+        <source>every effect</source>
+        <translation>chaque effet</translation>
+    </message>
+    <message>
+        <source>all candidates</source>
+        <translation>tous les candidats</translation>
+    </message>
+    <message>
+        <source>delay scan</source>
+        <translation>la recherche de retards</translation>
+    </message>
+    <message>
+        <source>spectral lines</source>
+        <translation>la recherche de raies</translation>
+    </message>
+    <message>
+        <source>pairs that hide each other</source>
+        <translation>les paires qui se cachent l&apos;une l&apos;autre</translation>
+    </message>
+    <message>
+        <source>the selection on each part of the blocks</source>
+        <translation>la sélection sur chaque partie des blocs</translation>
+    </message>
+    <message>
+        <source>what does as well</source>
+        <translation>ce qui fait aussi bien</translation>
+    </message>
+    <message>
+        <source>this run takes about {0} s more and may be stopped</source>
+        <translation>cette mesure demande encore environ {0} s et peut être arrêtée</translation>
+    </message>
+    <message>
+        <source>holding out blocks of time</source>
+        <translation>mise de côté de blocs de temps</translation>
+    </message>
+    <message>
+        <source>so far nothing has the evidence of a name</source>
+        <translation>jusqu&apos;ici rien n&apos;a l&apos;évidence d&apos;un nom</translation>
+    </message>
+    <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
+        <translation>jusqu&apos;ici {0}, pas encore prouvé : {1} à {2} fois le bruit</translation>
+    </message>
+    <message>
+        <source>stopped while {0}; {1}</source>
+        <translation>arrêté : {0} ; {1}</translation>
+    </message>
+    <message>
+        <source>nothing is known yet</source>
+        <translation>rien n&apos;est encore connu</translation>
+    </message>
+    <message>
+        <source>offsets so far: not yet determined by the turns made</source>
+        <translation>décalages jusqu&apos;ici : pas encore déterminés par les tours faits</translation>
+    </message>
+    <message>
+        <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
+        <translation>décalages jusqu&apos;ici, d&apos;après les seuls modules : {0} nT (k = 2)</translation>
+    </message>
+    <message>
+        <source>offsets so far: {0}</source>
+        <translation>décalages jusqu&apos;ici : {0}</translation>
+    </message>
+    <message>
+        <source>axes, handedness and angle are as stated</source>
+        <translation>axes, orientation et angle sont comme indiqué</translation>
+    </message>
+    <message>
+        <source>the angle runs the wrong way round: turn angle_sign in bench.toml</source>
+        <translation>l&apos;angle va dans le mauvais sens : changez angle_sign dans bench.toml</translation>
+    </message>
+    <message>
+        <source>a turn by {0}° is seen by the DUT as {1}°</source>
+        <translation>une rotation de {0}° est vue par le DUT comme {1}°</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s {0} axis shows {1}</source>
+        <translation>DUT : l&apos;axe {0} montre {1}</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s {0} axis points {1}° beside</source>
+        <translation>DUT : l&apos;axe {0} pointe {1}° à côté</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s axes are left-handed</source>
+        <translation>DUT : les axes sont gauches</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s {0} axis shows {1}</source>
+        <translation>référence : l&apos;axe {0} montre {1}</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s {0} axis points {1}° beside</source>
+        <translation>référence : l&apos;axe {0} pointe {1}° à côté</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s axes are left-handed</source>
+        <translation>référence : les axes sont gauches</translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
+        <translation>contrôle des axes : {0}. Le DUT est-il monté comme demandé ? Alors regardez ses axes.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} nT, within which the zero lies</source>
+        <translation>{0} : {1} nT, dans lesquels se trouve le zéro</translation>
+    </message>
+    <message>
+        <source>{0}: {1} nT is beyond {2} nT; something moved or drifted</source>
+        <translation>{0} : {1} nT dépasse {2} nT ; quelque chose a bougé ou dérivé</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is beyond its limit of {2}</source>
+        <translation>{0} : {1} dépasse sa limite de {2}</translation>
+    </message>
+    <message>
+        <source>{0} skipped: {1}</source>
+        <translation>{0} omis : {1}</translation>
+    </message>
+    <message>
+        <source>not used: {0}: {1}</source>
+        <translation>non utilisé : {0} : {1}</translation>
+    </message>
+    <message>
+        <source>{0}: it answers again</source>
+        <translation>{0} : répond de nouveau</translation>
+    </message>
+    <message>
+        <source>the end of the run waits: {0}</source>
+        <translation>la fin de la mesure attend : {0}</translation>
+    </message>
+    <message>
+        <source>the run ends: {0}</source>
+        <translation>la mesure se termine : {0}</translation>
+    </message>
+    <message>
+        <source>goes on after an interruption</source>
+        <translation>reprend après une interruption</translation>
+    </message>
+    <message>
+        <source>goes on</source>
+        <translation>reprend</translation>
+    </message>
+    <message>
+        <source>coil {0} came to zero without a ramp</source>
+        <translation>la bobine {0} est allée à zéro sans rampe</translation>
+    </message>
+    <message>
+        <source>the room is fit for the job</source>
+        <translation>la salle convient</translation>
+    </message>
+    <message>
+        <source>the room is not fit for the job: {0}</source>
+        <translation>la salle ne convient pas : {0}</translation>
+    </message>
+    <message>
+        <source>its {0} nT are {1} nT above what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
+        <translation>ses {0} nT sont {1} nT au-dessus de ce que {2} attend dehors ({3} nT, U = {4} nT, k = 2)</translation>
+    </message>
+    <message>
+        <source>its {0} nT are {1} nT below what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
+        <translation>ses {0} nT sont {1} nT en dessous de ce que {2} attend dehors ({3} nT, U = {4} nT, k = 2)</translation>
+    </message>
+    <message>
+        <source>iron near by, or the reference&apos;s unit and scale</source>
+        <translation>du fer à proximité, ou l&apos;unité et l&apos;échelle de la référence</translation>
+    </message>
+    <message>
+        <source>of {0} no field is expected: WMM is here from {1} to {2}</source>
+        <translation>pour {0} aucun champ n&apos;est attendu : WMM va ici de {1} à {2}</translation>
+    </message>
+    <message>
+        <source>{0} Hz is not distinguishable from {1} at {2}/s</source>
+        <translation>{0} Hz ne se distingue pas de {1} à {2}/s</translation>
+    </message>
+    <message>
+        <source>a steady field</source>
+        <translation>un champ constant</translation>
+    </message>
+    <message>
+        <source>{0} Hz is seen as a steady field at {1} {2} samples/s</source>
+        <translation>{0} Hz est vu comme un champ constant à {1} valeurs/s ({2})</translation>
+    </message>
+    <message>
+        <source>{0} Hz falls on the rotation at {1} {2} samples/s</source>
+        <translation>{0} Hz tombe sur la rotation à {1} valeurs/s ({2})</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s calibration of {0} is {1} days old, beyond {2}</source>
+        <translation>l&apos;étalonnage de la référence du {0} a {1} jours, plus que {2}</translation>
+    </message>
+    <message>
+        <source>Not covered by the uncertainties, because it is not stated: {0}.</source>
+        <translation>Non couvert par les incertitudes, car non indiqué : {0}.</translation>
+    </message>
+    <message>
+        <source>Not covered by the uncertainty of the tracking error: the reference&apos;s own errors.</source>
+        <translation>Non couvert par l&apos;incertitude de l&apos;erreur de suivi : les erreurs propres de la référence.</translation>
+    </message>
+    <message>
+        <source>For cage and surroundings; this is no deperm of a spacecraft.</source>
+        <translation>Pour la cage et son entourage ; ce n&apos;est pas la désaimantation d&apos;un véhicule spatial.</translation>
+    </message>
+    <message>
+        <source>departure from the centre, each coil</source>
+        <translation>écart au centre, chaque bobine</translation>
+    </message>
+    <message>
+        <source>draft: {0}</source>
+        <translation>brouillon : {0}</translation>
+    </message>
+    <message>
+        <source>bias per ampere, one column a load</source>
+        <translation>biais par ampère, une colonne par charge</translation>
+    </message>
+    <message>
+        <source>moment m = p + X b of the DUT, in its body axes</source>
+        <translation>moment m = p + X b du DUT, dans ses axes</translation>
+    </message>
+    <message>
+        <source>the ambient field as tracked</source>
+        <translation>le champ ambiant tel que suivi</translation>
+    </message>
+    <message>
+        <source>K and k in the cage&apos;s frame, k in the middle of the run</source>
+        <translation>K et k dans le repère de la cage, k au milieu de la mesure</translation>
+    </message>
+    <message>
+        <source>too few directions for harmonics: what K and k do not hold is not reported by degree</source>
+        <translation>trop peu de directions pour les harmoniques : ce que K et k ne portent pas n&apos;est pas rapporté par degré</translation>
+    </message>
+    <message>
+        <source>the field is the reference&apos;s, measured at the DUT</source>
+        <translation>le champ est celui de la référence, mesuré au DUT</translation>
+    </message>
+    <message>
+        <source>the field is that of the calibrated cage, its ambient part followed by the reference</source>
+        <translation>le champ est celui de la cage étalonnée, sa part ambiante suivie par la référence</translation>
+    </message>
+    <message>
+        <source>offset from four attitudes</source>
+        <translation>décalage d&apos;après quatre attitudes</translation>
+    </message>
+    <message>
+        <source>field and reading along the direction</source>
+        <translation>champ et lecture selon la direction</translation>
+    </message>
+    <message>
+        <source>the places are as if the halves towards − had been reversed, or position_m has another sign</source>
+        <translation>les places sont comme si les moitiés vers − avaient été inversées, ou position_m a un autre signe</translation>
+    </message>
+    <message>
+        <source>field number {0} stands {1} s after it came</source>
+        <translation>le champ numéro {0} est établi {1} s après son arrivée</translation>
+    </message>
+    <message>
+        <source>{0}; {1} fields set</source>
+        <translation>{0} ; {1} champs réglés</translation>
+    </message>
+    <message>
+        <source>No heading is judged: of the field the reference tells the magnitude alone.</source>
+        <translation>Aucune direction n&apos;est jugée : du champ, la référence ne donne que le module.</translation>
+    </message>
+    <message>
+        <source>Of the reference, because the run does not state it: {0}.</source>
+        <translation>De la référence, car la mesure ne l&apos;indique pas : {0}.</translation>
+    </message>
+    <message>
+        <source>Of the reference, because the run states it as 0: {0}.</source>
+        <translation>De la référence, car la mesure indique 0 : {0}.</translation>
+    </message>
+    <message>
+        <source>Frame as mounted; mounting uncertainty not included.</source>
+        <translation>Repère tel que monté ; incertitude du montage non comprise.</translation>
+    </message>
+    <message>
+        <source>The direction of the platform&apos;s axis in the cage.</source>
+        <translation>La direction de l&apos;axe du plateau dans la cage.</translation>
+    </message>
+    <message>
+        <source>the supplies&apos; read-back</source>
+        <translation>la relecture des alimentations</translation>
+    </message>
+    <message>
+        <source>the supplies&apos; currents</source>
+        <translation>les courants des alimentations</translation>
+    </message>
+    <message>
+        <source>where the reference was put</source>
+        <translation>où la référence a été mise</translation>
+    </message>
+    <message>
+        <source>where the sensor was put</source>
+        <translation>où le capteur a été mis</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s turn against the cage</source>
+        <translation>la rotation de la référence par rapport à la cage</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s own linearity</source>
+        <translation>la linéarité propre de la référence</translation>
+    </message>
+    <message>
+        <source>the direction of the platform&apos;s axis in the cage</source>
+        <translation>la direction de l&apos;axe du plateau dans la cage</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s mounting</source>
+        <translation>le montage du DUT</translation>
+    </message>
+    <message>
+        <source>the standard</source>
+        <translation>l&apos;étalon</translation>
+    </message>
+    <message>
+        <source>the half turns</source>
+        <translation>les demi-tours</translation>
+    </message>
+    <message>
+        <source>the cage</source>
+        <translation>la cage</translation>
+    </message>
+    <message>
+        <source>the platform&apos;s angle</source>
+        <translation>l&apos;angle du plateau</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>échelle</translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation>alignement</translation>
+    </message>
+    <message>
+        <source>own calibration</source>
+        <translation>étalonnage propre</translation>
+    </message>
+    <message>
+        <source>x along coil x: matrix_nT_per_A = {0}</source>
+        <translation>x le long de la bobine x : matrix_nT_per_A = {0}</translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference and three numbers, --set field_nT=0,0,30000</source>
+        <translation>{0} demande une référence vectorielle et trois nombres, --set field_nT=0,0,30000</translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference; for a scalar one see {1}</source>
+        <translation>{0} demande une référence vectorielle ; pour une scalaire, voir {1}</translation>
+    </message>
+    <message>
+        <source>{0} needs a scalar reference ([reference] kind); for a vector one see {1}</source>
+        <translation>{0} demande une référence scalaire ([reference] kind) ; pour une vectorielle, voir {1}</translation>
+    </message>
+    <message>
+        <source>the reference stands elsewhere: {0} needs [cage] calibration, from {1}</source>
+        <translation>la référence est ailleurs : {0} demande [cage] calibration, de {1}</translation>
+    </message>
+    <message>
+        <source>{0} needs a vector reference</source>
+        <translation>{0} demande une référence vectorielle</translation>
+    </message>
+    <message>
+        <source>{0} needs a platform with a motor</source>
+        <translation>{0} demande un plateau à moteur</translation>
+    </message>
+    <message>
+        <source>{0} must be at least two, and different</source>
+        <translation>{0} doivent être au moins deux, et différents</translation>
+    </message>
+    <message>
+        <source>the DUT has no current channel {0}; it has {1}</source>
+        <translation>le DUT n&apos;a pas de voie de courant {0} ; il a {1}</translation>
+    </message>
+    <message>
+        <source>the DUT has no temperature channel {0}; it has {1}</source>
+        <translation>le DUT n&apos;a pas de voie de température {0} ; il a {1}</translation>
+    </message>
+    <message>
+        <source>configuration: {0} not as stated</source>
+        <translation>configuration : {0} pas comme indiqué</translation>
+    </message>
+    <message>
+        <source>{0}: the coils have moved the field by {1} nT and the reading not at all.</source>
+        <translation>{0} : les bobines ont déplacé le champ de {1} nT, et la lecture pas du tout.</translation>
+    </message>
+    <message>
+        <source>no field stood for as long as one sample of the reference.</source>
+        <translation>aucun champ n&apos;a duré un échantillon de la référence.</translation>
+    </message>
+    <message>
+        <source>{0} takes a file or a source, not both</source>
+        <translation>{0} prend un fichier ou une source, pas les deux</translation>
+    </message>
+    <message>
+        <source>locate needs the coils&apos; geometry: state [cage.geometry] size_m, and in halves the coils of which one half can be reversed at its terminals</source>
+        <translation>locate demande la géométrie des bobines : indiquez [cage.geometry] size_m, et dans halves les bobines dont une moitié peut être inversée à ses bornes</translation>
+    </message>
+    <message>
+        <source>no coil&apos;s halves can be reversed ([cage.geometry] halves): near its middle the field of a pair does not change with the place to first order, and tells none</source>
+        <translation>les moitiés d&apos;aucune bobine ne peuvent être inversées ([cage.geometry] halves) : près du milieu, le champ d&apos;une paire ne change pas avec la place au premier ordre, et n&apos;en révèle aucune</translation>
+    </message>
+    <message>
+        <source>no half was reversed: the field of a pair as it should be is flat at its middle</source>
+        <translation>aucune moitié n&apos;était inversée : le champ d&apos;une paire comme elle doit être est plat en son milieu</translation>
+    </message>
+    <message>
+        <source>the sensor does not see three coils in three directions</source>
+        <translation>le capteur ne voit pas trois bobines dans trois directions</translation>
+    </message>
+    <message>
+        <source>what the sensor sees fits no place inside the coils: are the halves reversed as asked?</source>
+        <translation>ce que voit le capteur ne correspond à aucune place dans les bobines : les moitiés sont-elles inversées comme demandé ?</translation>
+    </message>
+    <message>
+        <source>the currents do not span all three coils: step each coil at two currents at least</source>
+        <translation>les courants ne couvrent pas les trois bobines : réglez chaque bobine à deux courants au moins</translation>
+    </message>
+    <message>
+        <source>these turns do not determine all of the moment</source>
+        <translation>ces tours ne déterminent pas tout le moment</translation>
+    </message>
+    <message>
+        <source>these fields do not determine K, k and drift: they lie in a plane, or follow the time</source>
+        <translation>ces champs ne déterminent pas K, k et la dérive : ils sont dans un plan, ou suivent le temps</translation>
+    </message>
+    <message>
+        <source>{0} fields are too few: K, k and drift need {1}</source>
+        <translation>{0} champs sont trop peu : K, k et la dérive en demandent {1}</translation>
+    </message>
+    <message>
+        <source>these currents do not determine the coils: each alone in both signs, and every two together</source>
+        <translation>ces courants ne déterminent pas les bobines : chacune seule dans les deux signes, et deux à deux</translation>
+    </message>
+    <message>
+        <source>the magnitudes are those of no three coils: does the sensor follow the currents?</source>
+        <translation>les modules ne sont ceux d&apos;aucun trio de bobines : le capteur suit-il les courants ?</translation>
+    </message>
+    <message>
+        <source>these currents do not determine coils and ambient field: turn the field all round, in two sizes</source>
+        <translation>ces courants ne déterminent pas les bobines et le champ ambiant : tournez le champ tout autour, en deux modules</translation>
+    </message>
+    <message>
+        <source>{0} magnitudes are too few: coils, ambient field and its course need {1}</source>
+        <translation>{0} modules sont trop peu : bobines, champ ambiant et son évolution en demandent {1}</translation>
+    </message>
+    <message>
+        <source>two rows at least are needed</source>
+        <translation>il faut au moins deux lignes</translation>
+    </message>
+    <message>
+        <source>time does not go on</source>
+        <translation>le temps n&apos;avance pas</translation>
+    </message>
+    <message>
+        <source>{0} is no finite number</source>
+        <translation>{0} n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>this column is missing</source>
+        <translation>cette colonne manque</translation>
+    </message>
+    <message>
+        <source>is no regular file</source>
+        <translation>n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>epoch = {0}: expected ISO 8601, as 2026-01-01T00:00:00</source>
+        <translation>epoch = {0} : ISO 8601 attendu, comme 2026-01-01T00:00:00</translation>
+    </message>
+    <message>
+        <source>the run has no channel {0}, which {1} rests on</source>
+        <translation>la mesure n&apos;a pas de voie {0}, sur laquelle repose {1}</translation>
+    </message>
+    <message>
+        <source>this run has nothing to show of {0}</source>
+        <translation>cette mesure n&apos;a rien à montrer de {0}</translation>
+    </message>
+    <message>
+        <source>a cage calibration file, from the folder of bench.toml</source>
+        <translation>un fichier d&apos;étalonnage de cage, depuis le dossier de bench.toml</translation>
+    </message>
+    <message>
+        <source>a table, or a file: labcal.bench.specification</source>
+        <translation>une table, ou un fichier : labcal.bench.specification</translation>
+    </message>
+    <message>
+        <source>after a ramp, before the field is believed</source>
+        <translation>après une rampe, avant que le champ soit cru</translation>
+    </message>
+    <message>
+        <source>after each mounting its serial is asked for, and no other is taken</source>
+        <translation>après chaque montage son numéro de série est demandé, et aucun autre n&apos;est pris</translation>
+    </message>
+    <message>
+        <source>after it no procedure begins</source>
+        <translation>après cela aucune procédure ne commence</translation>
+    </message>
+    <message>
+        <source>as it came in</source>
+        <translation>tel qu&apos;il est arrivé</translation>
+    </message>
+    <message>
+        <source>as it states it, with k</source>
+        <translation>comme il l&apos;indique, avec k</translation>
+    </message>
+    <message>
+        <source>at the cage: its number here, or an address</source>
+        <translation>à la cage : son numéro ici, ou une adresse</translation>
+    </message>
+    <message>
+        <source>at which it holds</source>
+        <translation>à laquelle cela vaut</translation>
+    </message>
+    <message>
+        <source>columns are the coil axes in C</source>
+        <translation>les colonnes sont les axes des bobines en C</translation>
+    </message>
+    <message>
+        <source>in the sensor&apos;s axes, subtracted first</source>
+        <translation>dans les axes du capteur, soustrait d&apos;abord</translation>
+    </message>
+    <message>
+        <source>magnitude with the coils at zero</source>
+        <translation>module avec les bobines à zéro</translation>
+    </message>
+    <message>
+        <source>of a whole serial</source>
+        <translation>d&apos;un numéro de série entier</translation>
+    </message>
+    <message>
+        <source>of it while it was measured, peak to peak</source>
+        <translation>de cela pendant la mesure, crête à crête</translation>
+    </message>
+    <message>
+        <source>of its locks and sockets; /run/labcal-GROUP</source>
+        <translation>de ses verrous et sockets ; /run/labcal-GROUP</translation>
+    </message>
+    <message>
+        <source>of one axis of one sample</source>
+        <translation>d&apos;un axe d&apos;un échantillon</translation>
+    </message>
+    <message>
+        <source>of the computer&apos;s users</source>
+        <translation>des utilisateurs de l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>of the difference of what the two halves of a pair make, relative</source>
+        <translation>de la différence de ce que font les deux moitiés d&apos;une paire, relative</translation>
+    </message>
+    <message>
+        <source>of the field at the centre</source>
+        <translation>du champ au centre</translation>
+    </message>
+    <message>
+        <source>of the windings, where a channel tells it</source>
+        <translation>des enroulements, là où une voie la donne</translation>
+    </message>
+    <message>
+        <source>of what the coils make</source>
+        <translation>de ce que font les bobines</translation>
+    </message>
+    <message>
+        <source>planetary index of those hours</source>
+        <translation>indice planétaire de ces heures</translation>
+    </message>
+    <message>
+        <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
+        <translation>valeur efficace sur `rms_window_s` : ce que le fil supporte pour toujours</translation>
+    </message>
+    <message>
+        <source>what is known of it and not corrected; each with its own uncertainty</source>
+        <translation>ce qu&apos;on en sait et ne corrige pas ; chacun avec sa propre incertitude</translation>
+    </message>
+    <message>
+        <source>with the coils at zero, of any component along any direction</source>
+        <translation>avec les bobines à zéro, de toute composante selon toute direction</translation>
+    </message>
+    <message>
+        <source>with the same reading so long, it is stuck</source>
+        <translation>avec si longtemps la même lecture, il est bloqué</translation>
+    </message>
+    <message>
+        <source>without a sample so long, it is silent</source>
+        <translation>si longtemps sans échantillon, il est muet</translation>
+    </message>
+    <message>
+        <source>|angle| that the cables bear</source>
+        <translation>|angle| que les câbles supportent</translation>
+    </message>
+    <message>
+        <source>nT a unit of the reading</source>
+        <translation>nT par unité de la lecture</translation>
+    </message>
+    <message>
+        <source>nT a year</source>
+        <translation>nT par an</translation>
+    </message>
+    <message>
+        <source>largest field at the DUT {0} µT</source>
+        <translation>plus grand champ au DUT {0} µT</translation>
+    </message>
+    <message>
+        <source>turns between {0} and {1}°, at up to {2} °/s</source>
+        <translation>tourne entre {0} et {1}°, jusqu&apos;à {2} °/s</translation>
+    </message>
+    <message>
+        <source>the platform rests</source>
+        <translation>le plateau est au repos</translation>
+    </message>
+    <message>
+        <source>DUT kept within {0} to {1} °C</source>
+        <translation>DUT tenu entre {0} et {1} °C</translation>
+    </message>
+    <message>
+        <source>no temperature limits are stated</source>
+        <translation>aucune limite de température n&apos;est indiquée</translation>
+    </message>
+    <message>
+        <source>about {0} min, without a person&apos;s steps</source>
+        <translation>environ {0} min, sans les gestes d&apos;une personne</translation>
+    </message>
+    <message>
+        <source>what a person is asked:</source>
+        <translation>ce qui est demandé à une personne :</translation>
+    </message>
+    <message>
+        <source>{0}: missing sectors</source>
+        <translation>{0} : secteurs manquants</translation>
+    </message>
+    <message>
+        <source>{0}: noise</source>
+        <translation>{0} : bruit</translation>
+    </message>
+    <message>
+        <source>{0}: wrong signs</source>
+        <translation>{0} : signes faux</translation>
+    </message>
+    <message>
+        <source>delay {0}</source>
+        <translation>retard {0}</translation>
+    </message>
+    <message>
+        <source>closure {0}</source>
+        <translation>bouclage {0}</translation>
+    </message>
+    <message>
+        <source>closure, {0}</source>
+        <translation>bouclage, {0}</translation>
+    </message>
+    <message>
+        <source>zero: {0}</source>
+        <translation>zéro : {0}</translation>
+    </message>
+    <message>
+        <source>closing: {0}</source>
+        <translation>clôture : {0}</translation>
+    </message>
+    <message>
+        <source>zero since the interruption</source>
+        <translation>zéro depuis l&apos;interruption</translation>
+    </message>
+    <message>
+        <source>DUT less reference, coils off</source>
+        <translation>DUT moins référence, bobines coupées</translation>
+    </message>
+    <message>
+        <source>DUT less reference, first position</source>
+        <translation>DUT moins référence, première position</translation>
+    </message>
+    <message>
+        <source>DUT less reference</source>
+        <translation>DUT moins référence</translation>
+    </message>
+    <message>
+        <source>rotation rate</source>
+        <translation>vitesse de rotation</translation>
+    </message>
+    <message>
+        <source>DUT {0} points beside by</source>
+        <translation>DUT {0} pointe à côté de</translation>
+    </message>
+    <message>
+        <source>reference {0} points beside by</source>
+        <translation>référence {0} pointe à côté de</translation>
+    </message>
+    <message>
+        <source>turn seen by the DUT, less turn made</source>
+        <translation>rotation vue par le DUT, moins celle faite</translation>
+    </message>
+    <message>
+        <source>DUT behind the set-point</source>
+        <translation>DUT derrière la consigne</translation>
+    </message>
+    <message>
+        <source>reference behind the set-point</source>
+        <translation>référence derrière la consigne</translation>
+    </message>
+    <message>
+        <source>DUT behind the angle</source>
+        <translation>DUT derrière l&apos;angle</translation>
+    </message>
+    <message>
+        <source>mean {0}</source>
+        <translation>moyenne {0}</translation>
+    </message>
+    <message>
+        <source>drift {0}</source>
+        <translation>dérive {0}</translation>
+    </message>
+    <message>
+        <source>noise {0}</source>
+        <translation>bruit {0}</translation>
+    </message>
+    <message>
+        <source>noise density {0}</source>
+        <translation>densité de bruit {0}</translation>
+    </message>
+    <message>
+        <source>amplitude of {0} Hz</source>
+        <translation>amplitude de {0} Hz</translation>
+    </message>
+    <message>
+        <source>magnitude by {0}</source>
+        <translation>module selon {0}</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>module</translation>
+    </message>
+    <message>
+        <source>{0} Hz in reference samples</source>
+        <translation>{0} Hz dans les valeurs de la référence</translation>
+    </message>
+    <message>
+        <source>{0} Hz in dut samples</source>
+        <translation>{0} Hz dans les valeurs du DUT</translation>
+    </message>
+    <message>
+        <source>{0}: uncertainty of the matrix</source>
+        <translation>{0} : incertitude de la matrice</translation>
+    </message>
+    <message>
+        <source>{0}: settling time</source>
+        <translation>{0} : temps d&apos;établissement</translation>
+    </message>
+    <message>
+        <source>{0}: departure from the line</source>
+        <translation>{0} : écart à la droite</translation>
+    </message>
+    <message>
+        <source>{0}: up less down</source>
+        <translation>{0} : montée moins descente</translation>
+    </message>
+    <message>
+        <source>departure from the line</source>
+        <translation>écart à la droite</translation>
+    </message>
+    <message>
+        <source>up less down</source>
+        <translation>montée moins descente</translation>
+    </message>
+    <message>
+        <source>computed departure in the volume</source>
+        <translation>écart calculé dans le volume</translation>
+    </message>
+    <message>
+        <source>probe less computed</source>
+        <translation>sonde moins calcul</translation>
+    </message>
+    <message>
+        <source>{0}: bias {1}</source>
+        <translation>{0} : biais {1}</translation>
+    </message>
+    <message>
+        <source>change of the ambient field</source>
+        <translation>changement du champ ambiant</translation>
+    </message>
+    <message>
+        <source>permanent moment {0}</source>
+        <translation>moment permanent {0}</translation>
+    </message>
+    <message>
+        <source>induced moment {0}</source>
+        <translation>moment induit {0}</translation>
+    </message>
+    <message>
+        <source>largest induced moment in {0} µT</source>
+        <translation>plus grand moment induit dans {0} µT</translation>
+    </message>
+    <message>
+        <source>rms error while held</source>
+        <translation>erreur rms pendant le maintien</translation>
+    </message>
+    <message>
+        <source>open-loop error</source>
+        <translation>erreur en boucle ouverte</translation>
+    </message>
+    <message>
+        <source>drift of the zero</source>
+        <translation>dérive du zéro</translation>
+    </message>
+    <message>
+        <source>{0} µT, degree {1}</source>
+        <translation>{0} µT, degré {1}</translation>
+    </message>
+    <message>
+        <source>verify: rms error with bench.toml&apos;s matrix</source>
+        <translation>vérification : erreur rms avec la matrice de bench.toml</translation>
+    </message>
+    <message>
+        <source>verify: rms error</source>
+        <translation>vérification : erreur rms</translation>
+    </message>
+    <message>
+        <source>verify: largest error in units of U by noise</source>
+        <translation>vérification : plus grande erreur en unités de U par le bruit</translation>
+    </message>
+    <message>
+        <source>rms tracking error</source>
+        <translation>erreur rms de suivi</translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation>latence</translation>
+    </message>
+    <message>
+        <source>jitter of the latency</source>
+        <translation>gigue de la latence</translation>
+    </message>
+    <message>
+        <source>jitter of the source</source>
+        <translation>gigue de la source</translation>
+    </message>
+    <message>
+        <source>departure from a straight line</source>
+        <translation>écart à une droite</translation>
+    </message>
+    <message>
+        <source>reference from DUT: {0}</source>
+        <translation>référence vue du DUT : {0}</translation>
+    </message>
+    <message>
+        <source>less what is stated: {0}</source>
+        <translation>moins ce qui est indiqué : {0}</translation>
+    </message>
+    <message>
+        <source>coil {0}: field at the reference over that at the DUT</source>
+        <translation>bobine {0} : champ à la référence sur celui au DUT</translation>
+    </message>
+    <message>
+        <source>once a turn</source>
+        <translation>une fois par tour</translation>
+    </message>
+    <message>
+        <source>turning less holding</source>
+        <translation>en rotation moins en maintien</translation>
+    </message>
+    <message>
+        <source>holding less off</source>
+        <translation>en maintien moins coupé</translation>
+    </message>
+    <message>
+        <source>zero {0}</source>
+        <translation>zéro {0}</translation>
+    </message>
+    <message>
+        <source>magnitude against direction</source>
+        <translation>module selon la direction</translation>
+    </message>
+    <message>
+        <source>magnitude less the standard&apos;s</source>
+        <translation>module moins celui de l&apos;étalon</translation>
+    </message>
+    <message>
+        <source>age of its calibration</source>
+        <translation>âge de son étalonnage</translation>
+    </message>
+    <message>
+        <source>components against constant modulus, largest E_n</source>
+        <translation>composantes contre module constant, plus grand E_n</translation>
+    </message>
+    <message>
+        <source>constant {0}</source>
+        <translation>constante {0}</translation>
+    </message>
+    <message>
+        <source>{0} from square</source>
+        <translation>{0} de l&apos;angle droit</translation>
+    </message>
+    <message>
+        <source>ambient {0}</source>
+        <translation>ambiant {0}</translation>
+    </message>
+    <message>
+        <source>current at zero {0}</source>
+        <translation>courant à zéro {0}</translation>
+    </message>
+    <message>
+        <source>{0} at {1} µT per {2}</source>
+        <translation>{0} à {1} µT par {2}</translation>
+    </message>
+    <message>
+        <source>offset {0}</source>
+        <translation>décalage {0}</translation>
+    </message>
+    <message>
+        <source>rms heading error</source>
+        <translation>erreur rms de direction</translation>
+    </message>
+    <message>
+        <source>rms magnitude error</source>
+        <translation>erreur rms de module</translation>
+    </message>
+    <message>
+        <source>{0}: polarity + less −</source>
+        <translation>{0} : polarité + moins −</translation>
+    </message>
+    <message>
+        <source>DUT: change from bench.toml</source>
+        <translation>DUT : changement depuis bench.toml</translation>
+    </message>
+    <message>
+        <source>axes-check</source>
+        <translation>contrôle des axes</translation>
+    </message>
+    <message>
+        <source>sync-check</source>
+        <translation>contrôle des temps</translation>
+    </message>
+    <message>
+        <source>mount-{0}</source>
+        <translation>montage {0}</translation>
+    </message>
+    <message>
+        <source>closure-{0}</source>
+        <translation>bouclage {0}</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>clôture</translation>
+    </message>
+    <message>
+        <source>coil {0}</source>
+        <translation>bobine {0}</translation>
+    </message>
+    <message>
+        <source>sweep at the DUT&apos;s place</source>
+        <translation>balayage à la place du DUT</translation>
+    </message>
+    <message>
+        <source>sweep at the reference&apos;s place</source>
+        <translation>balayage à la place de la référence</translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation>point {0}</translation>
+    </message>
+    <message>
+        <source>{0}-on-{1}</source>
+        <translation>{0} allumé {1}</translation>
+    </message>
+    <message>
+        <source>{0}-off-{1}</source>
+        <translation>{0} coupé {1}</translation>
+    </message>
+    <message>
+        <source>{0}-on</source>
+        <translation>{0} allumé</translation>
+    </message>
+    <message>
+        <source>{0}-off</source>
+        <translation>{0} coupé</translation>
+    </message>
+    <message>
+        <source>open loop</source>
+        <translation>boucle ouverte</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>tenu</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sphère</translation>
+    </message>
+    <message>
+        <source>field steps</source>
+        <translation>paliers de champ</translation>
+    </message>
+    <message>
+        <source>wait for the source</source>
+        <translation>attente de la source</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>half-{0}-reversed</source>
+        <translation>moitié {0} inversée</translation>
+    </message>
+    <message>
+        <source>half-{0}-back</source>
+        <translation>moitié {0} remise</translation>
+    </message>
+    <message>
+        <source>as they should be</source>
+        <translation>comme elles doivent être</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>en rotation</translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation>en maintien</translation>
+    </message>
+    <message>
+        <source>motor off</source>
+        <translation>moteur coupé</translation>
+    </message>
+    <message>
+        <source>zero by half turns</source>
+        <translation>zéro par demi-tours</translation>
+    </message>
+    <message>
+        <source>six directions</source>
+        <translation>six directions</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>composantes</translation>
+    </message>
+    <message>
+        <source>constant modulus</source>
+        <translation>module constant</translation>
+    </message>
+    <message>
+        <source>round {0}</source>
+        <translation>tour {0}</translation>
+    </message>
+    <message>
+        <source>position {0}</source>
+        <translation>position {0}</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>en avant</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>en arrière</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>salle</translation>
+    </message>
+    <message>
+        <source>photographs</source>
+        <translation>photos</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -3543,8 +5811,12 @@
         <translation>S&apos;occuper de {0}</translation>
     </message>
     <message>
-        <source>Say who and what</source>
-        <translation>Dire qui et quoi</translation>
+        <source>Say which DUT</source>
+        <translation>Nommer le DUT</translation>
+    </message>
+    <message>
+        <source>Say who works here</source>
+        <translation>Dire qui travaille</translation>
     </message>
     <message>
         <source>Go on with the run</source>
@@ -4690,6 +6962,54 @@
         <translation>erreur d&apos;axe, la pire  deg</translation>
     </message>
     <message>
+        <source>look</source>
+        <translation>examen</translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation>méthodes</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>causes</translation>
+    </message>
+    <message>
+        <source>all rows</source>
+        <translation>toutes les lignes</translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>déclaré</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>mesuré au repos</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>d&apos;après les différences</translation>
+    </message>
+    <message>
+        <source>inertial</source>
+        <translation>inertielle</translation>
+    </message>
+    <message>
+        <source>nadir</source>
+        <translation>vers le nadir</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>angle  deg</source>
+        <translation>angle  deg</translation>
+    </message>
+    <message>
+        <source>field  nT</source>
+        <translation>champ  nT</translation>
+    </message>
+    <message>
         <source>time  s</source>
         <translation>temps  s</translation>
     </message>
@@ -4908,6 +7228,18 @@
     <message>
         <source>{0} and {1}</source>
         <translation>{0} et {1}</translation>
+    </message>
+    <message>
+        <source>{0}, or {1}</source>
+        <translation>{0}, ou {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} ou {1}</translation>
+    </message>
+    <message>
+        <source>{0} at {1}</source>
+        <translation>{0} à {1}</translation>
     </message>
     <message>
         <source>rows that were set aside</source>

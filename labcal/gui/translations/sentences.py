@@ -1,7 +1,8 @@
-"""Sentences that come as data in another language: questions to the person, what is said of the coils, what failed.
+"""Sentences that come as data in another language: questions to the person, what is said of the coils, what failed,
+what the loop finds.
 
-Procedures and the bench write them in English, and the record keeps them so; what is shown is found by its form. A
-sentence that has none of these forms is shown as it came.
+Procedures, the bench and the loop write them in English, and the record keeps them so; what is shown is found by its
+form. A sentence that has none of these forms is shown as it came.
 """
 
 from __future__ import annotations
@@ -12,7 +13,10 @@ from functools import cache, lru_cache
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from labcal.gui.translations.faults import FAULTS
+from labcal.gui.translations.fits import BUDGET, FITS
+from labcal.gui.translations.loop import EXPERIMENTS, FINDINGS, NEXT, PROGRESS, REASONS, SHAPES
 from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, TITLES
+from labcal.gui.translations.steps import BENCH, EVENTS, MEASUREMENTS, PLAN, REFUSALS, STEPS
 
 COILS = (  # of several that fit the first counts; what stands for {0}, {1} … is itself such a sentence, or stays
     QT_TRANSLATE_NOOP("Data", "coils at zero"),
@@ -132,46 +136,95 @@ CHANGES = (  # from one calibration to the next
     ),
     QT_TRANSLATE_NOOP("Data", "No figure changed by more than its uncertainty; the largest is E_n = {0} ({1})."),
     QT_TRANSLATE_NOOP("Data", "Whether the sensor changed cannot be said: a calibration states no uncertainty."),
+    QT_TRANSLATE_NOOP("Data", "Offsets are not of the same state: as found {0}, as left {1}."),
+    QT_TRANSLATE_NOOP("Data", "Offsets are those at {0}."),
+    QT_TRANSLATE_NOOP("Data", "at any state"),
+    QT_TRANSLATE_NOOP("Data", "One of the two is simulated."),
     QT_TRANSLATE_NOOP("Data", "Only the earlier corrects {0}."),
     QT_TRANSLATE_NOOP("Data", "Only the later corrects {0}."),
 )
-MEASURED = re.compile(r"(?<![\w.:])\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
+MEASURED = re.compile(r"(?<![\w.:])-?\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
 FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
-FORMS = tuple(
-    str(form) for form in (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS)
+OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
+OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *FITS
+FORMS = tuple(map(str, (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *OF_PROCEDURES, *OF_RUNS)))
+NAME_FORMS = tuple(map(str, (*BUDGET, *MEASUREMENTS, *STEPS)))
+LISTS: dict[str, str] = {
+    " and ": str(QT_TRANSLATE_NOOP("Words", "{0} and {1}")),
+    ", or ": str(QT_TRANSLATE_NOOP("Words", "{0}, or {1}")),
+    " or ": str(QT_TRANSLATE_NOOP("Words", "{0} or {1}")),
+    " at ": str(QT_TRANSLATE_NOOP("Words", "{0} at {1}")),
+    ", ": "{0}, {1}",
+}
+BREAKS = (re.compile(r"(?<=[.?!]) "), re.compile(r"(?<=;) "))  # between sentences, then within one
+BLANK, IN_ONE_SENTENCE, IN_ONE_PART = (  # an initial ends no sentence
+    rf"((?:{unlike}.)+?)" for unlike in ("", r"(?!(?<![A-Z])[.?!] [A-Z])", r"(?!(?<![A-Z])[.?!] [A-Z]|; )")
 )
-WHOLE = frozenset(form for form in FORMS if "{" not in form)
+BLANKS = dict.fromkeys(OF_RUNS, IN_ONE_SENTENCE) | dict.fromkeys(SHAPES, IN_ONE_PART)
+PLACE = re.compile(r"\{\d\}")
+NUMBER = re.compile(r"[+−-]?\d+\.\d+")
+
+Found = tuple[str, tuple[str, ...]]
 
 
 def in_words(sentence: str) -> str:
     """`sentence` in the window's language, where it, or one of several in it, has one of these forms; else as it is."""
     if figure := FIGURE.fullmatch(sentence):
         return f"{QCoreApplication.translate('Words', figure[1])} {figure[2]}"
-    if (found := form_of(sentence)) is None:
-        first, rest = (re.split(r"(?<=[.?!]) ", sentence, maxsplit=1) + [""])[:2]
-        return f"{in_words(first)} {in_words(rest)}" if rest else sentence
-    form, filled = found
-    return _by_locale(QCoreApplication.translate("Data", form).format(*map(in_words, filled)))
+    if found := form_of(sentence):
+        return _filled_in(*found)
+    for between in BREAKS:
+        if len(parts := between.split(sentence, maxsplit=1)) == 2:
+            return " ".join(map(in_words, parts))
+    return f"{in_words(sentence[:-1])}{sentence[-1]}" if sentence.endswith((".", ";")) else sentence
+
+
+def name_in_words(name: str) -> str:
+    """The name of a step, a measurement or a line of a budget in the window's language; one of yours as it is."""
+    if FIGURE.fullmatch(name) or (found := form_of(name, NAME_FORMS)) is None:
+        return in_words(name)
+    return _filled_in(*found)
+
+
+def _filled_in(form: str, blanks: tuple[str, ...]) -> str:
+    return _by_locale(QCoreApplication.translate("Data", form).format(*map(_part, blanks)))
+
+
+def _part(text: str) -> str:
+    """What fills a blank: a number, a sentence, a name, a list of either, or data."""
+    if NUMBER.fullmatch(text):
+        return _as_in_tables(text)
+    if (said := in_words(text)) != text or (said := name_in_words(text)) != text:
+        return said
+    for mark, joined in LISTS.items():
+        if len(parts := text.split(mark, maxsplit=1)) == 2:
+            return QCoreApplication.translate("Words", joined).format(*map(_part, parts))
+    return text
 
 
 def _by_locale(sentence: str) -> str:
-    """Numbers that have a unit with the language's decimal mark; what is no number of a reading stays."""
-    return MEASURED.sub(lambda found: found[0].replace(".", QLocale().decimalPoint()), sentence)
+    """Numbers that have a unit as tables have them, with the language's decimal mark; what is none stays."""
+    return MEASURED.sub(lambda found: _as_in_tables(found[0]), sentence)
 
 
-@lru_cache(500)
-def form_of(sentence: str) -> tuple[str, tuple[str, ...]] | None:
-    """The form that a sentence has, and what stands in its blanks; None where it has none of these."""
-    if sentence in WHOLE:
-        return sentence, ()
-    matches = ((form, pattern.fullmatch(sentence)) for form, pattern in _patterns())
-    return next(((form, match.groups()) for form, match in matches if match), None)
+def _as_in_tables(number: str) -> str:
+    return number.replace("-", "−").replace(".", QLocale().decimalPoint())
+
+
+@lru_cache(4000)
+def form_of(sentence: str, forms: tuple[str, ...] = FORMS) -> Found | None:
+    """The first of `forms` that a sentence has, and what stands in its blanks; None where it has none of these."""
+    for form, longest, pattern in _patterns(forms):
+        if longest in sentence and (match := pattern.fullmatch(sentence)):
+            return form, match.groups()
+    return None
 
 
 @cache
-def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
-    return tuple(
-        (form, re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form)), re.DOTALL))
-        for form in FORMS
-        if form not in WHOLE
-    )
+def _patterns(forms: tuple[str, ...]) -> tuple[tuple[str, str, re.Pattern[str]], ...]:
+    """Each form, the longest of its own pieces, which tells quickly that a sentence has it not, and its pattern."""
+    return tuple((form, max(PLACE.split(form), key=len), _pattern(form)) for form in forms)
+
+
+def _pattern(form: str) -> re.Pattern[str]:
+    return re.compile(BLANKS.get(form, BLANK).join(map(re.escape, PLACE.split(form))), re.DOTALL)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTranslator
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from labcal.files.home import home
 
@@ -130,6 +130,18 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "set"),
     QT_TRANSLATE_NOOP("Words", "held-out |b|  nT"),
     QT_TRANSLATE_NOOP("Words", "axis error, worst  deg"),
+    QT_TRANSLATE_NOOP("Words", "look"),
+    QT_TRANSLATE_NOOP("Words", "methods"),
+    QT_TRANSLATE_NOOP("Words", "loop"),
+    QT_TRANSLATE_NOOP("Words", "all rows"),
+    QT_TRANSLATE_NOOP("Words", "declared"),
+    QT_TRANSLATE_NOOP("Words", "static"),
+    QT_TRANSLATE_NOOP("Words", "differences"),
+    QT_TRANSLATE_NOOP("Words", "inertial"),
+    QT_TRANSLATE_NOOP("Words", "nadir"),
+    QT_TRANSLATE_NOOP("Words", "none"),
+    QT_TRANSLATE_NOOP("Words", "angle  deg"),
+    QT_TRANSLATE_NOOP("Words", "field  nT"),
     QT_TRANSLATE_NOOP("Words", "time  s"),
     QT_TRANSLATE_NOOP("Words", "frame"),
     QT_TRANSLATE_NOOP("Words", "known"),
@@ -202,12 +214,20 @@ def install_translator(application: QCoreApplication, locale: QLocale, folders: 
         former.deleteLater()
     QLocale.setDefault(QLocale(QLocale.Language.English))
     for folder in folders or (home() / "translations", FOLDER):
-        translator = QTranslator(application)
-        translator.setObjectName(OWN)
-        if translator.load(locale, "labcal", "_", str(folder), ".qm"):
+        if _installed(application, locale, "labcal", folder):
+            _installed(
+                application, locale, "qtbase", Path(QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
+            )
             QLocale.setDefault(locale)  # days, months and decimal marks follow the words
-            return application.installTranslator(translator)
+            return True
     return False
+
+
+def _installed(application: QCoreApplication, locale: QLocale, name: str, folder: Path) -> bool:
+    """Whether the folder has this file of the language; what Qt's own dialogs say is in one of Qt's."""
+    translator = QTranslator(application)
+    translator.setObjectName(OWN)
+    return translator.load(locale, name, "_", str(folder), ".qm") and application.installTranslator(translator)
 
 
 def languages() -> dict[str, str]:

@@ -104,17 +104,17 @@ class AppState(QObject):
             return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
         path = str(absolute(Path(bench)))
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
-        self.lab.update(message=self.tr("Opening {0} …").format(Path(path).name))
+        self.lab.update(message=self.tr("Opening {0} …").format(Path(path).name), opening=True)
         return self.quick_worker.request(ReadBench(path), partial(self._bench_known, path), self._not_opened)
 
     def _not_opened(self, fault: Fault) -> None:
-        self.lab.update(message="")
+        self.lab.update(message="", opening=False)
         self.fault.emit(fault)
 
     def _bench_known(self, path: str, facts: Bench) -> None:
         if path != self.bench:
             self.forget()
-        self.lab.update(message="")
+        self.lab.update(message="", opening=False)
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile
+from labcal.gui.translations.sentences import in_words, name_in_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.viewmodels.study import cause_name
 
@@ -27,7 +28,7 @@ def parameter_rows(one: CalibrationFile) -> list[list[Cell]]:
     u: tuple[float | None, ...] = one.u or (None,) * 12
     gain = f"nT/{one.dut.unit}"
     rows = [
-        _parameter(f"k {axis} {one.k_means}".rstrip(), value, u[9 + n], "nT")
+        _parameter(f"k {axis} {in_words(one.k_means)}".rstrip(), value, u[9 + n], "nT")
         for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
     ]
     K = zip((f"K {a}{b}" for a in "xyz" for b in "xyz"), (v for row in one.K for v in row), u, strict=False)
@@ -50,10 +51,11 @@ def _parameter(name: str, value: float, u: float | None, unit: str) -> list[Cell
 
 
 def _budgeted(line: BudgetLine) -> list[Cell]:
-    shares = [f"{source} {100 * share:.1f} %" for source, share in line.sources]
-    tip = "\n".join([f"{line.quantity} {line.at}".rstrip(), f"k = {line.k:.2f}", *shares])
+    shares = [f"{name_in_words(source)} {format_number(100 * share, signed=False)} %" for source, share in line.sources]
+    quantity, at = name_in_words(line.quantity), name_in_words(line.at)
+    tip = "\n".join([f"{quantity} {at}".rstrip(), f"k = {format_number(line.k, 2, signed=False)}", *shares])
     U = format_number(line.U, decimals_for(line.U, line.U), signed=False)
-    name = f"{line.quantity} · {line.at}" if line.at else line.quantity
+    name = f"{quantity} · {at}" if at else quantity
     return [
         Cell(f"{name}: {shares[0]}" if shares else name, tip=tip),  # here, where the column is as wide as there is room
         Cell("–", right=True, tip=tip),

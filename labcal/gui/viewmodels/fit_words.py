@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Fitted
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import RESULTS, verdict
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number
@@ -63,4 +64,4 @@ def _by_the_specification(lines: Sequence[Judged]) -> tuple[str, str]:
 def _line(line: Judged) -> str:
     decimals = decimals_for(line.U, line.value)
     value, U = format_number(line.value, decimals), format_number(line.U, decimals, signed=False)
-    return f"{line.quantity} {value} ± {U} {line.unit} (± {short_number(line.limit)})"
+    return f"{in_words(line.quantity)} {value} ± {U} {line.unit} (± {short_number(line.limit)})"

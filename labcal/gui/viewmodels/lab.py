@@ -22,6 +22,7 @@ class LabState:
     dut_objection: str = ""  # why it is no serial
     operator: str = ""
     bench: str = ""
+    opening: bool = False  # a bench
     simulated: bool = False
     now: LabNow = NOT_TOLD
     field_U_nT: float | None = None  # k = 2

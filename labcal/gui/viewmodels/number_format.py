@@ -9,6 +9,7 @@ from typing import Literal
 
 from PySide6.QtCore import QLocale
 
+from labcal.gui.translations.sentences import name_in_words
 from labcal.gui.translations.translate import translated
 
 FieldUnit = Literal["nT", "µT", "mG"]
@@ -56,7 +57,12 @@ def step_title(name: str) -> str:
     """
     if name == "zero":
         return translated("offset and first position")
-    return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), name)
+    return turns_written(name_in_words(name))
+
+
+def turns_written(text: str) -> str:
+    """`text` with each turn in it as tables have it: "x-50uT-full" is "x −50 µT full"."""
+    return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), text)
 
 
 def decimals_for(u: float, value: float) -> int:

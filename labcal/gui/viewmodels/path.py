@@ -93,7 +93,7 @@ class PathViewModel(QObject):
         """The one thing to do now."""
         state, last, marks = self._lab.state, self.last(), self.marks()
         if not state.bench:
-            return Next("Bench", self.tr("Open a bench"))
+            return Next("Bench", self.tr("Open a bench"), waits=state.opening)
         if self._run.alive:
             asked = self._run.state == "asking"
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
@@ -101,8 +101,10 @@ class PathViewModel(QObject):
             return Next("Bench", self.tr("See to the coils"))
         if failed := [name for name, light, _ in state.now.lights if light == "fault"]:
             return Next("Bench", self.tr("See to {0}").format(failed[0]))
-        if not state.dut_serial or state.dut_objection or not state.operator:
-            return Next("Start", self.tr("Say who and what"))
+        if not state.dut_serial or state.dut_objection:
+            return Next("Start", self.tr("Say which DUT"))
+        if not state.operator:
+            return Next("Start", self.tr("Say who works here"))
         if last is not None and last.status == "interrupted":
             return Next("Start", self.tr("Go on with the run"))
         if last is None or marks["Run"] != "done":

@@ -295,7 +295,7 @@ class RunViewModel(QObject):
             case Step():
                 self.step, self.names = item, item.names or self.names
                 self._waited_s, self._waits_since_s = 0.0, None
-                self._running(item.name)
+                self._running(step_title(item.name))
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():

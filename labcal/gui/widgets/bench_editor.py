@@ -13,6 +13,7 @@ from labcal.gui.ipc.answers import BenchText, SettingLine
 from labcal.gui.ipc.messages import EditBench
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import Card, button, label, plain, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
@@ -118,10 +119,11 @@ class BenchEditor(QWidget):
         self._enable()
 
     def _show_row(self, row: int, one: SettingLine) -> None:
-        meaning = f"[{one.usual}] {one.meaning}".strip() if one.usual and not one.value else one.meaning
+        said = in_words(one.meaning)
+        meaning = f"[{one.usual}] {said}".strip() if one.usual and not one.value else said
         if not one.here:
-            meaning = self.tr("{0} (over several lines: change it in the file)").format(one.meaning).strip()
-        for column, text in enumerate((".".join(one.keys), one.value, one.unit, meaning)):
+            meaning = self.tr("{0} (over several lines: change it in the file)").format(said).strip()
+        for column, text in enumerate((".".join(one.keys), one.value, in_words(one.unit), meaning)):
             self.table.setItem(row, column, item := QTableWidgetItem(text))
             item.setToolTip(plain(text))
             if column != VALUE or not one.here:

@@ -53,6 +53,8 @@ class CloseQuestion(QDialog):
         column.addLayout(grid)
         self.back = button(self.tr("Back to the run"), self.tr("Close nothing (Esc)"), primary=True)
         self.back.clicked.connect(self.reject)
+        self.back.setDefault(True)
+        self.back.setFocus()  # Enter and Space close nothing either
         column.addWidget(self.back)
 
     def say_coils(self, words: str) -> None:

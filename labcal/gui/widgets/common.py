@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from html import escape
 from typing import TypeVar
@@ -69,6 +69,14 @@ def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     widget.setMinimumContentsLength(letters)
     widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
     return widget
+
+
+def offer(chooser: QComboBox, names: Sequence[str]) -> None:
+    """Have these to choose from, each shown in the window's language, its name as data."""
+    if [chooser.itemData(n) for n in range(chooser.count())] != list(names):
+        chooser.clear()
+        for name in names:
+            chooser.addItem(translated(name), name)
 
 
 def say_wanted(chooser: QComboBox, wanted: str) -> None:

@@ -11,7 +11,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import change_rows
-from labcal.gui.widgets.common import Card, button, combo_box, label
+from labcal.gui.widgets.common import Card, button, combo_box, label, offer
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import Loci, legend_above
@@ -58,8 +58,7 @@ class ComparisonView(QWidget):
         sides = ((self.tr("Earlier"), found.older), (self.tr("Later"), found.newer))
         self.whose.setText("\n".join(f"{which}: {self._source(one)}" for which, one in sides))
         names = [name for name in found.older.against if name in found.newer.against]
-        self.against.clear()
-        self.against.addItems(names)
+        offer(self.against, names)
         self._draw()
 
     def _source(self, one: Compared) -> str:
@@ -140,7 +139,7 @@ class ComparisonView(QWidget):
         return [(earlier, self._theme.axis_x, found.older), (later, self._theme.accent, found.newer)]
 
     def _draw_residuals(self, found: Comparison) -> None:
-        against = self.against.currentText()
+        against = self.against.currentData()
         named = [(n, c, one, one.residual) for n, c, one in self._named(found)]
         clouds = [(n, c, one.against[against], left) for n, c, one, left in named if left is not None]
         noise = [one.noise_nT for _, _, one, _ in named if one.noise_nT is not None]

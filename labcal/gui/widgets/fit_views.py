@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
 from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
-from labcal.gui.widgets.common import Card, combo_box, label, shrinkable
+from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.shell_plot import draw_degrees
@@ -119,10 +119,7 @@ class FitViews(Card):
     def show_fit(self, look: Look | None, method: str, said: Fitted | None) -> None:
         """Draw what is known of a run (`look`) and of one method's answer (`said`)."""
         self._look, self._method, self._said = look, method, said
-        names = list(look.against) if look else []
-        if [self.against.itemText(n) for n in range(self.against.count())] != names:
-            self.against.clear()
-            self.against.addItems(names)
+        offer(self.against, list(look.against) if look else [])
         self._draw()
 
     def show_growth(self, method: str, said: Growth | None) -> None:
@@ -179,7 +176,7 @@ class FitViews(Card):
     def _draw_residual(self, look: Look, said: Fitted | None) -> None:
         if said is None or said.residual is None:
             return self.residual.clear()
-        against = self.against.currentText()
+        against = self.against.currentData()
         cloud = (self._method, self._theme.accent, said.residual)
         return self.residual.show_residual(against, look.against[against], [cloud], said.noise_nT)
 

@@ -14,7 +14,7 @@ from labcal.errors import InputError
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.widgets.common import button, named, set_state
+from labcal.gui.widgets.common import button, named, offer, set_state
 from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
 MOST_LETTERS = 24  # of a list of values that are all in sight
@@ -112,8 +112,8 @@ class ParameterForm(QWidget):
             return box
         if spec.kind == "choice" and not spec.many:
             chooser = QComboBox()
-            chooser.addItems(list(spec.choices))
-            chooser.setCurrentText(as_text(spec, spec.default))
+            offer(chooser, spec.choices)
+            chooser.setCurrentIndex(chooser.findData(as_text(spec, spec.default)))
             chooser.currentTextChanged.connect(self._check)
             return chooser
         line = QLineEdit(as_text(spec, spec.default))
@@ -131,7 +131,7 @@ class ParameterForm(QWidget):
         field = self.fields[name]
         if isinstance(field, QCheckBox):
             return "yes" if field.isChecked() else "no"
-        return field.currentText() if isinstance(field, QComboBox) else field.text()
+        return str(field.currentData()) if isinstance(field, QComboBox) else field.text()
 
     def texts(self) -> dict[str, str]:
         """What stands in every field, right or wrong."""
@@ -143,7 +143,7 @@ class ParameterForm(QWidget):
         if isinstance(field, QCheckBox):
             field.setChecked(text == "yes")
         elif isinstance(field, QComboBox):
-            field.setCurrentText(text)
+            field.setCurrentIndex(field.findData(text))
         else:
             field.setText(text)
 

@@ -68,7 +68,7 @@ class Residuals(QWidget):
         legend_above(self.plot, [(name, colour) for name, colour, _, _ in clouds])
         self._band.setRegion((-2 * (noise_nT or 0.0), 2 * (noise_nT or 0.0)))
         self._band.setVisible(noise_nT is not None)
-        self.plot.getPlotItem().setLabel("bottom", against, color=self._theme.muted)
+        self.plot.getPlotItem().setLabel("bottom", translated(against), color=self._theme.muted)
         self.plot.autoRange()
 
     def _add(self, colour: str, x: Array, values: Array) -> None:
