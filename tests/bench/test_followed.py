@@ -78,11 +78,11 @@ def test_nothing_can_be_written_to_it(tmp_path: Path, link: Link) -> None:
 
 
 def test_a_file_that_is_not_there_or_goes_is_a_lost_link(tmp_path: Path, link: Link, clock: RealClock) -> None:
-    with pytest.raises(InstrumentError, match="link is lost") as caught:
+    with pytest.raises(InstrumentError, match="link was lost") as caught:
         open_link(f"file://{tmp_path}/none.sec", clock)
     assert caught.value.fault == "link lost"
     (tmp_path / "abc20260301.sec").unlink()
-    with pytest.raises(InstrumentError, match="link is lost"):
+    with pytest.raises(InstrumentError, match="link was lost"):
         link.receive(clock.now() + 1.0)
 
 
