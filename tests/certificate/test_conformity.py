@@ -64,7 +64,7 @@ def test_the_report_states_each_line_its_rule_and_its_risk(judged: Calibration, 
     text = page_of(replace(judged, chain={"head": "ab" * 32, "rows": 7}), tmp_path / "cal.json")
     for said in (
         "Is it in specification?", "NOT IN SPECIFICATION", "PASS", "conditional pass", "conditional fail", "FAIL",
-        "&lt; 0.01 %", "16 %", "84 %", "&gt; 99 %", "<td>′</td>", "37.5",
+        "&lt; 0.01 %", "16 %", "84 %", "&gt; 99 %", ">′</td>", "37.5",
         "Decision rule, chosen before the measurement",
         "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)",
     ):  # fmt: skip
@@ -173,11 +173,11 @@ def test_of_few_degrees_of_freedom_page_file_and_dcc_state_one_u(calibration: Ca
     assert U_of_scale == pytest.approx(2 * 100 * figures_of_the_map(few)[3].u)  # no budget: many
     few = replace(few, specification=tuple(asdict(line) for line in lines))
     text = page_of(few, tmp_path / "cal.json")
-    assert "k = 2.52 (95 % at least)" in text
+    assert "coverage factor 2.52 (95 % at least)" in text
     assert "(k = 2.52)" in text  # of an effect's parameters
     assert f"{2.52 * few.effects[0].parameters[0].u:.2g}" in text
     assert "(k = 2)" not in text
-    assert "k = 2 (about 95 %)" not in text
+    assert "coverage factor 2 (about 95 %)" not in text
     zero = sensor_figures(few, 2.0).rows[0]
     assert float(zero[4]) == pytest.approx(U_of_zero / 0.5, rel=0.05)
     xml = dcc_xml(few, calibration_bytes(few), "c", run_at("2026-11-21T23:50:00Z"), IN_BERN)
