@@ -8,7 +8,9 @@ from typing import Any
 from kinds import Kind, kinds
 
 OF_THE_STORE = re.compile(r"session: .*\b(store|disk|file)\b", re.IGNORECASE)
-NOT_AT_ZERO = re.compile(r"\bNOT\b|unknown|still flows|not zero|no reply|link was lost|another instrument|switch .* off")
+NOT_AT_ZERO = re.compile(
+    r"\bNOT\b|unknown|still flows|not zero|no reply|link was lost|another instrument|switch .* off"
+)
 OF_TIME = frozenset({"late at zero", "zero heard late"})
 LATE_S = 0.1  # of the machine itself, beyond which a trial says nothing about two seconds
 

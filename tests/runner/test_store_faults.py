@@ -177,7 +177,10 @@ def test_rows_for_a_file_that_lies_there_no_more_are_never_called_kept(
     monkeypatch.setattr(writer, "PATIENCE_S", 0.5)
     run = Broken(bench_file, monkeypatch, breaks)
     goes_first(run, "store gone")
-    assert run.outcome.ending.endswith("while it was written to; what was not committed is lost") or breaks is replaced
+    assert (
+        run.outcome.ending.endswith("while it was written to; what it held is lost where there is no copy")
+        or breaks is replaced
+    )
     assert not run.outcome.resumable
     for mend in run.mended:
         mend()
