@@ -35,7 +35,7 @@ def test_a_rehearsal_says_what_a_procedure_will_do() -> None:
     assert (plan.segments, plan.simulated) == (2, True)
     assert any("Mount the DUT" in text for text in plan.person)
     said = "\n".join(plan.lines())
-    assert all(word in said for word in ("30.0 µT", "360°", "-20 to 60 °C", "min"))
+    assert all(word in said for word in ("30.0 µT", "360°", "−20 to 60 °C", "min"))
 
 
 def test_a_rehearsal_beyond_a_limit_fails_before_anything_moves() -> None:

@@ -28,7 +28,7 @@ from labcal.errors import InstrumentError
 ROOT = Path(__file__).parents[1]
 THE_PLACE = "labcal/bench/coils/state.py"
 THE_FORMS = tuple(  # of what the place, faults and the procedures say, for other languages
-    f"labcal/gui/translations/{name}.py" for name in ("sentences", "faults", "procedures")
+    f"labcal/gui/translations/{name}.py" for name in ("sentences", "faults", "procedures", "steps", "loop", "fits")
 )
 CLAIM = re.compile(
     r"\bcoils?\b.*\b(zero|off|on|safe|energis\w*|open\w*)\b|\b(at|to) zero\b|energised|\bsafe\b|^zero, "

@@ -34,6 +34,7 @@ ALLOWED = {
     "labcal/certificate/dcc/basis.py": "writes down how that term's functions are made, in the units of its file",
     "labcal/loop/empirical/build.py": "builds that effect, which no search finds",
     "labcal/session/working_out.py": "keeps whether a person asked for that term (contract: made_by)",
+    "labcal/gui/translations/loop.py": "a word of the loop's sentences for other languages, and no id",
     "labcal/loop/assemble.py": "the verdict weighs the rows that are set aside",
 }
 STATED = ("SEPARATES", "CAUSE")  # what a procedure says of itself, and the self-test of the lab that it simulates
