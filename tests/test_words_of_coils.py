@@ -28,7 +28,9 @@ from labcal.errors import InstrumentError
 ROOT = Path(__file__).parents[1]
 THE_PLACE = "labcal/bench/coils/state.py"
 THE_FORMS = tuple(  # of what the place, faults and the procedures say, for other languages
-    f"labcal/gui/translations/{name}.py" for name in ("sentences", "faults", "procedures", "steps", "loop", "fits")
+    file.relative_to(ROOT).as_posix()
+    for file in (ROOT / "labcal/gui/translations").glob("*.py")
+    if file.name != "translate.py"
 )
 CLAIM = re.compile(
     r"\bcoils?\b.*\b(zero|off|on|safe|energis\w*|open\w*)\b|\b(at|to) zero\b|energised|\bsafe\b|^zero, "

@@ -10,7 +10,6 @@ from labcal.bench.links.line import wait_for_quiet
 from labcal.errors import InstrumentError
 
 QUIET_S = 0.1  # of a line that was out of step, before each question: what is late or said twice has come by then
-REMEDY = "Is it slower than its timeout_s, does another program talk on its line? Begin this step again."
 SIGN = re.compile(r"(?:^|(?<=[\sEe,]))[+-]")
 NUMBER = re.compile(r"[+-]?\d+(\.\d*)?")
 MAKER = re.compile(r"[A-Za-z][^,]*,")
@@ -49,7 +48,7 @@ class InStep:
     def _earlier(self, question: str, reply: str) -> InstrumentError:
         self._out = True
         what = f"an answer of an earlier question came to {question!r}: {quoted(reply)}; the line is out of step."
-        return InstrumentError(f"{self._name}: {what}", fault="out of step", remedy=REMEDY)
+        return InstrumentError(f"{self._name}: {what}", fault="out of step")
 
     def ask_again(self, reply: str) -> bool:
         """Whether `reply` to "who are you?" names nobody: then it is to be asked once more, into quiet."""

@@ -5,11 +5,11 @@ from collections import defaultdict
 from importlib.metadata import entry_points
 from pathlib import Path
 from shutil import copytree
-from xml.etree import ElementTree
 
 import pyqtgraph
 import pytest
-from PySide6.QtCore import QDate, QLocale, QTranslator
+from known_texts import KnownTexts
+from PySide6.QtCore import QDate, QLocale
 from PySide6.QtGui import QPainter, QTextDocument
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -25,7 +25,6 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.fit.registry import METHODS
-from labcal.gui.translations import translate
 from labcal.model.effects import families
 from labcal.runner import catalogue
 from labcal.session.bench_settings import settings
@@ -35,24 +34,9 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 DOTS = re.compile(r"(\{[^}]*\}|<[^>]*>|&\w+;|\bF\d+\b)|[^\W\d_]")
 
 
-class Mute(QTranslator):
-    """Says dots for every letter of a text that the .ts file has; blanks and markup stay."""
-
-    def __init__(self, parent):
-        super().__init__(parent)
-        contexts = ElementTree.parse(translate.FOLDER / "labcal.ts").getroot().iter("context")
-        self.known = {(c.findtext("name"), m.findtext("source")) for c in contexts for m in c.iter("message")}
-
-    def isEmpty(self):
-        return False
-
-    def translate(self, context, text, disambiguation=None, n=-1):
-        return DOTS.sub(lambda found: found[1] or "·", text) if (context, text) in self.known else None
-
-
 @pytest.fixture
 def mute(qapp):
-    translator = Mute(qapp)
+    translator = KnownTexts(qapp, lambda text: DOTS.sub(lambda found: found[1] or "·", text))
     qapp.installTranslator(translator)
     yield translator
     qapp.removeTranslator(translator)

@@ -3,10 +3,10 @@
 import re
 import subprocess
 from pathlib import Path
-from xml.etree import ElementTree
 
 import PySide6
 import pytest
+from known_texts import KnownTexts
 from PySide6.QtCore import QLocale, QTranslator
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QTableWidget, QWidget
 
@@ -30,24 +30,9 @@ DATA = {
 }  # what no language changes
 
 
-class Marking(QTranslator):
-    """Puts a mark before every text that the .ts file has, in its context."""
-
-    def __init__(self, parent):
-        super().__init__(parent)
-        contexts = ElementTree.parse(translate.FOLDER / "labcal.ts").getroot().iter("context")
-        self.known = {(c.findtext("name"), m.findtext("source")) for c in contexts for m in c.iter("message")}
-
-    def isEmpty(self):
-        return False
-
-    def translate(self, context, text, disambiguation=None, n=-1):
-        return MARK + text if (context, text) in self.known else None
-
-
 @pytest.fixture
 def marked(qapp):
-    translator = Marking(qapp)
+    translator = KnownTexts(qapp, lambda text: MARK + text)
     qapp.installTranslator(translator)
     yield translator
     qapp.removeTranslator(translator)

@@ -23,7 +23,8 @@ from pathlib import Path
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Event
 from labcal.store import Store
-with Store.open(Path(sys.argv[1])) as store, store.begin(RunHeader("r", "2026-03-02T08:15:00Z", True, "", Dut("S"), Reference("none"))) as writer:
+header = RunHeader("r", "2026-03-02T08:15:00Z", True, "", Dut("S"), Reference("none"))
+with Store.open(Path(sys.argv[1])) as store, store.begin(header) as writer:
     writer.late_s = {LATE_S}
     time.sleep(0.6)
     writer.check()
@@ -31,7 +32,7 @@ with Store.open(Path(sys.argv[1])) as store, store.begin(RunHeader("r", "2026-03
     os.kill(os.getpid(), signal.SIGSTOP)
     writer.check()
     print("kept")
-"""  # noqa: E501
+"""
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="nobody stops a process there by a signal")

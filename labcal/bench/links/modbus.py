@@ -16,7 +16,7 @@ from pymodbus.transport import CommParams, CommType
 from labcal.bench.clock import Clock
 from labcal.bench.links.line import LONGEST, Link, babbles, wait_for_quiet
 from labcal.bench.links.urls import split
-from labcal.errors import InstrumentError
+from labcal.errors import WHAT_TO_DO, InstrumentError
 
 logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # all that it would say on stderr is raised as well
 T = TypeVar("T")
@@ -32,7 +32,6 @@ EXCEPTIONS = {
     7: ": no access",
     0x17: ": it is in LOCAL mode, free it on its panel",  # Elektro-Automatik's own
 }
-LATE = "Is it slower than its timeout_s, does another program talk on its line? Begin this step again."
 
 
 class ModbusLink:
@@ -137,7 +136,7 @@ class ModbusLink:
         if reply.function_code != function or (written is not None and reply.address != written):
             self._wait_for_quiet()
             what = f"{self._called(device)}: the reply belongs to another request."
-            raise InstrumentError(what, fault="wrong reply", remedy=LATE)
+            raise InstrumentError(what, fault="wrong reply", remedy=WHAT_TO_DO["out of step"])
         return reply
 
     def _words(self, device: int, reply: Any, count: int) -> list[int]:

@@ -5,14 +5,11 @@ from __future__ import annotations
 from datetime import datetime
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QApplication,
     QFileDialog,
     QHBoxLayout,
     QLineEdit,
-    QListWidget,
-    QListWidgetItem,
     QProgressBar,
     QSplitter,
     QVBoxLayout,
@@ -36,12 +33,12 @@ from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
 from labcal.gui.widgets.sounds import Sounds
+from labcal.gui.widgets.step_list import StepList
 from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
 HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
-SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
 PICTURES = "*.jpg *.jpeg *.png *.webp"
 
@@ -102,9 +99,7 @@ class Live(QWidget):
         self.progress.setTextVisible(False)
         self.left, self.until = label("", "caption", wrap=True), label("", wrap=True)
         self.until.setAccessibleName(self.tr("When it is done, and when you are needed"))
-        self.steps = QListWidget()
-        self.steps.setAccessibleName(self.tr("Steps"))
-        self.steps.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.steps = StepList()
         self.note = QLineEdit()
         self.note.setPlaceholderText(self.tr("Note"))
         self.note.setToolTip(self.tr('Put a remark with its time into the record, and Enter: "lift moved"'))
@@ -318,26 +313,11 @@ class Live(QWidget):
         self._asked = prompt
 
     def _show_steps(self) -> None:
-        run, steps = self._run, self._run.steps()
-        if self.steps.count() != len(steps):
-            self.steps.clear()
-            self.steps.addItems([step_title(name) for name, _ in steps])
-        for row, (name, mark) in enumerate(steps):
-            self._show_step(self.steps.item(row), f"{SHAPES[mark]}  {step_title(name)}", mark)
-            if mark in ("now", "broken"):
-                self.steps.setCurrentRow(row)
-                self.steps.scrollToItem(self.steps.item(row))
+        run = self._run
+        self.steps.show_steps(run.steps(), self._theme)
         if run.step is not None:
             self.progress.setMaximum(run.step.total)
             self.progress.setValue(run.step.total if run.status == "finished" else run.step.number - 1)
-
-    def _show_step(self, item: QListWidgetItem, text: str, mark: str) -> None:
-        if item.text() != text:
-            item.setText(text)
-            item.setToolTip(text)  # a long one is cut in a narrow window
-        colour = {"next": self._theme.muted, "broken": self._theme.bad}.get(mark, self._theme.text)
-        if item.foreground().color().name() != colour:
-            item.setForeground(QColor(colour))
 
     def draw(self) -> None:
         """Draw what has come since the last frame."""

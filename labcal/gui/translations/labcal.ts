@@ -5307,10 +5307,6 @@
 <context>
     <name>Live</name>
     <message>
-        <source>Steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Photo …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6342,6 +6338,13 @@
     </message>
     <message>
         <source>Supersedes {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StepList</name>
+    <message>
+        <source>Steps</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

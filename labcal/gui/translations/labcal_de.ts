@@ -5315,10 +5315,6 @@
         <translation>Wann es fertig ist, und wann Sie gebraucht werden</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
@@ -6343,6 +6339,13 @@
     <message>
         <source>Supersedes {0}</source>
         <translation>Ersetzt {0}</translation>
+    </message>
+</context>
+<context>
+    <name>StepList</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
     </message>
 </context>
 <context>

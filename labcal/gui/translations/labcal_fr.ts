@@ -5315,10 +5315,6 @@
         <translation>Quand ce sera fini, et quand on a besoin de vous</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Étapes</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>
@@ -6343,6 +6339,13 @@
     <message>
         <source>Supersedes {0}</source>
         <translation>Remplace {0}</translation>
+    </message>
+</context>
+<context>
+    <name>StepList</name>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
     </message>
 </context>
 <context>

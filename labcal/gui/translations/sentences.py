@@ -12,9 +12,10 @@ from functools import cache, lru_cache
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
+from labcal.gui.translations.experiments import EXPERIMENTS, NEXT
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.fits import BUDGET, FITS
-from labcal.gui.translations.loop import EXPERIMENTS, FINDINGS, NEXT, PROGRESS, REASONS, SHAPES
+from labcal.gui.translations.loop import FINDINGS, PROGRESS, REASONS, SHAPES
 from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, TITLES
 from labcal.gui.translations.steps import BENCH, EVENTS, MEASUREMENTS, PLAN, REFUSALS, STEPS
 
