@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from labcal.bench.coils.at_zero import AtZero
 
 DONE, INSTRUMENT_FAILED = 0, 3  # as the command line's
+NAMED = "what was driven under this name or, where nothing was, what the file still says of its supplies"
 _ended: dict[Path, list[AtZero] | Exception] = {}
 
 
@@ -74,7 +75,7 @@ def reported(file: Path, ended: list[AtZero]) -> int:
     from labcal.bench.shutdown import unread
 
     if why := unread(file):
-        aloud(f"! {why}. Reported above is what was driven under this name.")
+        aloud(f"! {why}. Reported above is {NAMED}.")
     print(one_line(left_so(file, ended)), flush=True)
     return INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE
 

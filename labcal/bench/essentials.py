@@ -6,13 +6,13 @@ Who says off has no second to load what checks the rest, and is not refused for 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from labcal.errors import InputError
-from labcal.files.toml_file import read_toml
+from labcal.files.toml_file import add_missing, read_toml, readable_parts
 
 AXES = ("x", "y", "z")
 OWNED = ("coil-", "polarity", "interlock")  # roles of what can hurt, or keep from it
@@ -86,6 +86,39 @@ def essentials(path: Path) -> Essentials | None:
     if not any(_names_a_coil(said) for said in _table(table, "instruments").values()):
         raise InputError("it names no supply of a coil", file=path)
     return of_table(table)
+
+
+def legible(path: Path) -> list[Essentials]:
+    """What can be read of a file that is refused as a whole; several where it names a coil twice: each has it once.
+
+    Empty where it names no coil's supply, or one that is emulated. Raises OSError where it cannot be read.
+    """
+    parts, benches, rest = readable_parts(path), list[dict[str, Any]](), dict[str, Any]()
+    for part in parts:
+        add_missing(rest, {key: value for key, value in part.items() if key in ("cage", "safety")})
+    for name, said in _entries(parts):
+        room = (bench for bench in benches if name not in bench and said["role"] not in _roles(bench))
+        if (bench := next(room, None)) is None:
+            benches.append(bench := {})
+        bench[name] = said
+    found = (of_table(rest | {"instruments": bench}) for bench in benches)
+    return [bench for bench in found if bench is not None]
+
+
+def _entries(parts: Iterable[Mapping[str, Any]]) -> list[tuple[str, dict[str, Any]]]:
+    """The instruments by name as they follow one another; a table of settings belongs to the last one of its name."""
+    entries = list[tuple[str, dict[str, Any]]]()
+    for name, said in ((name, said) for part in parts for name, said in _table(part, "instruments").items()):
+        before = next((one for known, one in reversed(entries) if known == name), None)
+        if before is not None and isinstance(said, dict) and "role" not in said:
+            add_missing(before, said)
+        elif isinstance(said, dict):
+            entries.append((name, said))
+    return [(name, said) for name, said in entries if _entry(said)]
+
+
+def _roles(bench: Mapping[str, Any]) -> list[str]:
+    return [said["role"] for said in bench.values()]
 
 
 def _names_a_coil(said: Any) -> bool:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from labcal.bench.coils.at_zero import FROM_HERE, ORDERED, AtZero
-from labcal.bench.essentials import AXES, Essentials, essentials
+from labcal.bench.essentials import AXES, Essentials, essentials, legible
 from labcal.bench.guardian.client import (
     Connection,
     answered,
@@ -54,8 +54,8 @@ def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
     The guardian does it where one lives, also while the file cannot be read or names other ports than before; one that
     does not hear is ended, and another takes its place. What no guardian has reported is brought down from here, its
     ports held against everybody meanwhile; of a port that another program holds it is said. Of the file that is read
-    which says where the supplies are, whatever else is wrong with it. Raises InputError where no guardian lives and it
-    does not say that.
+    which says where the supplies are, line by line where need be and whatever else is wrong with it. Raises InputError
+    where no guardian lives and it does not say that.
     """
     with _unbroken():
         return _brought_down(path, meanwhile)
@@ -86,7 +86,7 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
                 reported |= _reported_by(guardian, number, asked, meanwhile)
         before += [bench for bench in driven_before(path) if bench not in before]
         stated = _stated(path, needed=not asked and not before)
-        benches = [*([] if stated is None else [stated]), *before]
+        benches = [*stated, *before]
         with _noting(wanting):
             ours = {supply for bench in benches for supply in _supplies(bench).values()}
             for guardian, number in _ordered(connections(_links(benches), asked)):
@@ -118,17 +118,28 @@ def _noting(wanting: list[OSError]) -> Iterator[None]:
             wanting.append(error)
 
 
-def _stated(path: Path, *, needed: bool) -> Bench | None:
-    """What the file states; None where it cannot be read and is not `needed`, else that raises InputError."""
+def _stated(path: Path, *, needed: bool) -> Sequence[Bench]:
+    """What the file states, nothing where it cannot be read; where it is `needed`, what of it can be read at all.
+
+    Raises InputError where that is no supply's place either.
+    """
+    stated: list[Bench] = []
     try:
-        stated = _readable(path)
+        stated.append(_readable(path))
     except InputError:
-        if needed:
+        if needed and not (stated := _legible(path)):
             raise
-        return None
-    with suppress(InputError):  # the group's folder is not there: it goes on without
-        ports.meet(stated.safety.group, stated.safety.runtime)
+    for bench in stated[:1]:
+        with suppress(InputError):  # the group's folder is not there: it goes on without
+            ports.meet(bench.safety.group, bench.safety.runtime)
     return stated
+
+
+def _legible(path: Path) -> list[Bench]:
+    try:
+        return [*legible(path)]
+    except OSError:
+        return []
 
 
 def _links(benches: Sequence[Bench]) -> list[str]:
@@ -136,12 +147,13 @@ def _links(benches: Sequence[Bench]) -> list[str]:
 
 
 def _left(benches: Sequence[Bench], reported: Mapping[str, AtZero]) -> list[tuple[Bench, list[str]]]:
-    """Of each bench the axes whose supplies nobody has reported, each supply once."""
+    """Of each bench the axes whose supplies nobody has reported, each supply once; what is missing is the first's."""
     left: list[tuple[Bench, list[str]]] = []
     known = {*reported}
-    for bench in benches:
+    for number, bench in enumerate(benches):
+        named = bench.axes if number and isinstance(bench, Essentials) else AXES
         supplies = _supplies(bench)
-        left.append((bench, [axis for axis, supply in supplies.items() if supply not in known]))
+        left.append((bench, [axis for axis in named if supplies[axis] not in known]))
         known |= {*supplies.values()}
     return [(bench, axes) for bench, axes in left if axes]
 
@@ -185,9 +197,9 @@ def _reported_by(guardian: Connection, number: int, asked: list[object], meanwhi
     return {theirs.get(end.axis, f"{end.axis} of {guardian.card['address']}"): end for end in ended}
 
 
-def _in_order(reported: Mapping[str, AtZero], stated: Bench | None) -> list[AtZero]:
+def _in_order(reported: Mapping[str, AtZero], stated: Sequence[Bench]) -> list[AtZero]:
     """The ends, each by the axis that the file gives its supply; whom it does not name, by its port too."""
-    axes = {} if stated is None else {supply: axis for axis, supply in _supplies(stated).items()}
+    axes = {supply: axis for bench in stated[:1] for axis, supply in _supplies(bench).items()}
     ends = [(supply in axes, axes.get(supply, end.axis), supply, end) for supply, end in reported.items()]
     every = {axis for of_file, axis, _, _ in ends if of_file}
     named = [
@@ -242,7 +254,10 @@ def _readable(path: Path) -> Bench:
 def unread(path: Path) -> str:
     """Why the file says nothing of its supplies now; "" where it does."""
     try:
-        essentials(path)
+        if essentials(path) is None:
+            from labcal.bench.config import read_config
+
+            read_config(path)
     except InputError as error:
         return str(error)
     except OSError as error:

@@ -6,6 +6,7 @@ import codecs
 import re
 import tomllib
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from labcal.files.plain_file import first_bytes
 MOST_BYTES = 1 << 18  # a bench file has a few thousand
 DEEPEST = 100  # names in a dotted key: the time to read one grows with the square of them
 KEY_SIGNS = re.compile(r"[^\w\"'. \t-]")
+TABLE = re.compile(r"(?m)^(?=[ \t]*\[)")
 PLACE = re.compile(r" \(at line (\d+), column (\d+)\)$")
 
 
@@ -38,6 +40,33 @@ def read_toml(path: Path) -> tuple[str, dict[str, Any]]:
         raise InputError("is nested too deeply", file=path) from error
     except ValueError as error:  # TOMLDecodeError, and numbers of thousands of digits
         raise _not_toml(str(error), path) from error
+
+
+def readable_parts(path: Path) -> list[dict[str, Any]]:
+    """What stands in a file that is no TOML as a whole: of each table, from "[" to "[", the lines that can be read.
+
+    For the way to zero alone, which takes what it can have. Raises OSError where the file cannot be read.
+    """
+    text = first_bytes(path, MOST_BYTES).decode(errors="replace").removeprefix("\ufeff")
+    return [_lines_read(*part.splitlines()) for part in TABLE.split(text) if part.strip()]
+
+
+def _lines_read(head: str, *lines: str) -> dict[str, Any]:
+    """The table that begins with `head`, without the lines that cannot be read; of what is said twice the first."""
+    found = dict[str, Any]()
+    for line in ("", *lines):
+        with suppress(ValueError, RecursionError):
+            add_missing(found, tomllib.loads(f"{head}\n{line}"))
+    return found
+
+
+def add_missing(found: dict[str, Any], more: dict[str, Any]) -> None:
+    """Put into the table `found` what it does not have yet of `more`, tables within tables alike."""
+    for key, value in more.items():
+        if isinstance(value, dict) and isinstance(found.get(key), dict):
+            add_missing(found[key], value)
+        else:
+            found.setdefault(key, value)
 
 
 def named_files(path: Path) -> list[Path]:

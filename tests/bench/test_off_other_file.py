@@ -137,3 +137,39 @@ def test_two_of_another_role_keep_nothing_from_zero(lab: Served) -> None:
     said = said_off(lab.file)
     assert said.returncode == 0, said
     assert said.stdout.count("zero, open") == 3, said
+
+
+def last_line_cut(file: Path) -> None:
+    """As an editor leaves it that was closed too early: no TOML, and nobody has driven anything under this name."""
+    file.write_text(file.read_text().rstrip() + '\n"note" = "not to be\n')
+
+
+def line_within_broken(file: Path) -> None:
+    """The link of one coil has lost its closing quote."""
+    file.write_text(re.sub(r'("link" = "tcp[^"]*)"', r"\1", file.read_text(), count=1))
+
+
+def coil_named_twice(file: Path) -> None:
+    """Copied and pasted, the link changed, the axis not: two supplies of x, none of y."""
+    file.write_text(file.read_text().replace('"coil-y"', '"coil-x"'))
+
+
+def table_twice(file: Path) -> None:
+    """As above, and the name of the instrument as well."""
+    text = file.read_text()
+    first, second = re.findall(r'\["instruments"\.("[^"]*")\]\n(?:"[^\n]*\n)*?"role" = "coil-[xy]"', text)
+    file.write_text(text.replace(f'["instruments".{second}', f'["instruments".{first}').replace('"coil-y"', '"coil-x"'))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "reached", "code"),
+    [(last_line_cut, 3, 0), (line_within_broken, 2, 3), (coil_named_twice, 3, 3), (table_twice, 3, 3)],
+    ids=lambda value: getattr(value, "__name__", None),
+)
+def test_what_can_be_read_of_a_broken_file_comes_to_zero(lab: Served, spoil, reached: int, code: int) -> None:
+    spoil(lab.file)
+    said = said_off(lab.file)
+    assert said.stdout.count("zero, open") == reached, said
+    assert ("unknown" in said.stdout, said.returncode) == (code == 3, code), said
+    assert f"! {lab.file}" in said.stderr, said
+    assert "what the file still says of its supplies" in said.stderr, said
