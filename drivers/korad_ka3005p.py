@@ -75,6 +75,10 @@ class KoradSupply(CurrentSource):
         if IDENTITY.fullmatch(reply) is None and MAKER.match(reply) is None:  # of an earlier question, or cut off
             reply = self._line.words("*IDN?")
         self._line.in_step.refuse_number("*IDN?", reply)
+        if not reply:
+            raise InstrumentError(
+                f"{self.name}: '*IDN?' was answered by nothing that can be read.", fault="wrong reply"
+            )
         if (found := IDENTITY.fullmatch(reply)) is None:
             raise InstrumentError(
                 f"{self.name}: {quoted(reply)} answered, not a Korad or a clone.", fault="another instrument"

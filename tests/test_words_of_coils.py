@@ -207,9 +207,15 @@ def test_an_axis_that_was_not_read_back_is_never_at_zero(unread: str) -> None:
 def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
     assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
-    assert of_ends(ended).sentence(110.0) == "coils last read back below their zero 10 s ago, not since"
-    assert of_ends(ended).sentence(100.0 + 61 * 60) == "coils last read back below their zero 61 min ago, not since"
-    assert of_ends(ended).sentence(100.0 + 3 * 3600 + 1) == "coils last read back below their zero 3 h ago, not since"
+    assert of_ends(ended).sentence(110.0) == "coils last read back from here below their zero 10 s ago, not since"
+    assert (
+        of_ends(ended).sentence(100.0 + 61 * 60)
+        == "coils last read back from here below their zero 61 min ago, not since"
+    )
+    assert (
+        of_ends(ended).sentence(100.0 + 3 * 3600 + 1)
+        == "coils last read back from here below their zero 3 h ago, not since"
+    )
     lost = [*ended[:2], AtZero("z", None, False, InstrumentError("supply_z: silent."))]
     assert of_ends(lost).sentence(101.0) == "coils NOT confirmed at zero"
     assert of_ends(ended, "it saw 99").sentence(101.0).startswith(f"{NOT_BY_REFERENCE}: it saw 99. Open")
@@ -218,6 +224,13 @@ def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
 def test_the_supplys_word_now_and_a_reference_that_agreed_before_are_told_apart() -> None:
     said = state((0.0, 0.0, 0.0), True, "agrees", 3.0).sentence(0.0)
     assert said == f"{BY_WORD}: the reference agreed when it was last looked at, 3 s ago"
+
+
+def test_what_the_reference_saw_is_said_with_its_age() -> None:
+    again = Witness("not known", "the reference is looked at again: it sees 1 2 3 nT", read_s=0.0)
+    coils = tuple(CoilReading(axis, 0.0, 0.0, True, True, read_s=0.0) for axis in "xyz")
+    for now_s, age in ((0.5, ""), (1.7, ", 1 s ago")):
+        assert LabState(coils, again).sentence(now_s) == f"{BY_WORD}: {again.why}{age}"
 
 
 def test_the_value_goes_to_another_process_with_its_age() -> None:

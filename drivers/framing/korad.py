@@ -54,7 +54,7 @@ class Conversation:
             if len(reply) > LONGEST:
                 raise babbles(self.link.url, reply)
         self._owed_until_s = LONG_AGO
-        return reply.decode("latin-1").strip("\0\r\n ")
+        return _once(reply.decode("latin-1").strip("\0\r\n "))
 
     def _first(self, question: str) -> bytes:
         """The first byte of its answer. Raises InstrumentError (silent) where it was asked twice and nothing came."""
@@ -80,3 +80,9 @@ class Conversation:
             if came and not pieces:
                 return
             came = bool(pieces)
+
+
+def _once(words: str) -> str:
+    """An answer that came twice is one: no name is its own first half again."""
+    half = words[: len(words) // 2]
+    return half if words == 2 * half else words

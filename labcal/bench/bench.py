@@ -19,7 +19,7 @@ from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
 from labcal.bench.coils.state import CoilReading, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
-from labcal.bench.driver_kit.identities import refuse_one_at_two_links, refuse_other
+from labcal.bench.driver_kit.identities import refuse_one_at_two_links, the_same
 from labcal.bench.driver_kit.roles import (
     ByHand,
     ChannelSpec,
@@ -152,10 +152,7 @@ class Bench:
         """Open the lost link of an instrument again. Raises InstrumentError where another one answers than before."""
         self._known_s = -math.inf
         self._links[name].reopen()
-        who, before = self._instruments[name].identify(), self._known.get(name)
-        if before is not None:
-            refuse_other(name, who, before)
-        return who
+        return the_same(name, self._instruments[name].identify, self._known.get(name))
 
     @property
     def channels(self) -> tuple[ChannelSpec, ...]:

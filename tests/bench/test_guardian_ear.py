@@ -19,7 +19,7 @@ from served_lab import EXAMPLE, until
 
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.client import Connection
-from labcal.bench.guardian.server import CALLERS, LINE_BYTES, Server
+from labcal.bench.guardian.server import CALLERS, LINE_BYTES, ORDERS, Server
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
 
@@ -171,6 +171,32 @@ def test_only_the_session_sets_currents_and_anybody_says_zero(ear: Ear) -> None:
         ("zero", "a person", False),
         ("zero", "the session", True),
     ]
+
+
+def test_a_session_that_hung_up_is_gone_at_once_and_nothing_of_it_is_obeyed_any_more(
+    ear: Ear, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, go_on = threading.Event(), threading.Event()
+
+    def slow(axis: str, current_A: float) -> None:
+        begun.set()
+        assert go_on.wait(LONG_S)
+        ear.coils.heard.append((axis, current_A))
+
+    monkeypatch.setattr(ear.coils, "set_current", slow)
+    ear.server._orders["set_current"] = slow
+    with ear.call() as caller:
+        told(caller, {"order": "hello", "with": {"who": "session 7", "bench": BENCH}})
+        for current_A in (0.5, 0.6):
+            caller.sendall(wire.packed({"order": "set_current", "with": {"axis": "x", "current_A": current_A}}))
+        assert begun.wait(LONG_S)
+    session = ear.server.session
+    assert session is not None
+    until(lambda: session.gone)  # while its first order is still under way
+    assert ear.coils.heard == []
+    go_on.set()
+    until(lambda: session.room._value == ORDERS)  # both were worked off
+    assert ear.coils.heard == [("x", 0.5)]
 
 
 @pytest.mark.parametrize("bench", [BENCH, "of another file"])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from labcal.bench.driver_kit.identities import one_at_two_links, refuse_other
+from labcal.bench.driver_kit.identities import one_at_two_links, refuse_other, the_same
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links.quoting import SENTENCE, SHOWN, abridged, quoted
 from labcal.errors import InstrumentError
@@ -56,3 +56,34 @@ def test_no_more_of_a_reply_is_quoted_than_can_be_read() -> None:
     assert quoted("x" * 3_000_000) == f"'{'x' * SHOWN}' … and 2999960 more"
     assert abridged("no\x1b[31m red") == r"no\x1b[31m red"
     assert abridged("x" * 3_000_000) == "x" * SENTENCE + " …"
+
+
+OTHER, DAMAGED = (
+    Identity("THURLBY THANDAR", "PL303QMT-P", "512399"),
+    Identity("THURLBY THANDAR", "PL303QMTmP", "512340"),
+)
+
+
+@pytest.mark.parametrize(
+    ("said", "before"), [([TTI], None), ([TTI], TTI), ([DAMAGED, TTI], TTI), ([OTHER, DAMAGED, TTI], TTI)]
+)
+def test_a_name_that_came_damaged_once_is_asked_for_again(said: list[Identity], before: Identity | None) -> None:
+    answers = iter(said)
+    assert the_same("supply_x", lambda: next(answers), before) == TTI
+    assert next(answers, None) is None
+
+
+@pytest.mark.parametrize(
+    ("said", "fault"),
+    [
+        ([OTHER, OTHER], "another instrument"),
+        ([DAMAGED, OTHER, OTHER], "another instrument"),
+        ([DAMAGED, OTHER, DAMAGED], "wrong reply"),
+    ],
+)
+def test_another_is_who_gives_the_same_other_name_twice_in_a_row(said: list[Identity], fault: str) -> None:
+    answers = iter(said)
+    with pytest.raises(InstrumentError) as caught:
+        the_same("supply_x", lambda: next(answers), TTI)
+    assert caught.value.fault == fault
+    assert next(answers, None) is None

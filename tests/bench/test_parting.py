@@ -106,7 +106,11 @@ def test_one_that_never_answers_is_not_confirmed_and_waited_for_once(lab: Served
     ("ended", "at_s", "says"),
     [
         (AtZero("y", 0.0, True, None, 11.0), 11.5, BY_WORD),
-        (AtZero("y", 0.0, True, None, 11.0), 15.0, "coils last read back below their zero 5 s ago, not since"),
+        (
+            AtZero("y", 0.0, True, None, 11.0),
+            15.0,
+            "coils last read back from here below their zero 5 s ago, not since",
+        ),
         (AtZero("y", None, False, SILENT), 11.5, NOT_CONFIRMED),
     ],
     ids=["just now", "a while ago", "never"],

@@ -217,7 +217,11 @@ def test_what_keeps_a_sensor_from_sending_is_known_until_it_can_send_again() -> 
     assert (stream.wrong, [event.text for event in stream.news()]) == ("link lost", ["sensor: out"])
     stream.read_until(3.0)
     (back,) = stream.news()
-    assert (stream.wrong, back.t_s, back.text) == ("", 3.0, "sensor: it answers again, 2.0 s after its link was lost")
+    assert (stream.wrong, back.t_s, back.text) == (
+        "",
+        3.0,
+        "sensor: it answers again, 2.0 s after its loss was noticed",
+    )
 
 
 def test_another_instrument_ends_the_waiting_at_once() -> None:

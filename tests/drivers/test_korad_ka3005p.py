@@ -41,6 +41,22 @@ def test_its_name_ends_where_the_line_falls_quiet(said: bytes, model: str, seria
     assert (who.model, who.serial, who.firmware) == (model, serial, firmware)
 
 
+def test_a_name_that_came_twice_is_one() -> None:
+    with scripted(KoradSupply, [(b"*IDN?", b"KORADKA3005PV2.0KORADKA3005PV2.0")]) as supply:
+        who = supply.identify()
+    assert (who.model, who.firmware) == ("KA3005P", "2.0")
+
+
+def test_an_answer_without_a_letter_is_nobody_s_name() -> None:
+    wire = [(b"*IDN?", b"\0"), (b"*IDN?", b"\r\n")]
+    with (
+        scripted(KoradSupply, wire) as supply,
+        pytest.raises(InstrumentError, match="nothing that can be read") as caught,
+    ):
+        supply.identify()
+    assert caught.value.fault == "wrong reply"
+
+
 def test_another_instrument_is_refused() -> None:
     with scripted(KoradSupply, [(b"*IDN?", b"RIGOL,DP832\n")]) as supply, pytest.raises(InstrumentError) as caught:
         supply.identify()

@@ -59,7 +59,9 @@ def test_what_was_read_grows_old_in_the_window(still):
     told(still)
     assert still.app_state.lab.state.now.coil_words == "coils at zero"
     told(still, age_s=7.0)
-    assert still.app_state.lab.state.now.coil_words == "coils last read back below their zero 7 s ago, not since"
+    assert (
+        still.app_state.lab.state.now.coil_words == "coils last read back from here below their zero 7 s ago, not since"
+    )
     told(still, verdict="disagrees")
     assert still.app_state.lab.state.now.coil_words.startswith("NOT at zero by the reference: it sees 20400")
     assert still.app_state.run.coils_at_zero is False

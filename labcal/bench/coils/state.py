@@ -133,7 +133,7 @@ class LabState:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
             return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {ago(age_s)}")
         if age_s > FRESH_S:
-            return f"coils last read back below their zero {ago(age_s)}, not since"
+            return f"coils last read back from here below their zero {ago(age_s)}, not since"
         return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self._why(now_s)}"
 
     def at_zero(self, now_s: float) -> bool | None:
@@ -176,7 +176,8 @@ class LabState:
     def _why(self, now_s: float) -> str:
         if self.reference.verdict == "agrees" and self.reference.read_s is not None:
             return f"the reference agreed when it was last looked at, {now_s - self.reference.read_s:.0f} s ago"
-        return self.reference.why
+        age_s = 0.0 if self.reference.read_s is None else now_s - self.reference.read_s
+        return self.reference.why + (f", {ago(age_s)}" if age_s >= 1 else "")
 
 
 def from_json(said: Mapping[str, Any], now_s: float) -> LabState:

@@ -2,13 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links.ports import port_of
 from labcal.bench.links.quoting import abridged, quoted
 from labcal.errors import InstrumentError
+
+ASKED = 3  # times at most, where the answers differ
+
+
+def the_same(name: str, identify: Callable[[], Identity], before: Identity | None) -> Identity:
+    """Who answers `identify` as `name`; where it was another `before`, it is asked again: a line may damage an answer.
+
+    Raises InstrumentError: another instrument, where the same other name came twice in a row; wrong reply, where no
+    two names were the same.
+    """
+    said = [identify()]
+    if before is None:
+        return said[0]
+    while said[-1] != before:
+        if said[-1] in said[-2:-1]:
+            refuse_other(name, said[-1], before)
+        if len(said) == ASKED:
+            names = ", then ".join(map(_words, said))
+            raise InstrumentError(f"{name}: its name came damaged ({names}).", fault="wrong reply")
+        said.append(identify())
+    return before
 
 
 def refuse_other(name: str, who: Identity, before: Identity) -> None:

@@ -11,7 +11,7 @@ from threading import RLock
 from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
-from labcal.bench.driver_kit.identities import refuse_other
+from labcal.bench.driver_kit.identities import the_same
 from labcal.bench.driver_kit.roles import Identity, Instrument, PolarityRelay
 from labcal.bench.guardian.gate import Gate, GatedLoader
 from labcal.bench.links.urls import is_connection
@@ -69,9 +69,8 @@ class OwnedLine:
             if self.clock.now() - self._said_s.get(name, -math.inf) < within_s:
                 return self._known[name]
             self._said_s.pop(name, None)
-            who = self.instrument(name).identify()
-            before = self._known.setdefault(name, who)
-        refuse_other(name, who, before)
+            who = the_same(name, self.instrument(name).identify, self._known.get(name))
+            self._known[name] = who
         self._identified.add(name)
         self._said_s[name] = self.clock.now()
         return who

@@ -111,8 +111,10 @@ class Server:
     def _serve(self, caller: Caller, places: threading.Semaphore) -> None:
         """Hear one caller out; whoever says what is no order has hung up."""
         try:
-            with caller.socket, ThreadPoolExecutor(1) as worker, suppress(Exception):
-                self._hear(caller, worker)
+            with caller.socket, ThreadPoolExecutor(1) as worker:
+                with suppress(Exception):
+                    self._hear(caller, worker)
+                caller.gone = True  # at once, and not when what it has ordered is worked off
         finally:
             caller.gone = True
             places.release()
@@ -169,7 +171,7 @@ class Server:
         if order == "zero":
             by_session = caller is self.session
             return [zero_message(end) for end in self._guardian.zero(_why(caller, message), by_session=by_session)]
-        if order in FOR_THE_SESSION and caller is not self.session:
+        if order in FOR_THE_SESSION and (caller is not self.session or caller.gone):
             raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")
         if not all(isinstance(what[name], kinds) for name, kinds in KINDS.items() if name in what):
             raise InstrumentError(f"{order} with {what} is no order.", fault="forbidden")

@@ -125,7 +125,7 @@ class Reconnecting:
                 raise
             return
         self._lost, self.wrong = None, ""
-        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was lost")
+        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its loss was noticed")
 
     def _given_up_s(self) -> float:
         left_s = self._left_s()

@@ -725,7 +725,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils last read back below their zero {0}, not since</source>
+        <source>coils last read back from here below their zero {0}, not since</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -762,6 +762,10 @@
     </message>
     <message>
         <source>the reference repeats one reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is looked at again: {0}, {1} s ago</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

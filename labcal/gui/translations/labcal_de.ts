@@ -725,8 +725,8 @@
         <translation>Spulen an: {0}, zurückgelesen {1}</translation>
     </message>
     <message>
-        <source>coils last read back below their zero {0}, not since</source>
-        <translation>Spulen zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
+        <source>coils last read back from here below their zero {0}, not since</source>
+        <translation>Spulen von hier aus zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
@@ -763,6 +763,10 @@
     <message>
         <source>the reference repeats one reading</source>
         <translation>die Referenz wiederholt einen Messwert</translation>
+    </message>
+    <message>
+        <source>the reference is looked at again: {0}, {1} s ago</source>
+        <translation>die Referenz wird nochmals angesehen: {0}, vor {1} s</translation>
     </message>
     <message>
         <source>the reference is looked at again: {0}</source>

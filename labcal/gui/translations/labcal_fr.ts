@@ -725,8 +725,8 @@
         <translation>bobines sous courant : {0}, relu {1}</translation>
     </message>
     <message>
-        <source>coils last read back below their zero {0}, not since</source>
-        <translation>bobines relues sous leur zéro {0}, pas depuis</translation>
+        <source>coils last read back from here below their zero {0}, not since</source>
+        <translation>bobines relues d&apos;ici sous leur zéro {0}, pas depuis</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
@@ -763,6 +763,10 @@
     <message>
         <source>the reference repeats one reading</source>
         <translation>la référence répète une même lecture</translation>
+    </message>
+    <message>
+        <source>the reference is looked at again: {0}, {1} s ago</source>
+        <translation>la référence est examinée de nouveau : {0}, il y a {1} s</translation>
     </message>
     <message>
         <source>the reference is looked at again: {0}</source>
