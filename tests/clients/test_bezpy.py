@@ -24,9 +24,7 @@ FORMS = [
 ]
 
 
-@pytest.mark.met(
-    "iaga-2002", "bezpy", "head and 20 rows: north, east, down and the minute of each as our driver has them"
-)
+@pytest.mark.met("iaga-2002", "bezpy", "head, and 20 rows: times, north, east and down as our driver has them")
 @pytest.mark.parametrize("settings", FORMS, ids=["XYZF", "HDZF"])
 @pytest.mark.filterwarnings("ignore::FutureWarning")  # of pandas, at the other's calls
 def test_an_observatory(settings: Settings, tmp_path: Path) -> None:
