@@ -18,9 +18,7 @@ class IagaEmulator(Talker):
     """A row leaves `delay_s` after the moment that it names. What is none of X, Y, Z, H, D and F is not recorded."""
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
-        station = settings.station or "LAB"
-        names = "".join(f"{station + element:<10}" for element in settings.elements)
-        self._head = f" Format                 IAGA-2002{'|':>37}\nDATE       TIME         DOY     {names}|\n".encode()
+        self._head = _head(settings.station or "LAB", settings.elements, settings.period_s).encode()
 
         def rows(times: Any) -> Any:
             x, y, z = (lab.reference_nT(times - settings.delay_s) * lab.reference_nT_per_unit).T
@@ -41,3 +39,16 @@ class IagaEmulator(Talker):
         if pieces and self._head:
             pieces[0], self._head = (pieces[0][0], self._head + pieces[0][1]), b""
         return pieces
+
+
+def _head(station: str, elements: str, period_s: float) -> str:
+    """Its twelve records, each of 70 letters, and the line that names the columns."""
+    records = (
+        ("Format", "IAGA-2002"), ("Source of Data", "emulated"), ("Station Name", "Laboratory"), ("IAGA CODE", station),
+        ("Geodetic Latitude", "48.000"), ("Geodetic Longitude", "11.000"), ("Elevation", "500"),
+        ("Reported", elements), ("Sensor Orientation", elements[:3]), ("Digital Sampling", f"{period_s:g} second"),
+        ("Data Interval Type", f"{period_s:g}-second"), ("Data Type", "variation"),
+    )  # fmt: skip
+    names = "".join(f"{station + element:<10}" for element in elements)
+    lines = [f" {label:<23}{value:<45}|" for label, value in records]
+    return "\n".join([*lines, f"DATE       TIME         DOY     {names}|", ""])

@@ -140,7 +140,9 @@ def _header(head: Numbered, form: CsvForm, path: Path) -> tuple[list[str], Numbe
     names = [cell.removeprefix("\ufeff") or str(number) for number, cell in enumerate(cells, 1)]
     for place, name in enumerate(names):
         if name in names[:place]:
-            raise InputError("the column is there twice", file=path, line=line, column=shortened(name))
+            numbered = f"skip_lines = {line} and header = false under [csv]"
+            what = f"the column is there twice: give one another name, or call all of them 1, 2, 3 … by {numbered}"
+            raise InputError(what, file=path, line=line, column=shortened(name))
     return names, None
 
 

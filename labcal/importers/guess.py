@@ -60,8 +60,9 @@ def guess(path: Path, format_: str) -> str:
         f"# Guessed from {name}: check every line, then",
         f"#   labcal import {name} --from {format_} --map THIS.toml",
     )
+    lines = list(_lines(recording, streams, reading, reference))
     end = ("", "[csv]", 'decimal = ","') if commas else ()
-    return "\n".join([*head, *_lines(recording, streams, reading, reference), *end]) + "\n"
+    return "\n".join([*head, *lines, *_unused(reading, lines), *end]) + "\n"
 
 
 def _missing(streams: Sequence[Stream]) -> str:
@@ -178,6 +179,27 @@ def _reference(reading: _Sensor, reference: _Sensor | None, streams: Sequence[St
         yield from ('kind = "igrf"  # the Earth\'s field at the place where the recording was made', *place)
     else:
         yield 'kind = "none"  # CHECK: kind = "site" and value_nT, the field\'s magnitude, or "igrf" and the place'
+        yield from _follower(reading)
+
+
+def _follower(reading: _Sensor) -> Iterator[str]:
+    """As a comment: who follows the reading may be its reference, or another magnetometer that turns with it."""
+    own, stream = reading.match.columns, reading.stream
+    for other in resemblance.magnetometers(stream):
+        if other.columns != own and resemblance.together(stream.together(own), stream.together(other.columns)):
+            yield "# these follow the reading; if they are its reference, in place of the kind above:"
+            yield from ('# kind = "vector"', f"# columns = {_list(other.columns)}", f'# unit = "{other.unit}"')
+            yield '# frame = "body"'
+            return
+
+
+def _unused(reading: _Sensor, lines: Sequence[str]) -> Iterator[str]:
+    """As a comment: columns beside the reading that no line names; an angle may be among them."""
+    said, clock = "\n".join(lines), reading.clock.columns[0].split(" ")  # a day and a time of day are one by both names
+    names = (*reading.stream.numbers, *reading.stream.texts)
+    rest = [name for name in names if _quoted(name) not in said and name not in clock]
+    if rest:
+        yield from ("", f"# not used: {_plain(listed(rest))}; docs/import.md has what else a mapping may state")
 
 
 def _place(streams: Sequence[Stream]) -> list[str] | None:

@@ -55,14 +55,14 @@ class Resemblance:
 
 
 def clock(stream: Stream) -> Resemblance | None:
-    """The column whose values grow, rather one that is called so; a text column of dates where none does."""
+    """The column whose values grow and that is called so, else any that grow; a text column of dates where none do."""
     growing = [name for name, values in stream.numbers.items() if _grows(values)]
     named = [name for name in growing if CLOCK.search(name)]
     dated = [name for name, cells in stream.texts.items() if cells and DATE.match(cells[0])]
     if dated and not named:  # a count of rows grows, too
         return Resemblance((dated[0],), "iso", "dates")
     called = [name for name, values in stream.numbers.items() if CLOCK.search(name) and _grows(values, SELDOM)]
-    for name in [*named, *growing, *called]:
+    for name in [*named, *called, *growing]:
         return Resemblance(
             (name,), _time_unit(name, stream.numbers[name]), f"grows from row to row, {_step(stream, name)}"
         )

@@ -20,6 +20,7 @@ from labcal.importers.recording import ForeignRecording, ReadRequest, Stream, Wa
 from labcal.importers.run_of import FileRows, run_of
 from labcal.importers.stamps import Stamps, clock_of, is_date, stamps_of, utc
 from labcal.importers.units import nT_OF
+from labcal.importers.units_in_names import units_in_names
 from labcal.record import Run, period_s
 from labcal.record.assemble import interpolated
 from labcal.store.limits import listed
@@ -49,7 +50,7 @@ def take_in(path: Path, format_: str, mapping: Mapping) -> Imported:
     run = run_of(mapping, whole, started, opened.note(), path.stem or path.name)
     used = np.isin(whole.t_s, run.t_s) if len(run) < len(whole.t_s) else slice(None)
     seen = doubts(run, whole.clocks, None if whole.attitude is None else whole.attitude[used])
-    seen += [*findings(run, whole.clocks), *_left_out(mapping, len(whole.t_s), run)]
+    seen += [*units_in_names(mapping), *findings(run, whole.clocks), *_left_out(mapping, len(whole.t_s), run)]
     _refuse(seen, mapping, path)
     return Imported(run, tuple(finding.text for finding in seen))
 

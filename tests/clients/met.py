@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 NEEDS = {  # a file of checks: what it imports
+    "test_bezpy.py": ("bezpy",),
     "test_dcc_programs.py": ("dcclib", "dcc_json_toolkit", "dcc"),
     "test_dcps.py": ("dcps", "pyvisa_py"),
     "test_ea_psu_controller.py": ("ea_psu_controller",),

@@ -152,3 +152,36 @@ def test_beside_one_magnitude_no_clock_is_blamed_for_a_disturbance(tmp_path: Pat
     problem, level, _ = prepare(take_in(source, "csv", read_mapping(mapping(tmp_path, site))).run)
     finding = check_data(problem, level)
     assert finding is None or finding.kind != "clock"
+
+
+TEMPERATURE = """
+[channels.temp_dut]
+column = "temp_C"
+unit = "K"
+"""
+
+
+@pytest.mark.parametrize(
+    ("renamed", "stated", "says"),
+    [
+        ({"t": "t_s"}, ('column = "t"\nunit = "s"', 'column = "t_s"\nunit = "ms"'), "its name says s, the mapping ms"),
+        ({"mx": "mx [µT]"}, ('"mx"', '"mx [µT]"'), "its name says uT, the mapping nT"),
+        ({"rx": "coil_mG_x"}, ('"rx"', '"coil_mG_x"'), "its name says mG, the mapping nT"),
+        ({"temp": "temp_C"}, ("[dut]", "[dut]"), "its name says degC, the mapping K"),
+    ],
+)
+def test_a_unit_that_a_name_states_otherwise_is_told(
+    renamed: dict[str, str], stated: tuple[str, str], says: str, tmp_path: Path
+) -> None:
+    columns = {renamed.get(name, name): values for name, values in table(tumble()).items()}
+    remarks = imported(tmp_path, columns, stated, more=TEMPERATURE if "temp" in renamed else "").remarks
+    [column] = renamed.values()
+    assert f"column {column}: {says}: which is right?" in remarks
+
+
+def test_a_unit_that_a_name_states_as_the_mapping_does_is_no_remark(tmp_path: Path) -> None:
+    renamed = {"t": "t_s", "mx": "mx (nT)", "temp": "temp_C"}
+    columns = {renamed.get(name, name): values for name, values in table(tumble()).items()}
+    changes = (('column = "t"', 'column = "t_s"'), ('"mx"', '"mx (nT)"'))
+    more = TEMPERATURE.replace('"K"', '"degC"')
+    assert imported(tmp_path, columns, *changes, more=more).remarks == ()

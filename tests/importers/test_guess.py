@@ -101,3 +101,31 @@ def test_where_nothing_looks_like_a_magnetometer_the_columns_are_told(tmp_path: 
     source = csv(tmp_path / "log.csv", {"t": np.arange(30.0), "price": np.arange(30.0) ** 2})
     with pytest.raises(InputError, match="by hand; it has t, price"):
         guess(source, "csv")
+
+
+def test_a_clock_that_was_set_back_is_still_the_clock(tmp_path: Path) -> None:
+    made = tumble()
+    columns = table(made)
+    set_back = np.where(np.arange(len(made.t_s)) < 30, made.t_s, made.t_s - 0.9)
+    warming = np.round(22 + 0.01 * made.t_s, 4)  # grows from row to row as no clock here does
+    source = csv(tmp_path / "log.csv", {**columns, "t": set_back, "temp": warming})
+    guessed(tmp_path, source, "csv")
+    with pytest.raises(InputError, match=r"column t: .*before"):
+        take_in(source, "csv", read_mapping(tmp_path / "map.toml"))
+
+
+def test_what_follows_the_reading_is_offered_as_its_reference_and_taken_once_it_is_stated(tmp_path: Path) -> None:
+    made = tumble()
+    names = {"t": "t_s", **{f"m{a}": f"m{a}_nT" for a in "xyz"}, **{f"r{a}": f"r{a}_nT" for a in "xyz"}}
+    columns = {names.get(name, name): values for name, values in table(made).items()}
+    swapped = {**columns, "mx_nT": columns["my_nT"], "my_nT": columns["mx_nT"]}
+    source = csv(tmp_path / "log.csv", {**swapped, "angle_deg": 0 * made.t_s})
+    text = guessed(tmp_path, source, "csv")
+    assert "# not used: rx_nT" not in text
+    assert "# not used: angle_deg" in text
+    assert take_in(source, "csv", read_mapping(tmp_path / "map.toml")).run.reference.kind == "none"
+    offered = text.split("in place of the kind above:\n")[1].split("\n\n")[0].replace("# ", "")
+    before, _, after = text.partition('kind = "none"')
+    (tmp_path / "map.toml").write_text(before + offered + "\n" + after.partition("\n\n")[2])
+    with pytest.raises(InputError, match=r'with axes \["y", "x", "z"\]'):
+        take_in(source, "csv", read_mapping(tmp_path / "map.toml"))

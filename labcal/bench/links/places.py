@@ -88,10 +88,10 @@ if sys.platform != "win32":
 
     def folders() -> list[Path]:
         """Every runtime folder that this user may look into; an administrator's look goes into those of all users."""
-        of_groups = [path for path in sorted(OF_GROUPS.glob("labcal-*")) if _may_enter(path)]
-        of_users = [path for base in SHARED for path in sorted(base.glob("labcal-*")) if _is_of_its_user(path)]
-        found = [runtime_folder(), own_folder(), *of_groups, *(of_users if os.getuid() == 0 else [])]
-        return list(dict.fromkeys(found))
+        of_groups = [path for path in _called_ours(OF_GROUPS) if _may_enter(path)]
+        bases = SHARED if os.getuid() == 0 else ()
+        of_users = [path for base in bases for path in _called_ours(base) if _is_of_its_user(path)]
+        return list(dict.fromkeys([runtime_folder(), own_folder(), *of_groups, *of_users]))
 
     def user_name(uid: int) -> str:
         """A user's name, or the number where the computer knows none."""
@@ -129,7 +129,15 @@ if sys.platform != "win32":
     def _may_enter(folder: Path) -> bool:
         return os.access(folder, os.R_OK | os.W_OK | os.X_OK)
 
+    def _called_ours(base: Path) -> list[Path]:
+        """In order of their names; there may be thousands of others beside them, and this is asked at every poll."""
+        with suppress(OSError):
+            return [base / name for name in sorted(os.listdir(base)) if name.startswith("labcal-")]
+        return []
+
     def _is_of_its_user(folder: Path) -> bool:
+        if not folder.name.removeprefix("labcal-").isdecimal():
+            return False
         with suppress(OSError):
             stands = folder.lstat()
             return stat.S_ISDIR(stands.st_mode) and folder.name == f"labcal-{stands.st_uid}"
