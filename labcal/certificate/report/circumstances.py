@@ -174,7 +174,7 @@ def _traceability(c: Calibration, stated: Certified, day: date) -> tuple[str, ..
             "The results are traceable to the International System of Units (SI) through the reference, by its "
             f"certificate {stated.number} of {stated.issuer}, {stated.date}."
         )
-    named = c.cage_sha256 and f"The coils were driven by the cage calibration of SHA-256 {c.cage_sha256[:16]}…."
+    named = c.cage_sha256 and f"The coils were driven by the cage calibration of SHA-256 {c.cage_sha256}."
     return tuple(filter(None, (said, named)))
 
 
