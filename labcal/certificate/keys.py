@@ -46,7 +46,7 @@ from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.home import own_folder
 from labcal.files.plain_file import read_limited
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person
 
 SIMULATED = "simulated"  # the principal of keys made in memory: good for files that say simulated, and for no other
 
@@ -278,7 +278,7 @@ def _check_name(name: str) -> None:
 def _check_spelling(name: str, known: Iterable[Signer], file: Path) -> None:
     """Refuse a name that another person's differs from by its spelling alone: it would pass one person off as two."""
     for other in known:
-        if other.principal != name and same_person(other.principal, name):
+        if other.principal != name and perhaps_one_person(other.principal, name):
             text = f"{name} and {other.principal}, who is trusted, are two spellings of one name; name them apart"
             raise InputError(text, file=file)
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from labcal.certificate.allowed_signers import Signer
 from labcal.errors import InputError
 from labcal.model import Calibration
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person, same_person
 
 
 def may(name: str, role: str, trusted: Sequence[Signer]) -> bool:
@@ -32,7 +32,7 @@ def objection(calibration: Calibration, signed: Sequence[str], trusted: Sequence
         return f"its operator, {calibration.operator}, has not the role measure"
     if without := [name for name in calibration.approvers if not may(name, "approve", trusted)]:
         return f"named as approver, but has not the role approve: {', '.join(without)}"
-    others = [name for name in signed if not same_person(name, calibration.operator)]
+    others = [name for name in signed if not perhaps_one_person(name, calibration.operator)]
     if not any(may(name, "release", trusted) for name in others):
         return "nobody but its operator has signed who has the role release"
     return None

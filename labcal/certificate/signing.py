@@ -27,7 +27,7 @@ from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person, same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
 MOST_SIGNATURES = 99  # beside one file
@@ -102,7 +102,7 @@ class Verification:
             return "nobody is said to have measured it, so that nobody who approves it is another person"
         if self.ahead:
             return "issued_utc is later than this computer's clock: one of them is wrong"
-        if own := [name for name in named if same_person(name, c.operator)]:
+        if own := [name for name in named if perhaps_one_person(name, c.operator)]:
             return f"named as approver, but is the operator: {', '.join(own)}"
         if missing := [name for name in named if name not in self.signers]:
             return f"named as approver, but has not signed: {', '.join(missing)}"
@@ -180,9 +180,9 @@ def approve(
         raise InputError("the approver has no name", file=path)
     if not draft.operator.strip():
         raise InputError("operator: nobody is said to have measured it, so nobody can be another person", file=path)
-    if same_person(name, draft.operator):
+    if perhaps_one_person(name, draft.operator):
         raise InputError(f"{name} is the operator, {draft.operator}; another person approves", file=path)
-    if any(same_person(name, other) for other in draft.approvers):
+    if any(perhaps_one_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
     approved = replace(revise(draft), approvers=(*draft.approvers, name))
     examine(approved)
@@ -195,7 +195,7 @@ def check_approvers(calibration: Calibration, path: Path, known: Collection[str]
     """Raise InputError where an approver is not of the names `known`, is the operator, or is there twice."""
     for i, name in enumerate(calibration.approvers):
         others = [calibration.operator, *calibration.approvers[:i]]
-        if twin := next((other for other in others if same_person(name, other)), None):
+        if twin := next((other for other in others if perhaps_one_person(name, other)), None):
             text = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
             raise InputError(f"{text}; nothing was written", file=path)
         if name not in known:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 
 from labcal.errors import InputError
 
 LONGEST = 100
-_BETWEEN = re.compile(r"[\s._-]+")  # what one person writes in a name today, and leaves out tomorrow
+_BETWEEN = re.compile(r"[\W_]+")  # what one person writes in a name today, and leaves out tomorrow
+_TITLES = {"dr", "prof", "mr", "mrs", "ms"}
 _LOOKS_LIKE = str.maketrans(  # small letters of other scripts and digits, and what they are taken for
     "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχϲ" + "օսհցոյ" + "ɑɡıȷʟ" + "01",
     "abehikmhopctyxsjdqwl" + "abezikvoptyxc" + "ouhgnj" + "agijl" + "ol",
@@ -25,25 +27,48 @@ def check_operator(name: str) -> None:
 
 
 def same_person(one: str, other: str) -> bool:
-    """Whether two names are one person's: "J. Doe", "j doe", "j.doe" and "j.doe@lab" are.
+    """Whether two names are one person's: "J. Doe", "j doe", "j.doe@lab", "Doe, J." and "Dr. J. Doe" are.
 
-    Capitals, blanks, dots, hyphens, underscores and accents tell nobody apart, nor do letters of another script and
-    digits that look the same; what stands behind an @ does where both say it.
+    Capitals, blanks, dots, hyphens, apostrophes, accents, titles and which name comes first tell nobody apart, nor do
+    letters of another script and digits that look the same; what stands behind an @ does where both say it.
     """
-    if ("@" in one) != ("@" in other):
-        one, other = one.partition("@")[0], other.partition("@")[0]
+    one, other = _without_place(one, other)
     return bool(_spellings(one) & _spellings(other))
 
 
+def perhaps_one_person(one: str, other: str) -> bool:
+    """Whether nothing shows that these are two: they are the same, or one may be the other's initials ("Jane Doe")."""
+    one, other = _without_place(one, other)
+    return same_person(one, other) or bool(_initials(one) & _spellings(other) or _spellings(one) & _initials(other))
+
+
+def _without_place(one: str, other: str) -> tuple[str, str]:
+    """Both without what stands behind an @, where one of them does not say it."""
+    return (one, other) if ("@" in one) == ("@" in other) else (one.partition("@")[0], other.partition("@")[0])
+
+
 def _spellings(name: str) -> set[str]:
-    """What the name comes to, with ä as a and as ae, an I within a word as i and as l; none for no name."""
+    """What the name comes to, whichever of its words is first; none for no name."""
+    return {"".join(words) for words in _orders(name)}
+
+
+def _initials(name: str) -> set[str]:
+    """What it comes to with initials before the last word; none for one word."""
+    return {"".join([*(word[0] for word in words[:-1]), words[-1]]) for words in _orders(name) if len(words) > 1}
+
+
+def _orders(name: str) -> Iterator[list[str]]:
+    """Its words, whichever is first, with ä as a and as ae, an I within a word as i and as l."""
     whole = unicodedata.normalize("NFKC", name)
-    plain = [_BETWEEN.sub("", read.casefold()) for read in (whole, _CAPITAL_I.sub("l", whole))]
-    return {_letters(read.translate(table)) for read in plain for table in (_SPELLED_OUT, _WITHOUT)} - {""}
+    for read in {whole.casefold(), _CAPITAL_I.sub("l", whole).casefold()}:
+        for table in (_SPELLED_OUT, _WITHOUT):
+            words = [letters for word in _BETWEEN.split(read) if (letters := _letters(word.translate(table)))]
+            words = [word for word in words if word not in _TITLES] or words
+            yield from (words[first:] + words[:first] for first in range(len(words)))
 
 
 def _letters(text: str) -> str:
     apart = unicodedata.normalize("NFKD", text)
-    return "".join(letter for letter in apart if unicodedata.category(letter) not in ("Mn", "Cf")).translate(
+    return "".join(letter for letter in apart if unicodedata.category(letter) not in ("Mn", "Cf", "Lm")).translate(
         _LOOKS_LIKE
     )

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from labcal.bench.coils.cage_file import CageCalibration, Place
 from labcal.errors import InputError
 from labcal.record import RunHeader
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person
 from labcal.record.stream import Event, Item, Measurement
 
 DRAFT = "cage-calibration"  # the procedure, and the kind of the event that holds what it found
@@ -18,7 +18,7 @@ def approved_cage(header: RunHeader, status: str, items: Iterable[Item], name: s
     if header.procedure != DRAFT or status != "finished":
         raise InputError(f"run {header.run_id} is no finished cage-calibration: it is of {header.procedure}, {status}")
     name = " ".join(name.split())
-    if not name or same_person(name, header.operator):
+    if not name or perhaps_one_person(name, header.operator):
         raise InputError("another person than the operator approves: --as NAME")
     found, last = None, dict[str, Measurement]()
     for item in items:

