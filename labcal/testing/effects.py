@@ -274,6 +274,6 @@ def check_applied(trial: EffectTrial, run: Run, calibration: Calibration) -> Non
     require(rms <= LEFT * noise, f"{text}: what the calibration file states does not give back the effect.")
     pieces = apply_in_pieces(calibration, readings, -(-len(run) // PIECES))
     off = float(np.max(np.abs(np.concatenate([p.field_nT for p in pieces]) - applied.field_nT)))
-    text = f"apply gives {off:.3g} nT else for {trial.id} where the recording comes in {PIECES} pieces. With in_pieces "
+    text = f"apply of {trial.id} is off by {off:.3g} nT where the recording comes in {PIECES} pieces. With in_pieces "
     text += "its kernel goes on from `scene.past`, as low_passed(…, scene.past, …) does; else leave in_pieces out."
     require(off <= AGREE * max(rms, 1.0), text)
