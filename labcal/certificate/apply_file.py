@@ -60,6 +60,8 @@ def apply_file(calibration: Calibration, source: Path, out: Path) -> AppliedFile
     """
     if out.exists() and out.samefile(source):
         raise InputError("is the recording itself; write what is corrected to another file", file=out)
+    if source.is_dir():
+        raise InputError("is a folder: name the table of readings, of a bundle its samples.csv", file=source)
     if source.exists() and not source.is_file():
         raise InputError("is no plain file, and it is read twice: write the recording to a file first", file=source)
     with source.open("rb") as recording, np.errstate(over="ignore", invalid="ignore"):  # what overflows is left empty

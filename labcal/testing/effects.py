@@ -13,7 +13,7 @@ from labcal.errors import InputError
 from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop
 from labcal.model import Calibration
-from labcal.model.apply import apply
+from labcal.model.apply import apply, apply_in_pieces
 from labcal.model.effects import Family, Scene, Term, family, load
 from labcal.model.readings import Readings
 from labcal.model.records import EffectRecord
@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 Formula = Callable[[Scene, Mapping[str, float]], Array]
 STEP = 1e-4  # of a parameter, for differences
 AGREE = 1e-6  # of the largest column
+PIECES = 3  # that a recording is applied in, which must not show
 WITHIN_u, SHARE = 4.0, 0.03  # how far a parameter may be from the truth: in its uncertainty, and of itself
 LEFT = 1.3  # rms after `apply` over the noise
 SHA256 = "0" * 64
@@ -55,13 +56,28 @@ class EffectTrial:
         """The run of a sensor that has it, as the formula says."""
         effect = np.zeros_like(self.made.field_nT)
         for _ in range(3):  # it may depend on the field that the sensor reads
-            effect = self.formula(_counted(self.scene.moved(effect), self.term()), self.truth)
+            effect = self.says(_counted(self.scene.moved(effect), self.term()), self.truth)
         return self.made.with_effect(effect)
+
+    def says(self, counted: Scene, values: Mapping[str, float]) -> Array:
+        """What the formula gives (n, 3)."""
+        try:
+            effect = np.asarray(self.formula(counted, values), dtype=float)
+        except KeyError as error:
+            has = f"channels {', '.join(counted.channels) or 'none'}; values {', '.join(values)}"
+            raise AssertionError(f"the formula of {self.id} asks for {error}; there are: {has}.") from error
+        wanted = (len(counted), 3)
+        text = f"the formula of {self.id} gives an array of shape {effect.shape}, not (rows, 3) = {wanted}."
+        require(effect.shape == wanted, text)
+        return effect
 
     def term(self) -> Term:
         """The term of its candidates that has just the parameters of the truth, at the truth."""
         terms = list(self.family.candidates(self.made.run))
-        text = f"{self.id}: candidates(run) is empty on a run with the channels {self._channels()}: what does it need?"
+        text = (
+            f"{self.id}: candidates(run) is empty on a run with the channels {self._channels()}: which does it need, "
+        )
+        text += "of which quantity and role? A channel has to move, and to be as long as the run."
         require(terms, text)
         named = [t for t in terms if {n for n, _ in t.parameters} | {s.name for s in t.shape} == set(self.truth)]
         has = "; ".join(", ".join([n for n, _ in t.parameters] + [s.name for s in t.shape]) for t in terms)
@@ -69,7 +85,8 @@ class EffectTrial:
         return named[0].with_values(**{s.name: self.truth[s.name] for s in named[0].shape})
 
     def _channels(self) -> str:
-        return ", ".join(c.name for c in self.made.run.channels) or "none"
+        said = (f"{c.name} ({c.quantity}, role {c.role}, {len(c.values)} rows)" for c in self.made.run.channels)
+        return ", ".join(said) or "none"
 
 
 def check_effect(
@@ -90,11 +107,16 @@ def check_effect(
 
     Its columns must be the formula's derivatives; the loop must find it in the run that has it, with the parameters of
     `truth`, and leave it in the run that has not; a sensor's must come back from a calibration file and be corrected by
-    `apply`, that of the rig or of the data stand among the findings. Raises AssertionError.
+    `apply`, in one piece and in several, that of the rig or of the data stand among the findings. An effect that looks
+    at other rows has to say so. Raises AssertionError.
+
+    "The formula's" is to 1e-6 of the largest: between two rows a channel goes straight, and where an effect remembers
+    let what it follows stand still at first, for how a state begins is the kernel's own affair.
     """
     trial = _trial(effect, truth, formula, channels, rows, noise_nT)
     check_family(trial.family)
     check_derivative(trial)
+    check_memory(trial)
     check_left_where_it_is_not(trial)
     closed = check_found(trial)
     check_round_trip(trial, closed)
@@ -115,7 +137,13 @@ def _trial(
         raise AssertionError(text) from error
     times = made_up_run(rows=rows).run.t_s
     recorded = channels(times) if callable(channels) else channels
+    text = f"effect {effect!r}: `channels` has to give a list of labcal.record.Channel, each with an array of values."
+    require(all(isinstance(c, Channel) and isinstance(c.values, np.ndarray) for c in _each(recorded)), text)
     return EffectTrial(found, made_up_run(rows=rows, noise_nT=noise_nT, channels=recorded), truth, formula)
+
+
+def _each(recorded: object) -> Sequence[object]:
+    return recorded if isinstance(recorded, Sequence) else (recorded, None)
 
 
 def check_family(found: Family) -> None:
@@ -142,15 +170,19 @@ def _check_columns(trial: EffectTrial, term: Term, values: Mapping[str, float]) 
     at = ", ".join(f"{s.name} = {values[s.name]:g}" for s in term.shape)
     for number, (name, unit) in enumerate(term.parameters):
         step = STEP * (abs(values[name]) or 1.0)
-        up, down = (trial.formula(counted, {**values, name: values[name] + sign * step}) for sign in (1, -1))
+        up, down = (trial.says(counted, {**values, name: values[name] + sign * step}) for sign in (1, -1))
         numeric = (up - down) / (2 * step)
-        off = float(np.max(np.abs(columns[:, :, number] - numeric)))
+        apart = np.abs(columns[:, :, number] - numeric)
+        off, row = float(np.max(apart)), int(np.argmax(np.max(apart, axis=1)))
+        largest = max(float(np.max(np.abs(numeric))), 1e-12)
         text = f"column {name} [{unit}] of {trial.id} is not the derivative of the formula{' at ' + at if at else ''}"
-        allowed = AGREE * max(float(np.max(np.abs(numeric))), 1e-12)
-        require(off <= allowed, f"{text}, by {off:.3g} nT per unit: look at sign, unit and reference value.")
+        text += f", by {off:.3g} nT per unit in row {row} of {len(trial.scene)}; the largest is {largest:.3g}, and they"
+        text += f" have to agree to {AGREE:g} of that: look at sign, unit and reference value"
+        text += "; of one that remembers at how it begins, and that a channel goes straight between two rows."
+        require(off <= AGREE * largest, text)
     text = f"{trial.id} is not its columns times its parameters{' at ' + at if at else ''}: a constant is left over."
     beta = np.array([values[name] for name, _ in term.parameters])
-    whole = trial.formula(counted, values)
+    whole = trial.says(counted, values)
     scale = AGREE * max(float(np.max(np.abs(whole))), 1e-12)
     require(np.max(np.abs(columns @ beta - whole)) <= scale, text)
 
@@ -159,6 +191,19 @@ def _counted(scene: Scene, term: Term) -> Scene:
     """The scene with the channels counted from where the effect counts them."""
     counted = {name: values - term.reference_value.get(name, 0.0) for name, values in scene.channels.items()}
     return replace(scene, channels=counted)
+
+
+def check_memory(trial: EffectTrial) -> None:
+    """One that looks at other rows says so: what each row has by itself is what it has among the others."""
+    term = trial.term()
+    if trial.family.reach_s(term) is not None:
+        return
+    whole, half = term.columns(trial.scene), np.arange(len(trial.scene)) % 2 == 1
+    off = np.max(np.abs(term.columns(trial.scene.select(half)) - whole[half]))
+    text = f"{trial.id} gives other columns where half of the rows are left out: it looks at other rows, and does not "
+    text += "say so. A shape of the kind TIME_CONSTANT, DELAY or SECANT says it, of a term that follows a channel, or "
+    text += "Family(…, reach_s=…), with 0 of a state (labcal/model/effects/memory.py)."
+    require(off <= AGREE * max(float(np.max(np.abs(whole))), 1e-12), text)
 
 
 def check_left_where_it_is_not(trial: EffectTrial) -> None:
@@ -204,19 +249,31 @@ def check_round_trip(trial: EffectTrial, closed: ClosedLoop) -> None:
         )
         require([e.effect for e in back.findings] == [trial.family.id] and not back.effects, text)
         return
+    text = (
+        f"{trial.id} is found and not written into the calibration: over the channel's range, settled, it is smaller "
+    )
+    text += "than its uncertainty. Let the channel move further, or make `truth` larger."
+    require(made.effects, text)
     text = f"{trial.id} is another after a calibration file: name its nonlinear parameters in Family(…, shapes=…)."
     one, other = (load(c.effects[0]).predict(trial.scene) for c in (made, back))
     require(np.array_equal(one, other), text)
     shapes = {s.name: s.value for s in load(back.effects[0]).term.shape}
     require(set(shapes) == {s.name for s in trial.term().shape}, text)
-    _check_applied(trial, run, back)
+    check_applied(trial, run, back)
 
 
-def _check_applied(trial: EffectTrial, run: Run, calibration: Calibration) -> None:
+def check_applied(trial: EffectTrial, run: Run, calibration: Calibration) -> None:
+    """It corrects the run that has it, in one piece and in several."""
     channels = {c.name: c.values for c in run.channels}
-    applied = apply(calibration, Readings(run.reading, run.t_s, run.segment_index, run.mode, channels))
+    readings = Readings(run.reading, run.t_s, run.segment_index, run.mode, channels)
+    applied = apply(calibration, readings)
     error = applied.field_nT - trial.made.field_nT
     rms = float(np.sqrt(np.mean(error**2)))
     noise = float(run.dut.noise_nT or 0.0) * float(np.linalg.norm(trial.made.true.K, 2))
     text = f"apply leaves {rms:.1f} nT of the run with {trial.id}, where the noise is {noise:.1f} nT"
     require(rms <= LEFT * noise, f"{text}: what the calibration file states does not give back the effect.")
+    pieces = apply_in_pieces(calibration, readings, -(-len(run) // PIECES))
+    off = float(np.max(np.abs(np.concatenate([p.field_nT for p in pieces]) - applied.field_nT)))
+    text = f"apply of {trial.id} is off by {off:.3g} nT where the recording comes in {PIECES} pieces. With in_pieces "
+    text += "its kernel goes on from `scene.past`, as low_passed(…, scene.past, …) does; else leave in_pieces out."
+    require(off <= AGREE * max(rms, 1.0), text)

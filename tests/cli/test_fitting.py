@@ -186,6 +186,13 @@ def test_a_recording_is_never_replaced_by_what_is_corrected(shared: Path, calibr
     assert execute(["apply", str(calibration), str(recording), "--out", str(tmp_path / "no_t_s_needed.csv")]) == 0
 
 
+def test_a_bundle_in_the_place_of_its_table_is_told_which_file_to_name(
+    shared: Path, calibration: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert execute(["apply", str(calibration), str(shared / PRACTICE / "fresh"), "--out", str(tmp_path / "o.csv")]) == 2
+    assert "is a folder: name the table of readings, of a bundle its samples.csv" in capsys.readouterr().err
+
+
 def test_a_crafted_effect_is_refused_with_the_file_and_its_place(
     shared: Path, calibration: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.cli import execute
 from labcal.errors import InputError
-from labcal.model.effects import Family, Scene, Term, families
+from labcal.model.effects import Family, Scene, Shape, Term, families
 from labcal.model.effects.guard import guarded
 from labcal.model.effects.regressors import on_each_axis, per_axis
 
@@ -101,6 +102,39 @@ def test_a_formula_that_fails_is_said_with_its_name(formula: str, words: str) ->
         term.columns(scene)
     assert "the effect pump of another package (pump:PUMP)" in str(fault.value)
     assert words in str(fault.value)
+
+
+@pytest.mark.parametrize(
+    ("family", "source", "words"),
+    [
+        ("PUMP", "from labcal.model.effects.lag import FAMILY as PUMP\n", "holds the Family 'lag': give both one name"),
+        ("kernel", "def kernel(term, scene): ...\n", "is a function and no Family"),
+    ],
+)
+def test_an_entry_that_holds_something_else_is_said_by_plugins_too(
+    family: str, source: str, words: str, installed: Callable[[str, str, str], None], capsys: pytest.CaptureFixture[str]
+) -> None:
+    installed("pump", family, source)
+    assert execute(["plugins"]) == 1
+    assert words in capsys.readouterr().err
+    with pytest.raises(InputError, match=words):
+        families()
+
+
+@pytest.mark.parametrize(
+    ("stated", "words"),
+    [
+        ({"shapes": Shape("tau_s", 1.0, "s")}, r"something else than a Shape of each nonlinear parameter: \(TAU,\)"),
+        ({"belongs_to": "device"}, "belongs to 'device'; expected one of sensor, rig, data"),
+        ({"responds": {"warm": 1.0}}, "responds to 'warm'; expected any of load, heat"),
+    ],
+)
+def test_a_family_that_says_what_nobody_asks_for_is_refused(stated: dict[str, Any], words: str) -> None:
+    said: dict[str, Any] = {"belongs_to": "sensor"} | stated
+    with pytest.raises(InputError, match=f"the effect pump of another package .pump:PUMP.*{words}"):
+        guarded(
+            Family(id="pump", kernel=lambda term, scene: scene.field_nT, candidates=lambda run: [], **said), "pump:PUMP"
+        )
 
 
 def test_two_packages_with_one_effect_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:

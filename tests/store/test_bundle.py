@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +14,9 @@ import numpy as np
 import pytest
 
 from labcal.errors import InputError
+from labcal.record import offers
 from labcal.store import Bundle, bundle_of, bundle_sha256, load_bundle, read_bundle, write_bundle
+from labcal.store.run_json import FIXED_COLUMNS, ChannelPart, DutPart, ReferencePart, RunJson, SegmentPart
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "bundle-1"
 
@@ -39,6 +42,23 @@ def cell_of(rows: str, line: int, column: str, text: str) -> str:
     cells[lines[0].split(",").index(column)] = text
     lines[line - 1] = ",".join(cells)
     return "\n".join(lines) + "\n"
+
+
+def test_the_bundle_that_the_page_shows_is_read_and_offers_vectors(tmp_path: Path) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "record.md").read_text(encoding="utf-8")
+    shown = re.findall(r"```json\n(.*?)```\n\n```\n(t_s,.*?)```", page, re.DOTALL)
+    for name, text in zip(("run.json", "samples.csv"), *shown, strict=True):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    run = read_bundle(tmp_path)
+    assert (len(run), offers(run, run.segments[0]), run.channels[0].role) == (2, "vector", "dut")
+
+
+def test_the_page_names_every_key_that_a_segment_a_reference_and_a_column_may_have() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "record.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`(\w+)`|`(\w+)…`", page.partition("### To write one yourself")[2]))
+    known = {word for pair in named for word in pair}
+    keys = {key for part in (SegmentPart, ReferencePart, DutPart, ChannelPart, RunJson) for key in part.model_fields}
+    assert {*keys, *FIXED_COLUMNS} - known - {f"u_{name}" for name in known} == set()  # "each with `u_…`"
 
 
 def test_a_good_bundle_is_read_as_written(bundle) -> None:

@@ -22,6 +22,7 @@ from labcal.record import Run
 Array = NDArray[np.float64]
 AXIAL = 0.9  # of a unit vector: a component as large is called along its axis
 SETTLED_S = 1e5  # after which a slow response has settled
+NOTHING = 1e-9  # of what an effect does in the run: it is as small where all stands still if it follows a change alone
 DIRECTIONS = np.vstack([np.eye(3), -np.eye(3), np.array(list(itertools.product((-1, 1), repeat=3))) / np.sqrt(3)])
 
 
@@ -41,12 +42,14 @@ class RangeUncertainty:
 
 
 def range_uncertainty(run: Run, after: JointFit, place: int) -> RangeUncertainty | None:
-    """Of the effect number `place`; None where it rests on no channel, or is bound to motion."""
+    """Of the effect number `place`; None where it rests on no channel, or follows changes alone."""
     term = after.terms[place]
     if not term.channels or term.basis is not None:  # which ships for where it has been seen alone
         return None
     scene, names = _corners(run, after, term)
     J = term.columns(scene)[1::2]  # the second row of each corner, settled
+    if np.abs(J).max() <= NOTHING * np.abs(term.columns(after.problem.scene)).max():
+        return None
     start = after.problem.T.shape[2] + sum(len(b) for b in after.beta[:place])
     block = slice(start, start + len(after.beta[place]))
     C = after.covariance[block, block]

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import wraps
-from typing import TypeVar
+from typing import TypeVar, get_args
 
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.model.effects.protocol import Array, Family
+from labcal.model.effects.protocol import Action, Array, Family
 from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import Kind, Shape
 from labcal.model.effects.term import Kernel, Term
+from labcal.model.records import Owner
 from labcal.plugin_loading import blamed
 from labcal.record import Run
 
@@ -23,8 +24,10 @@ Said = TypeVar("Said")
 def guarded(family: Family, where: str) -> Family:
     """The same family; its candidates and columns are checked, and a fault names it and `where` it comes from."""
     named = f"the effect {family.id} of another package ({where})"
-    if not all(isinstance(shape, Shape) for shape in family.shapes):
-        raise InputError(f"{named} states in `shapes` something else than a Shape of each nonlinear parameter")
+    shapes: object = family.shapes  # whatever its author has stated
+    if not isinstance(shapes, tuple) or not all(isinstance(shape, Shape) for shape in shapes):
+        raise InputError(f"{named} states in `shapes` something else than a Shape of each nonlinear parameter: (TAU,)")
+    _check_words(family, named)
     kernel = _checked(family.kernel, named)
     return replace(
         family,
@@ -54,6 +57,15 @@ def _candidates(family: Family, kernel: Kernel, named: str) -> Callable[[Run], S
         ]
 
     return found
+
+
+def _check_words(family: Family, named: str) -> None:
+    """Whether its owner and what it responds to are words that somebody asks for."""
+    owners, actions = get_args(Owner), get_args(Action)
+    if family.belongs_to not in owners:
+        raise InputError(f"{named} belongs to {family.belongs_to!r}; expected one of {', '.join(owners)}")
+    if unknown := sorted(set(family.responds) - set(actions)):
+        raise InputError(f"{named} responds to {unknown[0]!r}; expected any of {', '.join(actions)}")
 
 
 def _check_shapes(term: Term, kinds: Mapping[str, Kind], named: str) -> None:

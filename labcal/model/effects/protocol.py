@@ -52,8 +52,9 @@ class Family:
     """All that is known about one effect id: what its author has to give. The first four, and `experiment`, suffice.
 
     `kernel` must give finite columns (n, 3, p) wherever the field and the term's channels are finite, for any rows in
-    the order of time; without `scene.rig` unless the effect is the rig's; each row from itself alone unless `reach_s`
-    says otherwise. `candidates` gives the terms that a run could show, none where the run lacks what they need.
+    the order of time within each segment; without `scene.rig` unless the effect is the rig's; each row from itself
+    alone unless `reach_s` says otherwise. `candidates` gives the terms that a run could show, none where the run lacks
+    what they need.
     A parameter that does not enter linearly stands in `shapes` with the name and kind that it has in the terms, and has
     a grid there if it is searched.
     """

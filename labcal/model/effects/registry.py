@@ -28,8 +28,10 @@ def families() -> tuple[Family, ...]:
     found = dict[str, Family]()
     for point in sorted(entry_points(group="labcal.effects"), key=lambda p: p.name):
         named, loaded = plugin_loading.named(point), plugin_loading.load(point)
-        if not isinstance(loaded, Family) or loaded.id != point.name:
-            raise InputError(f"{named} is not a Family of that id")
+        if not isinstance(loaded, Family):
+            raise InputError(f"{named} is a {type(loaded).__name__} and no Family")
+        if loaded.id != point.name:
+            raise InputError(f"{named} holds the Family {loaded.id!r}: give both one name, and install again")
         if loaded.id in found:
             raise InputError(f"{named} is there twice: two packages describe an effect of one name")
         found[loaded.id] = loaded if point.value.startswith("labcal.") else guarded(loaded, point.value)
