@@ -114,6 +114,7 @@ class Window(Frame):
         self.setAcceptDrops(True)
         self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
+        self.before_clicks.append(self.scanner.flush)
         self._connect(app_state)
         self._restyle()
         self.style_queue.finish()
