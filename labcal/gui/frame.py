@@ -225,7 +225,6 @@ class Frame(QMainWindow):
         self.next = button("", self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"), primary=True)
         self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
-        self.before_clicks: list[Callable[[], object]] = []  # of the mouse, wherever
         self.sidebar_buttons, self._scale = QButtonGroup(self), 1.0
         self.says_off = True  # when it closes; else its worker finds the line closed, and takes the coils to zero
         self._names = tuple(pages)
@@ -383,9 +382,6 @@ class Frame(QMainWindow):
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""
         if event.type() == QEvent.Type.Show and isinstance(watched, QDialog):
             put_off_into(watched, self.coils_off.emit)
-        if event.type() == QEvent.Type.MouseButtonPress:
-            for settle in self.before_clicks:
-                settle()
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:

@@ -114,7 +114,6 @@ class Window(Frame):
         self.setAcceptDrops(True)
         self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
-        self.before_clicks.append(self.scanner.flush)
         self._connect(app_state)
         self._restyle()
         self.style_queue.finish()
@@ -133,6 +132,7 @@ class Window(Frame):
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
         app_state.page_requested.connect(self.open_page)
+        app_state.next_requested.connect(self._go_on)
         self.theme_switch.clicked.connect(self._other_theme)
         self.size_switch.clicked.connect(self.toggle_wall)
         self.sound_switch.clicked.connect(self._other_sound)
@@ -265,6 +265,8 @@ class Window(Frame):
         """Style what comes up new; then handle the keys."""
         if event.type() in (QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress):
             self.app_state.login.touched()
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self.scanner.flush()  # what was typed before a click comes before it
         if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
             apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)

@@ -41,6 +41,7 @@ HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
 PICTURES = "*.jpg *.jpeg *.png *.webp"
+UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
 class Live(QWidget):
@@ -363,7 +364,7 @@ class Live(QWidget):
         if needed_s is None or run.step is None:
             return done
         needed = self.tr("You are needed at {0}: {1}").format(
-            clock_time(now, needed_s), step_title(run.step.needed_for)
+            clock_time(now, needed_s), step_title(run.step.needed_for).replace("-", UNBROKEN)
         )
         return f"{needed}\n{done}"
 

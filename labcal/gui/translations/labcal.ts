@@ -214,6 +214,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} of {1} instruments answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {0} instruments answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7098,6 +7106,10 @@
     </message>
     <message>
         <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan says how long this takes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -226,6 +226,14 @@
         <translation>Wird gefragt …</translation>
     </message>
     <message>
+        <source>{0} of {1} instruments answered</source>
+        <translation>{0} von {1} Geräten haben geantwortet</translation>
+    </message>
+    <message>
+        <source>All {0} instruments answered</source>
+        <translation>Alle {0} Geräte haben geantwortet</translation>
+    </message>
+    <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
         <translation>Wer dafür einsteht, sagt es im Terminal: labcal bench check {0} --clear-as NAME</translation>
     </message>
@@ -7155,6 +7163,10 @@
     <message>
         <source>About {0:g} min of measuring, and your own time beside it</source>
         <translation>Etwa {0:g} min Messzeit, dazu Ihre eigene</translation>
+    </message>
+    <message>
+        <source>The plan says how long this takes</source>
+        <translation>Wie lange das dauert, sagt der Plan</translation>
     </message>
     <message>
         <source>does about as well as {0}</source>

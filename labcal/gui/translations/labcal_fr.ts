@@ -226,6 +226,14 @@
         <translation>Interrogation …</translation>
     </message>
     <message>
+        <source>{0} of {1} instruments answered</source>
+        <translation>{0} instruments sur {1} ont répondu</translation>
+    </message>
+    <message>
+        <source>All {0} instruments answered</source>
+        <translation>Les {0} instruments ont tous répondu</translation>
+    </message>
+    <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
         <translation>Qui en répond le dit au terminal : labcal bench check {0} --clear-as NAME</translation>
     </message>
@@ -7155,6 +7163,10 @@
     <message>
         <source>About {0:g} min of measuring, and your own time beside it</source>
         <translation>Environ {0:g} min de mesure, plus votre temps</translation>
+    </message>
+    <message>
+        <source>The plan says how long this takes</source>
+        <translation>Le plan dit combien de temps cela prend</translation>
     </message>
     <message>
         <source>does about as well as {0}</source>

@@ -58,6 +58,7 @@ class AppState(QObject):
     fault_over = Signal(object)  # what such a card said is so no longer
     bench_changed = Signal()
     page_requested = Signal(str)  # a page is asked for, by name
+    next_requested = Signal()
     procedure_requested = Signal()  # `wanted` is to be chosen on the Run page
     store_changed = Signal()
     calibrations_changed = Signal(str)  # the path of the one that is new
@@ -369,9 +370,9 @@ class AppState(QObject):
 
     def _blame(self, fault: Fault) -> None:
         """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
+        if self.facts is None or fault.kind != "instrument" or fault.text.startswith(state.NOT_BY_REFERENCE):
+            return  # a limit that is not met may name one, and says nothing against it
         known = self.known or state.LabState(state.unread())
-        if self.facts is None or fault.text.startswith(state.NOT_BY_REFERENCE):
-            return
         heard = {one.name: one for one in known.instruments}
         for name in self.facts.instruments:
             if name in fault.text:
