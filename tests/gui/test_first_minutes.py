@@ -6,7 +6,7 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from labcal.gui.ipc.answers import Ended, Identified, InstrumentAnswer, RunLine
-from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rejoin, ResumeRun, RunProcedure
+from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rehearse, Rejoin, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.run import began_at
@@ -39,6 +39,35 @@ def test_a_bench_that_cannot_be_opened_is_not_being_opened(still):
     [asked] = [one for one in still.app_state.quick_worker.asked if isinstance(one.command, ReadBench)]
     asked.failed(Fault("input", "there is no lab/none.toml"))
     assert still.message.text() == ""
+
+
+def test_who_is_to_open_a_bench_is_led_to_what_opens_one(new_window):
+    new_window.app_state.facts = None
+    new_window.app_state.lab.update(bench="")
+    new_window.app_state.bench_changed.emit()
+    bench = new_window.page("Bench")
+    new_window.open_page("Start")
+    new_window.page("Start").open.click()
+    assert (new_window.page_shown(), QApplication.focusWidget()) == ("Bench", bench.choose)
+
+
+def test_no_field_moves_because_a_setting_is_another_or_the_plan_is_there(still):
+    page = still.page("Run")
+    still.open_page("Run")
+    page.open_procedure("preflight")
+    QApplication.processEvents()
+    choose = page.choose
+    assert choose.needs.text().splitlines()[1].startswith("About 48 min")
+    lines = len(choose.needs.text().splitlines())
+    choose.form.set_text("rate_deg_per_s", "20")
+    assert choose.needs.text().splitlines()[1] == "The plan says how long this takes"
+    choose.show_plan.setFocus()
+    choose.show_plan.click()
+    assert QApplication.focusWidget() is choose.give_up  # and not a field, selected
+    still.app_state.bench_worker.answer(Rehearse, ("preflight", "about 4 min, without a person's steps"))
+    assert "about 4 min" in choose.plan.text()
+    assert len(choose.needs.text().splitlines()) == lines
+    assert QApplication.focusWidget() is choose.show_plan
 
 
 def test_a_run_has_one_time_wherever_it_is_named(still):
