@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from labcal.gui.ipc.answers import Ended, Identified, InstrumentAnswer, RunLine
@@ -68,6 +69,21 @@ def test_no_field_moves_because_a_setting_is_another_or_the_plan_is_there(still)
     assert "about 4 min" in choose.plan.text()
     assert len(choose.needs.text().splitlines()) == lines
     assert QApplication.focusWidget() is choose.show_plan
+
+
+def test_the_bottom_line_ends_in_dots_where_it_has_no_room(still):
+    def end_of(words):
+        still.app_state.lab.update(message=words)
+        QApplication.processEvents()
+        image = still.message.grab().toImage()
+        right = range(image.width() - still.message.fontMetrics().horizontalAdvance("…"), image.width())
+        return [image.pixelColor(x, y).name() for x in right for y in range(image.height())]
+
+    assert set(end_of("short")) == {still.palette().color(QPalette.ColorRole.Base).name()}
+    assert not still.message.is_cut()
+    assert end_of("W" * 400) == end_of("i" * 400)  # the same dots, whatever is behind them
+    assert still.message.is_cut()
+    assert len(set(end_of("W" * 400))) > 1
 
 
 def test_a_run_has_one_time_wherever_it_is_named(still):

@@ -220,6 +220,31 @@ class FaceStack(QStackedWidget):
         return QSize() if face is None else face.minimumSizeHint().expandedTo(face.minimumSize())
 
 
+class OneLine(QLabel):
+    """A sentence that ends in dots where there is no room for it; `text()` is always the whole."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setMinimumWidth(1)
+
+    def is_cut(self) -> bool:
+        """Whether there is no room for all of it."""
+        return self.fontMetrics().horizontalAdvance(self.text()) > self.contentsRect().width()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint, and over the end of what is cut the dots."""
+        super().paintEvent(event)
+        if self.is_cut():
+            dots = self.contentsRect()
+            dots.setLeft(dots.right() - self.fontMetrics().horizontalAdvance("…"))
+            with QPainter(self) as painter:
+                painter.fillRect(dots, self.palette().base())
+                painter.drawText(dots, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, "…")
+
+
 class AutoSizeLabel(QLabel):
     """A text as large as its place allows, which has nothing to say about how large that is."""
 
