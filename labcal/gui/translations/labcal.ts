@@ -4868,6 +4868,14 @@
         <source>photographs</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no better than chance or a slow wander</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>

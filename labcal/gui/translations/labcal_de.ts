@@ -4868,6 +4868,14 @@
         <source>photographs</source>
         <translation>Fotos</translation>
     </message>
+    <message>
+        <source>no better than chance or a slow wander</source>
+        <translation>nicht besser als Zufall oder ein langsames Wandern</translation>
+    </message>
+    <message>
+        <source>too little evidence</source>
+        <translation>zu wenig Evidenz</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>

@@ -4868,6 +4868,14 @@
         <source>photographs</source>
         <translation>photos</translation>
     </message>
+    <message>
+        <source>no better than chance or a slow wander</source>
+        <translation>pas mieux que le hasard ou une lente dérive</translation>
+    </message>
+    <message>
+        <source>too little evidence</source>
+        <translation>trop peu d&apos;évidence</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
