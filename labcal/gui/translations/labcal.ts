@@ -7325,6 +7325,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Not measured: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation type="unfinished"></translation>
     </message>

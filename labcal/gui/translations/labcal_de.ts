@@ -7325,6 +7325,10 @@
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
+        <source>Not measured: {0}.</source>
+        <translation>Nicht gemessen: {0}.</translation>
+    </message>
+    <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Er kann nicht fortgesetzt werden: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>

@@ -7325,6 +7325,10 @@
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
     <message>
+        <source>Not measured: {0}.</source>
+        <translation>Non mesuré : {0}.</translation>
+    </message>
+    <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
     </message>
