@@ -121,6 +121,19 @@ def test_names_of_lines_that_meet_do_not_cover_each_other(qtbot):
     assert abs(y - z) >= 10
 
 
+def test_no_line_is_drawn_over_the_time_that_a_sensor_was_away(qtbot):
+    traces = Traces(LIGHT, "nT")
+    qtbot.addWidget(traces)
+    rows = np.array([[t, t, 2.0 * t, 3.0 * t] for t in (0.0, 0.5, 1.0, 40.0, 40.5)])
+    traces.show_rows(rows)
+    for axis, curve in enumerate(traces._curves):
+        t_s, values = curve.getOriginalDataset()
+        assert t_s.tolist() == [0.0, 0.5, 1.0, 1.0, 40.0, 40.5]
+        assert np.flatnonzero(np.isnan(values)).tolist() == [3]
+        assert values[~np.isnan(values)].tolist() == rows[:, 1 + axis].tolist()
+    traces.show_rows(rows[:0])
+
+
 class Screen:
     """One with this much room."""
 
