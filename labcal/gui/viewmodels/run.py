@@ -111,8 +111,6 @@ class RunViewModel(QObject):
         self.step: Step | None = None
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
-        self.finished: set[str] = set()  # steps; of a run that was interrupted, before that too
-        self.broken_off: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
         self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
@@ -253,13 +251,15 @@ class RunViewModel(QObject):
         here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
         marks: list[Mark] = ["done" if n < at else here if n == at else "next" for n in range(len(self.names))]
         for n in range(at + 1, len(self.names)):  # turns that a run which is gone on with does not repeat
-            marks[n] = "done" if self.names[n] in self.finished and self.names[n] in self.locus else "next"
-        left_out = set(self.left_out(at))
-        return [(n, "skipped" if n in left_out else mark) for n, mark in zip(self.names, marks, strict=True)]
+            marks[n] = "done" if any(m.startswith(f"{self.names[n]}:") for m in self.measurements) else "next"
+        return [(n, "skipped" if n in self.left_out(at) else mark) for n, mark in zip(self.names, marks, strict=True)]
 
     def left_out(self, at: int | None = None) -> list[str]:
         """Steps before number `at` that were skipped, or broken off and not repeated, in their order."""
-        return [n for n in self.names[:at] if n in self.skipped or n in self.broken_off - self.finished]
+        return [n for n in self.names[:at] if n in self.skipped or self._is_missing(n)]
+
+    def _is_missing(self, step: str) -> bool:  # a closure that was broken off: what it is of is mounted no more
+        return step.startswith("closure-") and step.replace("-", " ", 1) not in self.measurements
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
@@ -302,8 +302,6 @@ class RunViewModel(QObject):
         self._seen_s = max(self._seen_s, item.t_s)
         match item:
             case Step():
-                if self.step is not None:
-                    (self.finished if item.number > self.step.number else self.broken_off).add(self.step.name)
                 self.step, self.names = item, item.names or self.names
                 self._waited_s, self._waits_since_s = 0.0, None
                 self._running(step_title(item.name))
