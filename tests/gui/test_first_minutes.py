@@ -99,6 +99,7 @@ def test_a_run_has_one_time_wherever_it_is_named(still):
     assert shown.endswith(run.began)
     run.resume(RUN_ID, ORDER)
     assert run.began == began_at(RUN_ID) != ""
+    assert still.page("Run").live.whose.text().endswith(run.began)  # before anything has come of it
     still.app_state.bench_worker.answer(ResumeRun, Ended(RUN_ID, "finished"))
 
 

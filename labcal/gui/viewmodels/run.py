@@ -148,9 +148,8 @@ class RunViewModel(QObject):
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
-        self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
-        self.run_id, self._goes_on = run_id, True
-        self.began = began_at(run_id) or self.began
+        self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words), run_id)
+        self._goes_on = True
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -159,12 +158,12 @@ class RunViewModel(QObject):
         self._worker.request(Rejoin(), self._done, self._failed)
         self.changed.emit()
 
-    def _begin(self, order: RunProcedure, command: Command[Ended]) -> None:
+    def _begin(self, order: RunProcedure, command: Command[Ended], run_id: str = "") -> None:
         if self.alive:
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.began = _now()
+        self.run_id, self.began = run_id, began_at(run_id) or _now()
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
