@@ -100,7 +100,10 @@ def test_who_has_checked_is_told_and_one_button_is_blue(qtbot, still, bench):
     assert not [one for one in bench.findChildren(QPushButton, "primary") if one.isVisible()]  # Next says what is next
 
 
-def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench):
+@pytest.mark.parametrize(
+    ("ago_s", "shown"), [(0.0, "✓ coils at zero"), (3.2, "● coils last read back below their zero 3 s ago, not since")]
+)
+def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench, ago_s, shown):
     answers = (InstrumentAnswer("supply_x", "coil-x", "tcp://x", "a supply"),)
     bench.check_all()
     doubt = Doubt("NOT at zero by the reference", lifted=False)
@@ -115,9 +118,10 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
     still.app_state.off_worker.answer(SwitchOff, said)
     assert (still.fault.isVisible(), still.next.text()) == (True, "Next: See to the coils")
     bench.check_all()
-    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, zero)))
+    seen = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic() - ago_s) for axis in "xyz")
+    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, seen)))
     assert still.app_state.lab.state.message == "they agree again"
-    assert still.side.zero_words.text() == "✓ coils at zero"
+    assert still.side.zero_words.text() == shown
     assert not still.fault.isVisible()
     assert still.next.text() != "Next: See to the coils"
 
