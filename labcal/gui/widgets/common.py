@@ -242,7 +242,7 @@ class OneLine(QLabel):
             dots = self.contentsRect()
             dots.setLeft(dots.right() - self.fontMetrics().horizontalAdvance("…"))
             with QPainter(self) as painter:
-                painter.fillRect(dots, self.parentWidget().palette().base())
+                painter.fillRect(dots, self.window().palette().base())
                 painter.drawText(dots, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, "…")
 
 
