@@ -83,6 +83,11 @@ class PreflightPlan:
         """The turns about one body axis that are not done."""
         return [turn for turn in self.turns(axis) if turn[0] not in done]
 
+    def stood(self, done: frozenset[str]) -> str:
+        """The body axis that was mounted when the run broke off after these steps; "" where none surely was."""
+        mounted = [axis for axis in self.axes if f"mount-{axis}" in done]
+        return mounted[-1] if mounted else self.axes[0] if "zero" in done else ""
+
     def turns(self, axis: str) -> Iterator[tuple[str, str, float]]:
         """Step name, mode and field of every turn about one body axis."""
         for mode in self.modes:
@@ -164,7 +169,7 @@ def preflight(
 def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None) -> Work[First]:
     """Mount, then the zero and the first position; after an interruption they are compared with what they were."""
     yield setting.plan().begin(bench, "zero")
-    yield from _mounted(bench, axis, resume)
+    yield from _mounted(bench, axis, setting.stood(resume.done) if resume else "")
     yield from switch_mode(bench, setting.modes[0])
     strongest = max(abs(b) for b in setting.fields_nT) / 1000
     yield from ready(bench, f"The coils go to {strongest:g} µT and the platform turns. Hands off?")
@@ -177,9 +182,9 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
     return First(tuple(before), None)
 
 
-def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
-    """The DUT mounted along `axis`: by a person now, or as it was before the interruption where that stands."""
-    if resume is not None:
+def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
+    """The DUT mounted along `axis`: by a person now, or as it `stood` before the interruption where it still does."""
+    if axis == stood:
         up = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
         text = f"{up} Hands off then: the platform turns to angle 0."
         drawing = {"body_from_cage": attitude(bench, axis).tolist()}

@@ -31,7 +31,7 @@ from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
 from labcal.gui.widgets.barcode_scanner import takes_scans
-from labcal.gui.widgets.common import ReadoutGrid, Surface, button, label, named, plain, set_state, shrinkable
+from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -221,7 +221,7 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.said_at, self.message, self.waiting = label("", "caption"), shrinkable(label()), label()
+        self.said_at, self.message, self.waiting = label("", "caption"), OneLine(), label()
         self.next = button("", self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"), primary=True)
         self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []

@@ -132,6 +132,7 @@ class Window(Frame):
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
         app_state.page_requested.connect(self.open_page)
+        app_state.next_requested.connect(self._go_on)
         self.theme_switch.clicked.connect(self._other_theme)
         self.size_switch.clicked.connect(self.toggle_wall)
         self.sound_switch.clicked.connect(self._other_sound)
@@ -264,6 +265,8 @@ class Window(Frame):
         """Style what comes up new; then handle the keys."""
         if event.type() in (QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress):
             self.app_state.login.touched()
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self.scanner.flush()  # what was typed before a click comes before it
         if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
             apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 
@@ -41,6 +42,22 @@ def shown(still):
     card = still.scan_card
     buttons = [one.text() for one in (card.take, card.leave, card.undo) if one.isVisible()]
     return (card.words.text(), buttons) if card.isVisible() else None
+
+
+@pytest.mark.parametrize("leave", [Qt.Key.Key_Tab, "click"])
+def test_what_a_busy_window_holds_back_is_typed_before_the_focus_goes(still, keys, qtbot, leave):
+    keys(still.top.dut, "", 0.2)
+    still.top.dut.selectAll()
+    for letter in "EM-19":
+        still.scanner.now.now_s += 0.2
+        qtbot.keyClick(still.top.dut, letter)
+    if leave == "click":  # as the screen sends it: to the window, which gives the focus away before any widget hears
+        there = still.top.operator.mapTo(still, still.top.operator.rect().center())
+        QTest.mouseClick(still.windowHandle(), Qt.MouseButton.LeftButton, pos=there)
+    else:
+        qtbot.keyClick(still.top.dut, leave)
+    assert still.top.operator.hasFocus()
+    assert still.top.dut.text() == "EM-19"
 
 
 def test_a_burst_where_no_field_waits_for_it_is_a_question_and_can_be_undone(still, keys, qtbot):

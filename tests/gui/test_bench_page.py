@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from labcal.bench.coils.state import FieldReading, Heard, LabState, unread
 from labcal.gui.ipc.answers import CoilEnd, Doubt, Identified, InstrumentAnswer, SwitchedOff
@@ -85,9 +85,25 @@ def test_reconnect_lets_go_reads_the_file_again_and_asks_everybody(qtbot, still,
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
     assert said["supply_x"] == "✕ supply_x does not answer. Switch it on."
     assert said["stage"] == "✓ answers"
+    assert still.message.text() == "6 of 7 instruments answered: ✕ supply_x"
 
 
-def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench):
+def test_who_has_checked_is_told_and_one_button_is_blue(qtbot, still, bench):
+    still.open_page("Bench")
+    bench.check.setFocus()
+    bench.check.click()
+    assert QApplication.focusWidget() is bench.table
+    names = still.app_state.facts.instruments
+    still.app_state.off_worker.answer(Identify, Identified(tuple(InstrumentAnswer(n, "", "", "") for n in names)))
+    bench.show_readings()
+    assert still.message.text() == "All 7 instruments answered"
+    assert not [one for one in bench.findChildren(QPushButton, "primary") if one.isVisible()]  # Next says what is next
+
+
+@pytest.mark.parametrize(
+    ("ago_s", "shown"), [(0.0, "✓ coils at zero"), (3.2, "● coils last read back below their zero 3 s ago, not since")]
+)
+def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench, ago_s, shown):
     answers = (InstrumentAnswer("supply_x", "coil-x", "tcp://x", "a supply"),)
     bench.check_all()
     doubt = Doubt("NOT at zero by the reference", lifted=False)
@@ -102,9 +118,10 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench)
     still.app_state.off_worker.answer(SwitchOff, said)
     assert (still.fault.isVisible(), still.next.text()) == (True, "Next: See to the coils")
     bench.check_all()
-    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, zero)))
+    seen = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic() - ago_s) for axis in "xyz")
+    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, seen)))
     assert still.app_state.lab.state.message == "they agree again"
-    assert still.side.zero_words.text() == "✓ coils at zero"
+    assert still.side.zero_words.text() == shown
     assert not still.fault.isVisible()
     assert still.next.text() != "Next: See to the coils"
 

@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from labcal.gui.ipc.answers import Ended, Identified, InstrumentAnswer, RunLine
-from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rejoin, ResumeRun, RunProcedure
+from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rehearse, Rejoin, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.run import began_at
@@ -41,6 +42,52 @@ def test_a_bench_that_cannot_be_opened_is_not_being_opened(still):
     assert still.message.text() == ""
 
 
+def test_who_is_to_open_a_bench_is_led_to_what_opens_one(new_window):
+    new_window.app_state.facts = None
+    new_window.app_state.lab.update(bench="")
+    new_window.app_state.bench_changed.emit()
+    bench = new_window.page("Bench")
+    new_window.open_page("Start")
+    new_window.page("Start").open.click()
+    assert (new_window.page_shown(), QApplication.focusWidget()) == ("Bench", bench.choose)
+
+
+def test_no_field_moves_because_a_setting_is_another_or_the_plan_is_there(still):
+    page = still.page("Run")
+    still.open_page("Run")
+    page.open_procedure("preflight")
+    QApplication.processEvents()
+    choose = page.choose
+    assert choose.needs.text().splitlines()[1].startswith("About 48 min")
+    lines = len(choose.needs.text().splitlines())
+    choose.form.set_text("rate_deg_per_s", "20")
+    assert choose.needs.text().splitlines()[1] == "The plan says how long this takes"
+    choose.show_plan.setFocus()
+    choose.show_plan.click()
+    assert QApplication.focusWidget() is choose.give_up  # and not a field, selected
+    still.app_state.bench_worker.answer(Rehearse, ("preflight", "about 4 min, without a person's steps"))
+    assert "about 4 min" in choose.plan.text()
+    assert len(choose.needs.text().splitlines()) == lines
+    assert QApplication.focusWidget() is choose.show_plan
+
+
+def test_the_bottom_line_ends_in_dots_where_it_has_no_room(still):
+    def end_of(words):
+        still.app_state.lab.update(message=words)
+        QApplication.processEvents()
+        place = QRect(still.message.mapTo(still, QPoint()), still.message.size())
+        image = still.grab(place).toImage()
+
+        right = range(image.width() - still.message.fontMetrics().horizontalAdvance("…"), image.width())
+        return [image.pixelColor(x, y).name() for x in right for y in range(image.height())]
+
+    assert set(end_of("short")) == {still.palette().color(QPalette.ColorRole.Base).name()}
+    assert not still.message.is_cut()
+    assert end_of("W" * 900) == end_of("i" * 900)  # the same dots, whatever is behind them
+    assert still.message.is_cut()
+    assert len(set(end_of("W" * 400))) > 1
+
+
 def test_a_run_has_one_time_wherever_it_is_named(still):
     run = still.app_state.run
     run.start(ORDER)
@@ -52,6 +99,7 @@ def test_a_run_has_one_time_wherever_it_is_named(still):
     assert shown.endswith(run.began)
     run.resume(RUN_ID, ORDER)
     assert run.began == began_at(RUN_ID) != ""
+    assert still.page("Run").live.whose.text().endswith(run.began)  # before anything has come of it
     still.app_state.bench_worker.answer(ResumeRun, Ended(RUN_ID, "finished"))
 
 
@@ -72,6 +120,19 @@ def test_names_of_lines_that_meet_do_not_cover_each_other(qtbot):
     traces.show_rows(rows)
     y, z = (traces.plot.getPlotItem().getViewBox().mapViewToDevice(name.pos()).y() for name in traces._names[1:])
     assert abs(y - z) >= 10
+
+
+def test_no_line_is_drawn_over_the_time_that_a_sensor_was_away(qtbot):
+    traces = Traces(LIGHT, "nT")
+    qtbot.addWidget(traces)
+    rows = np.array([[t, t, 2.0 * t, 3.0 * t] for t in (0.0, 0.5, 1.0, 40.0, 40.5)])
+    traces.show_rows(rows)
+    for axis, curve in enumerate(traces._curves):
+        t_s, values = curve.getOriginalDataset()
+        assert t_s.tolist() == [0.0, 0.5, 1.0, 1.0, 40.0, 40.5]
+        assert np.flatnonzero(np.isnan(values)).tolist() == [3]
+        assert values[~np.isnan(values)].tolist() == rows[:, 1 + axis].tolist()
+    traces.show_rows(rows[:0])
 
 
 class Screen:

@@ -2,16 +2,18 @@
 
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import Qt
-from test_choose import told_by_the_loop
+from test_choose import looked_at, told_by_the_loop
 from test_path import calibration
 
-from labcal.gui.ipc.messages import ListCalibrations, ListKeys, NewKey
+from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.loop_words import MEANS, said_plainly
 from labcal.gui.window import chosen_theme
+from labcal.loop.narrative import why_accepted, why_rejected
 
 
 @pytest.mark.parametrize("verdict", MEANS)
@@ -20,6 +22,27 @@ def test_the_loop_is_said_without_figures_and_names_the_cause_where_it_has_one(v
     said = said_plainly(loop)
     assert not re.search(r"\d+ (nT|nats)|p =|held out", said)
     assert ("offset-current (i_eps)" in said) == (verdict not in ("clean", "unexplained"))
+
+
+def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbot, patience):
+    worker, study, page = still.app_state.fit_worker, still.app_state.study_vm, still.page("Loop")
+    study.open("r1")
+    worker.answer(LookAt, looked_at("r1"))
+    study.close_loop()
+    told = told_by_the_loop("reverse")
+    fell = SimpleNamespace(before=9.0, after=8.0)
+    wander, little, much = (SimpleNamespace(evidence=e, drop=1.0) for e in (-3.1, 5.0, 728.0))
+    reasons = [why_rejected(wander), why_rejected(little), why_accepted(fell, much)]
+    named = [replace(told.accepted[0], why=one) for one in reasons]
+    worker.answer(CloseLoop, replace(told, accepted=tuple(named[2:]), rejected=tuple(named[:2])))
+    qtbot.waitUntil(lambda: page.others.count() == 4, timeout=patience)
+    listed = [page.others.item(n).text() for n in range(4)]
+    assert not [one for one in listed if "nats" in one]
+    assert [one.split("\n")[1] for one in listed if "rival" not in one] == [
+        "the held-out rms falls from 9.0 to 8.0 nT", "no better than chance or a slow wander", "too little evidence"
+    ]  # fmt: skip
+    page.others.setCurrentRow(0)
+    assert page.change_why.text() == reasons[2]
 
 
 def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):

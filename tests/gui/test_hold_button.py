@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.record.stream import Prompt
@@ -29,6 +30,16 @@ def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked, patie
     qtbot.waitUntil(lambda: not button.held.isActive(), timeout=patience)
     assert "too early" in asked.hint.text()
     assert (still.app_state.run.state, still.app_state.bench_worker.said) == ("asking", [])
+
+
+def test_words_without_a_drawing_have_the_whole_card_and_a_tap_moves_none_of_them(qtbot, still, asked, patience):
+    card = still.page("Run").live.prompt
+    assert card.text.width() > 0.9 * (card.width() - 2 * card.body.spacing())
+    before = card.text.geometry(), card.text.font().pointSize()
+    qtbot.keyClick(still, Qt.Key.Key_F8)
+    qtbot.waitUntil(lambda: card.hint.text().startswith("▲"), timeout=patience)
+    QApplication.processEvents()
+    assert (card.text.geometry(), card.text.font().pointSize()) == before
 
 
 def test_its_own_key_held_answers_whatever_has_the_focus(qtbot, still, asked, patience):

@@ -1,4 +1,4 @@
-"""A window that goes while its worker takes the coils to zero, where no guardian lives, does not break that off."""
+"""A worker's line: a window that goes does not break off the way to zero, and each run hears its own answers."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from labcal import session
 from labcal.bench.coils.at_zero import AtZero
 from labcal.gui.ipc import channel as channels
 from labcal.gui.ipc.lines import write_line
-from labcal.gui.ipc.messages import Request, SwitchOff
+from labcal.gui.ipc.messages import Answer, Request, SwitchOff
 from labcal.gui.ipc.worker import serve
+from labcal.record.stream import Prompt
+from labcal.runner.control import Stopped
 
 LONG_S = 30.0
 
@@ -39,3 +41,41 @@ def test_a_window_that_hangs_up_does_not_end_its_worker_on_the_way_to_zero(
     with reading:
         serve(channels.Channel(reading, io.StringIO()))
     assert at_zero == [True]
+
+
+def test_a_question_that_is_open_when_its_run_ends_takes_no_answer_of_the_next_run(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As where the disk is too slow while a person is asked: the next run had its answers eaten, and waited."""
+    reading, writing = (os.fdopen(end, mode) for end, mode in zip(os.pipe(), "rw", strict=True))
+    channel, told = channels.Channel(reading, io.StringIO()), {}
+
+    def ask(key: str) -> threading.Thread:
+        def wait() -> None:
+            try:
+                told[key] = channel.answer(Prompt(0.0, key, "?"))
+            except Stopped as stopped:
+                told[key] = stopped
+
+        asking = threading.Thread(target=wait, daemon=True)
+        asking.start()
+        return asking
+
+    channel.run_begins(simulated=True)
+    first = ask("failed-turn")
+    channel.run_ends()
+    channel.run_begins(simulated=True)
+    first.join(LONG_S)
+    assert isinstance(told.get("failed-turn"), Stopped)
+    second = ask("mounting-stands")
+    monkeypatch.setattr(channels.os, "_exit", lambda code: None)
+    listening = threading.Thread(target=lambda: list(channel.requests()), daemon=True)
+    listening.start()
+    writing.write(write_line(Answer("mounting-stands", "yes")) + "\n")
+    writing.flush()
+    second.join(LONG_S)
+    assert told["mounting-stands"] == "yes"
+    channel.run_ends()
+    writing.close()
+    listening.join(LONG_S)
+    reading.close()

@@ -79,8 +79,10 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     page.again.setText("a long passphrasf")
     assert (page.new_key.isEnabled(), page.next.text()) == (False, "The two passphrases differ.")
     page.again.setText("a long passphrase")
+    page.new_key.setFocus()
     qtbot.mouseClick(page.new_key, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(page.sign.isEnabled, timeout=LONG_MS)
+    assert page.passphrase.hasFocus()
     qtbot.mouseClick(page.sign, Qt.MouseButton.LeftButton)
     assert page.passphrase.text() == ""
     qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=LONG_MS)

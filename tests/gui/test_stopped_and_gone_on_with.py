@@ -109,6 +109,25 @@ def test_what_was_measured_before_an_interruption_counts_in_the_verdict_after_it
     assert run_verdict(run).word == "✕ FAIL"
 
 
+def test_who_goes_on_sees_which_turns_are_kept_and_what_was_broken_off_for_good(running):
+    worker = running.app_state.bench_worker
+    worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
+    run, names = running.app_state.run, ("zero", "mount-x", "x+20uT-nominal", "closure-x", "mount-y", "closing")
+    run.resume("r1", run.order)
+    worker.items.emit((Measurement(3.5, "x+20uT-nominal: noise", 15.0, 1.0, "nT", 22.0),))  # of before
+
+    def step(number):
+        worker.items.emit((Step(float(number), number, len(names), names[number - 1], 60.0, names),))
+
+    step(1)
+    assert [mark for _, mark in run.steps()] == ["now", "next", "done", "next", "next", "next"]
+    step(5)
+    assert [mark for _, mark in run.steps()] == ["done", "done", "done", "skipped", "now", "next"]
+    step(6)
+    worker.answer(ResumeRun, Ended("r1", "finished"))
+    assert run_verdict(run).rule.endswith("Not measured: closure-x.")
+
+
 def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, patience):
     start, path = still.page("Start"), still.app_state.path
     broken = (replace(RUN, status="interrupted"), replace(RUN, run_id="r2", dut_serial="EM-08", status="interrupted"))

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -148,6 +148,30 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
     assert moved.status.startswith("failed: zero since the interruption: 2000 nT is beyond 500 nT")
 
 
+@pytest.mark.parametrize(
+    ("at", "asked"),
+    [
+        ("x+20uT-nominal", "mounting-stands"),
+        ("closure-x", "mount-y"),  # x is up, and nothing is left to be measured about it
+        ("mount-y", "mount-y"),  # hands were at it
+        ("y+20uT-nominal", "mounting-stands"),
+        ("closing", "mount-x"),
+    ],
+)
+def test_who_goes_on_is_asked_whether_the_mounting_stands_only_where_it_was_that_one(
+    bench_file: BenchFile, at: str, asked: str
+) -> None:
+    bench, keys = bench_file(), list[str]()
+    break_off(bench, at, given=TWO_FIELDS | {"axes": "x,y", "magnitudes_nT": "20000"})
+
+    def answer(prompt: Prompt) -> str:
+        keys.append(prompt.key)
+        return "perhaps"
+
+    session.resume("R", bench, seed=2, answer=answer)
+    assert keys == [asked]
+
+
 def test_a_resumed_run_goes_on_after_its_last_finished_turn_in_a_mounting_of_its_own(bench_file: BenchFile) -> None:
     bench, steps = bench_file(), list[str]()
     before = break_off(bench, "z+30uT-nominal")
@@ -175,7 +199,7 @@ def test_a_limit_that_was_not_met_before_the_interruption_still_counts_after_it(
         outcome.raise_fault()
 
 
-def break_off(bench: Path, at: str, *more: Item) -> float:
+def break_off(bench: Path, at: str, *more: Item, given: Mapping[str, str] = TWO_FIELDS) -> float:
     """A run R whose program died when the step `at` had begun and `more` was recorded; returns when that was."""
     control, seen = Control(), list[Item]()
 
@@ -184,7 +208,7 @@ def break_off(bench: Path, at: str, *more: Item) -> float:
         if isinstance(item, Step) and item.name == at:
             control.stop()
 
-    outcome = session.run("preflight", bench, TWO_FIELDS, seed=2, control=control, on_item=tell)
+    outcome = session.run("preflight", bench, given, seed=2, control=control, on_item=tell)
     last = next(i for i in seen if isinstance(i, Step) and i.name == at)
     with Store.open() as store:
         writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))

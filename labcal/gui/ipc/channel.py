@@ -104,6 +104,7 @@ class Channel:
     def run_begins(self, simulated: bool, going: GoesOn | None = None) -> None:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
         self._on_bench, self.control, self._state = True, Control(to_be_resumed=True), None
+        self._answers = queue.Queue()
         if self._watched and going is not None:
             self._past = PastMessages(going)
             with suppress(OSError):  # no place for its card: then none comes back, and the run ends with its window
@@ -115,6 +116,7 @@ class Channel:
         """The run has ended and the links are closed."""
         self.flush()
         self._on_bench = False
+        self.control.stop()  # whoever still waits for an answer in it would take one of the next run's
 
     @contextmanager
     def on_the_way_to_zero(self) -> Iterator[None]:
@@ -144,15 +146,15 @@ class Channel:
 
     def answer(self, prompt: Prompt) -> str:
         """Wait for the person's answer to `prompt`. Raises Stopped where that is wanted instead."""
-        attended_s = time.monotonic()
+        control, answers, attended_s = self.control, self._answers, time.monotonic()  # of this run
         while True:
-            self.control.check()
+            control.check()
             if self._output is not None or self._at_zero():
                 attended_s = time.monotonic()
             elif time.monotonic() - attended_s > UNANSWERED_S:
-                self.control.leave()
+                control.leave()
             try:
-                key, text = self._answers.get(timeout=POLL_S)
+                key, text = answers.get(timeout=POLL_S)
             except queue.Empty:
                 continue
             if key == prompt.key:

@@ -25,6 +25,7 @@ from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
 from labcal.gui.widgets.common import Card, button, label, set_primary, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Table
 
 READINGS_MS = 500
@@ -85,7 +86,6 @@ class BenchPage(QWidget):
         self.check = button(
             self.tr("Check all"),
             self.tr("Ask every instrument who it is. Nothing is energised or moved."),
-            primary=True,
         )
         self.check.clicked.connect(self.check_all)
         self.reconnect = button(
@@ -182,7 +182,8 @@ class BenchPage(QWidget):
             return self.fault.show_fault(
                 Fault("input", self.tr("A run goes on and holds the instruments; check them after it."))
             )
-        self.check.setEnabled(False)
+        with focus_kept_in(self, self.table):
+            self.check.setEnabled(False)
         self.check.setText(self.tr("Asking …"))
         return self._app_state.off_worker.request(
             Identify(self._app_state.bench), self._identified, self._not_identified
@@ -197,6 +198,12 @@ class BenchPage(QWidget):
 
     def _identified(self, said: Identified) -> None:
         self._app_state.take_identified(said)
+        silent = [one.name for one in said.instruments if one.fault is not None]
+        answered = self.tr("{0} of {1} instruments answered").format(
+            len(said.instruments) - len(silent), len(said.instruments)
+        )
+        words = self.tr("All {0} instruments answered").format(len(said.instruments))
+        self._app_state.lab.update(message=f"{answered}: ✕ {', '.join(silent)}" if silent else words)
         if said.doubt is not None:
             self._show_doubt(said.doubt)
         self._checked()
@@ -232,7 +239,6 @@ class BenchPage(QWidget):
         for widget in (self.check, self.reconnect, self.edit):
             widget.setEnabled(bool(there))
         set_primary(self.choose, not there)
-        set_primary(self.check, bool(there))
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):
             self._show_row(row, name, one, simulated=facts is not None and facts.simulated)
@@ -260,6 +266,9 @@ class BenchPage(QWidget):
     def show_readings(self) -> None:
         """What each instrument sent last; the coils' currents as they were read back."""
         run, now, facts = self._app_state.run, self._app_state.lab.state.now, self._app_state.facts
+        set_primary(
+            self.check, facts is not None and self._app_state.path.next().page == "Bench"
+        )  # the blue one is Next
         ages = {name: age_words(since) for name, since in now.heard_old_s}
         seen = now.field_measured_nT  # what the panel at the right says of it
         for row in range(self.table.rowCount()):

@@ -312,7 +312,8 @@ class CertificatePage(QWidget):
             self.said.setText(made)
 
         self._ask(NewKey(name, self.passphrase.text()), self.signer, known)
-        self.again.clear()
+        with focus_kept_in(self, self.passphrase):  # the button is grey without the second one
+            self.again.clear()
 
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
@@ -13,7 +15,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.loop_words import VERDICTS, said_plainly
+from labcal.gui.viewmodels.loop_words import VERDICTS, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
@@ -35,14 +37,14 @@ def cause(effect: Cause) -> str:
     return cause_name(effect.effect, effect.channels)
 
 
-def candidates(loop: Loop) -> list[tuple[str, Cause, str]]:
-    """Every cause there was: its standing, itself, and why; the named ones first."""
-    found: list[tuple[str, Cause, str]] = [("accepted", effect, in_words(effect.why)) for effect in loop.accepted]
+def candidates(loop: Loop, said: Callable[[str], str] = str) -> list[tuple[str, Cause, str]]:
+    """Every cause there was: its standing, itself, and why, as it is `said`; the named ones first."""
+    found: list[tuple[str, Cause, str]] = [("accepted", effect, in_words(said(effect.why))) for effect in loop.accepted]
     for effect in loop.accepted:
         found += [
             ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
         ]
-    return found + [("rejected", effect, in_words(effect.why)) for effect in loop.rejected]
+    return found + [("rejected", effect, in_words(said(effect.why))) for effect in loop.rejected]
 
 
 class LoopPage(QWidget):
@@ -287,13 +289,14 @@ class LoopPage(QWidget):
         self.bars.show_bars(rows, loop.noise_floor_nT)
 
     def _show_candidates(self) -> None:
-        """Every cause with its standing, and below it why: whole, however long."""
+        """Every cause with its standing, and below it why: however long; its evidence where one is chosen."""
         if self._study.loop is None:
             return
         words = {"accepted": self.tr("✓ {0}: named"), "rival": self.tr("? {0}: a rival"),
                  "rejected": self.tr("– {0}: not named")}  # fmt: skip
         inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
-        listed = candidates(self._study.loop)
+        listed = candidates(self._study.loop, without_evidence)
+        whole = [why for *_, why in candidates(self._study.loop)]
         while self.others.count() > len(listed):
             self.others.takeItem(len(listed))
         self.others.addItems([""] * (len(listed) - self.others.count()))
@@ -301,7 +304,7 @@ class LoopPage(QWidget):
             item, text = self.others.item(row), f"{words[standing].format(cause(effect))}\n{why}"
             if item.text() != text:
                 item.setText(text)
-                item.setToolTip(text)
+                item.setToolTip(f"{words[standing].format(cause(effect))}\n{whole[row]}")
             item.setForeground(QColor(inks[standing]))
 
     def picked(self) -> tuple[str, Cause, str] | None:

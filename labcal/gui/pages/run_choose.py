@@ -20,6 +20,7 @@ from labcal.gui.viewmodels.procedure_groups import group_of, grouped
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
+from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.parameter_form import ParameterForm
 from labcal.gui.widgets.work_bar import WorkBar
 
@@ -267,11 +268,12 @@ class Choose(QWidget):
         self.objection.setText(objection)
         self.objection.setVisible(bool(objection))
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
-        self.start.setEnabled(ready)
-        self.show_plan.setEnabled(ready)
         rehearsing = self._rehearsed is not None and not self._app_state.run.alive
-        self.give_up.setVisible(rehearsing)
-        self.show_plan.setVisible(not rehearsing)
+        with focus_kept_in(self, self.give_up, self.show_plan):
+            self.give_up.setVisible(rehearsing)
+            self.start.setEnabled(ready)
+            self.show_plan.setEnabled(ready)
+            self.show_plan.setVisible(not rehearsing)
         self.work.show_work(rehearsing)
 
     def _start(self) -> None:
@@ -280,10 +282,12 @@ class Choose(QWidget):
 
 
 def needs_text(one: Procedure) -> str:
-    """What a procedure needs and how long it takes, in one line."""
+    """What a procedure needs, and how long it takes: as many lines whatever is known, so that no field moves."""
     needs = translated("Needs: {0}").format(in_words(one.needs)) if one.needs else ""
-    lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min or 0)
-    return "\n".join(part for part in (needs, lasts if one.lasts_min else "") if part)
+    lasts = translated("The plan says how long this takes")
+    if one.lasts_min:
+        lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min)
+    return "\n".join(part for part in (needs, lasts) if part)
 
 
 def plan_line(line: str) -> str:

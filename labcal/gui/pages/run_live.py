@@ -41,6 +41,7 @@ HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
 PICTURES = "*.jpg *.jpeg *.png *.webp"
+UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
 class Live(QWidget):
@@ -350,7 +351,7 @@ class Live(QWidget):
             return alarm
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
-        wait = f"{left:.0f} s" if left else ""  # of what takes longer than planned nothing is promised
+        wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised
         return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)
 
     def _until(self) -> str:
@@ -363,7 +364,7 @@ class Live(QWidget):
         if needed_s is None or run.step is None:
             return done
         needed = self.tr("You are needed at {0}: {1}").format(
-            clock_time(now, needed_s), step_title(run.step.needed_for)
+            clock_time(now, needed_s), step_title(run.step.needed_for).replace("-", UNBROKEN)
         )
         return f"{needed}\n{done}"
 
@@ -374,7 +375,8 @@ class Live(QWidget):
         if run.step is None:
             self.left.setText(run.message if run.state == "starting" else "")
         elif left is None:
-            self.left.setText(translated(run.status.partition(":")[0]))
+            stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
+            self.left.setText(translated("stopped" if stopped else run.status.partition(":")[0]))
         else:
             self.left.setText(
                 self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, format_duration(left))

@@ -88,7 +88,7 @@ class StartPage(QWidget):
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
         self.simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
         self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
-        self.open.clicked.connect(lambda: self._app_state.page_requested.emit("Bench"))
+        self.open.clicked.connect(self._app_state.next_requested)  # there to the button that opens one
         self.logo, self.laboratory = Logo(), label("", "caption", wrap=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)

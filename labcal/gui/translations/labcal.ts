@@ -214,6 +214,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} of {1} instruments answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {0} instruments answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4864,6 +4872,14 @@
         <source>photographs</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no better than chance or a slow wander</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -7105,6 +7121,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The plan says how long this takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7306,6 +7326,10 @@
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -226,6 +226,14 @@
         <translation>Wird gefragt …</translation>
     </message>
     <message>
+        <source>{0} of {1} instruments answered</source>
+        <translation>{0} von {1} Geräten haben geantwortet</translation>
+    </message>
+    <message>
+        <source>All {0} instruments answered</source>
+        <translation>Alle {0} Geräte haben geantwortet</translation>
+    </message>
+    <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
         <translation>Wer dafür einsteht, sagt es im Terminal: labcal bench check {0} --clear-as NAME</translation>
     </message>
@@ -4864,6 +4872,14 @@
         <source>photographs</source>
         <translation>Fotos</translation>
     </message>
+    <message>
+        <source>no better than chance or a slow wander</source>
+        <translation>nicht besser als Zufall oder ein langsames Wandern</translation>
+    </message>
+    <message>
+        <source>too little evidence</source>
+        <translation>zu wenig Evidenz</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -7161,6 +7177,10 @@
         <translation>Etwa {0:g} min Messzeit, dazu Ihre eigene</translation>
     </message>
     <message>
+        <source>The plan says how long this takes</source>
+        <translation>Wie lange das dauert, sagt der Plan</translation>
+    </message>
+    <message>
         <source>does about as well as {0}</source>
         <translation>tut es etwa so gut wie {0}</translation>
     </message>
@@ -7307,6 +7327,10 @@
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
+    </message>
+    <message>
+        <source>Not measured: {0}.</source>
+        <translation>Nicht gemessen: {0}.</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>

@@ -226,6 +226,14 @@
         <translation>Interrogation …</translation>
     </message>
     <message>
+        <source>{0} of {1} instruments answered</source>
+        <translation>{0} instruments sur {1} ont répondu</translation>
+    </message>
+    <message>
+        <source>All {0} instruments answered</source>
+        <translation>Les {0} instruments ont tous répondu</translation>
+    </message>
+    <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
         <translation>Qui en répond le dit au terminal : labcal bench check {0} --clear-as NAME</translation>
     </message>
@@ -4864,6 +4872,14 @@
         <source>photographs</source>
         <translation>photos</translation>
     </message>
+    <message>
+        <source>no better than chance or a slow wander</source>
+        <translation>pas mieux que le hasard ou une lente dérive</translation>
+    </message>
+    <message>
+        <source>too little evidence</source>
+        <translation>trop peu d&apos;évidence</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -7161,6 +7177,10 @@
         <translation>Environ {0:g} min de mesure, plus votre temps</translation>
     </message>
     <message>
+        <source>The plan says how long this takes</source>
+        <translation>Le plan dit combien de temps cela prend</translation>
+    </message>
+    <message>
         <source>does about as well as {0}</source>
         <translation>fait à peu près aussi bien que {0}</translation>
     </message>
@@ -7307,6 +7327,10 @@
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>Not measured: {0}.</source>
+        <translation>Non mesuré : {0}.</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>

@@ -178,6 +178,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Every point that is drawn to the clipboard, as columns x and y of each curve"),
     QT_TRANSLATE_NOOP("Words", "Needs: {0}"),
     QT_TRANSLATE_NOOP("Words", "About {0:g} min of measuring, and your own time beside it"),
+    QT_TRANSLATE_NOOP("Words", "The plan says how long this takes"),
     QT_TRANSLATE_NOOP("Words", "does about as well as {0}"),
     QT_TRANSLATE_NOOP("Words", "Do not use it: make a new draft on the Fit page."),
     QT_TRANSLATE_NOOP(

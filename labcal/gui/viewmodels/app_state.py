@@ -58,6 +58,7 @@ class AppState(QObject):
     fault_over = Signal(object)  # what such a card said is so no longer
     bench_changed = Signal()
     page_requested = Signal(str)  # a page is asked for, by name
+    next_requested = Signal()
     procedure_requested = Signal()  # `wanted` is to be chosen on the Run page
     store_changed = Signal()
     calibrations_changed = Signal(str)  # the path of the one that is new
@@ -151,10 +152,12 @@ class AppState(QObject):
             for one in said.instruments
         )
         before = replace(self.known or state.LabState(state.unread()), instruments=heard, guardian=None)
-        if said.doubt is not None and said.doubt.lifted:  # by the reference, which was looked at after the coils
+        if (
+            lifted := said.doubt is not None and said.doubt.lifted
+        ) and said.doubt is not None:  # by the reference, which was looked at after the coils
             agrees = state.Witness("agrees", "", read_s=now)
             before = replace(before, coils=tuple(map(_coil, said.doubt.coils)) or before.coils, reference=agrees)
-        self.take_lab(before)
+        self.take_lab(before, at_zero=lifted)
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -324,10 +327,10 @@ class AppState(QObject):
         """What may be said of the coils now."""
         return self._now().coil_words or state.NOT_READ
 
-    def take_lab(self, known: state.LabState) -> None:
-        """From here on this is how the lab is."""
+    def take_lab(self, known: state.LabState, *, at_zero: bool = False) -> None:
+        """From here on this is how the lab is; `at_zero` however long it took to say so."""
         self.known, self._known_s = known, time.monotonic()
-        self.grow_old()
+        self.grow_old(at_zero)
 
     def _now(self) -> LabNow:
         """What may be said of the lab now. Where somebody was asked to switch the coils off, what was read is past."""
@@ -338,11 +341,11 @@ class AppState(QObject):
         now = lab_now(known, self._known_s, roles, time.monotonic())
         return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
-    def grow_old(self) -> None:
+    def grow_old(self, at_zero: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self._now()
         self.lab.update(now=now, field_U_nT=self._U(now.field_measured_nT))
-        if self._unconfirmed is not None and now.coils_at_zero:
+        if self._unconfirmed is not None and (at_zero or now.coils_at_zero):
             over, self._unconfirmed = self._unconfirmed, None
             self.fault_over.emit(over)
 
@@ -369,9 +372,9 @@ class AppState(QObject):
 
     def _blame(self, fault: Fault) -> None:
         """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
+        if self.facts is None or fault.kind != "instrument" or fault.text.startswith(state.NOT_BY_REFERENCE):
+            return  # a limit that is not met may name one, and says nothing against it
         known = self.known or state.LabState(state.unread())
-        if self.facts is None or fault.text.startswith(state.NOT_BY_REFERENCE):
-            return
         heard = {one.name: one for one in known.instruments}
         for name in self.facts.instruments:
             if name in fault.text:
@@ -380,8 +383,7 @@ class AppState(QObject):
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
-        details = "".join(format_exception(kind, error, trace))
-        print(details, file=sys.stderr)
+        print(details := "".join(format_exception(kind, error, trace)), file=sys.stderr)
         self.fault.emit(fault_of(error, details))
 
     def close(self) -> None:

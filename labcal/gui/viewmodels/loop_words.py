@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Loop
@@ -26,7 +28,10 @@ MEANS = {
     ),
     "unexplained": QT_TRANSLATE_NOOP("Words", "Something is wrong that nothing known explains. Do not sign: see 4."),
 }
+EVIDENCE = re.compile(r"(; evidence over a slow wander without a name)?:( evidence)? −?[\d.]+ nats, \d+ needed")
 TEXTS = (
+    QT_TRANSLATE_NOOP("Data", "no better than chance or a slow wander"),
+    QT_TRANSLATE_NOOP("Data", "too little evidence"),
     QT_TRANSLATE_NOOP("Words", "{0} and {1}"),
     QT_TRANSLATE_NOOP("Words", "rows that were set aside"),
     *MEANS.values(),
@@ -36,6 +41,11 @@ TEXTS = (
 def verdict_word(verdict: str) -> str:
     """A loop's verdict with its shape, as the Loop page writes it; "" where there is none."""
     return translated(VERDICTS[verdict][0]) if verdict in VERDICTS else verdict
+
+
+def without_evidence(why: str) -> str:
+    """The reason of a cause without its evidence in nats, which says nothing at the cage."""
+    return EVIDENCE.sub("", why)
 
 
 def said_plainly(loop: Loop) -> str:

@@ -148,9 +148,8 @@ class RunViewModel(QObject):
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
-        self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words))
-        self.run_id, self._goes_on = run_id, True
-        self.began = began_at(run_id) or self.began
+        self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words), run_id)
+        self._goes_on = True
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -159,12 +158,12 @@ class RunViewModel(QObject):
         self._worker.request(Rejoin(), self._done, self._failed)
         self.changed.emit()
 
-    def _begin(self, order: RunProcedure, command: Command[Ended]) -> None:
+    def _begin(self, order: RunProcedure, command: Command[Ended], run_id: str = "") -> None:
         if self.alive:
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.began = _now()
+        self.run_id, self.began = run_id, began_at(run_id) or _now()
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -250,7 +249,16 @@ class RunViewModel(QObject):
         over = self.state == "ended"
         here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
         marks: list[Mark] = ["done" if n < at else here if n == at else "next" for n in range(len(self.names))]
-        return [(n, "skipped" if n in self.skipped else mark) for n, mark in zip(self.names, marks, strict=True)]
+        for n in range(at + 1, len(self.names)):  # turns that a run which is gone on with does not repeat
+            marks[n] = "done" if any(m.startswith(f"{self.names[n]}:") for m in self.measurements) else "next"
+        return [(n, "skipped" if n in self.left_out(at) else mark) for n, mark in zip(self.names, marks, strict=True)]
+
+    def left_out(self, at: int | None = None) -> list[str]:
+        """Steps before number `at` that were skipped, or broken off and not repeated, in their order."""
+        return [n for n in self.names[:at] if n in self.skipped or self._is_missing(n)]
+
+    def _is_missing(self, step: str) -> bool:  # a closure that was broken off: what it is of is mounted no more
+        return step.startswith("closure-") and step.replace("-", " ", 1) not in self.measurements
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""

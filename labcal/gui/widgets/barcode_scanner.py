@@ -16,6 +16,8 @@ FASTEST_TYPIST_S = 1 / 30  # between two characters
 SHORTEST = 4  # characters of a scan
 TAKES_SCANS = "takes_scans"
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+MODIFIERS = (Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_AltGr, Qt.Key.Key_Meta)
+STRUCK = (QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride)
 
 
 class Scanner(QObject):
@@ -43,6 +45,8 @@ class Scanner(QObject):
         if event.type() == QEvent.Type.KeyRelease and any(event.key() == kept.key() for _, kept in self._kept):
             self._kept.append((watched, event.clone()))  # a release never comes before its press
             return True
+        if event.type() in STRUCK and not self._counts(event) and event.key() not in MODIFIERS:
+            self.flush()  # a window that was busy hears Tab before the blink is over: what was typed comes first
         if event.type() != QEvent.Type.KeyPress or not self._counts(event):
             return False
         if watched is not (QApplication.focusWidget() or watched.window()) or _secret(watched):

@@ -165,7 +165,8 @@ class Card(Surface):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
-        self.heading = shrinkable(label(title, "title"))
+        self.heading = named(OneLine(), "title")
+        self.heading.setText(title)
         self.unit = label(unit, "caption")
         head = QHBoxLayout()
         head.addWidget(self.heading, 1)
@@ -218,6 +219,31 @@ class FaceStack(QStackedWidget):
         """Of the face in sight."""
         face = self.currentWidget()
         return QSize() if face is None else face.minimumSizeHint().expandedTo(face.minimumSize())
+
+
+class OneLine(QLabel):
+    """A sentence that ends in dots where there is no room for it; `text()` is always the whole."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setMinimumWidth(1)
+
+    def is_cut(self) -> bool:
+        """Whether there is no room for all of it."""
+        return self.fontMetrics().horizontalAdvance(self.text()) > self.contentsRect().width()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint, and over the end of what is cut the dots."""
+        super().paintEvent(event)
+        if self.is_cut():
+            dots = self.contentsRect()
+            dots.setLeft(dots.right() - self.fontMetrics().horizontalAdvance("…"))
+            with QPainter(self) as painter:
+                painter.fillRect(dots, self.window().palette().base())
+                painter.drawText(dots, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, "…")
 
 
 class AutoSizeLabel(QLabel):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from labcal.geometry import rotate, unit
@@ -140,7 +140,10 @@ class Mounting(QWidget):
         y = tip.y() + 8 * sin(angle) - size.height() * (1 - sin(angle)) / 2
         y += 0 if font.bold() else 0.9 * size.height()  # the cage's axes are named below: a body axis may lie on them
         x = min(max(x, 2.0), self.width() - size.width() - 2.0)
-        painter.drawText(QRectF(x, y, size.width() + 2, size.height()), Qt.AlignmentFlag.AlignCenter, name)
+        letters = QPainterPath()
+        letters.addText(QPointF(x, y + painter.fontMetrics().ascent()), font, name)
+        painter.strokePath(letters, QPen(QColor(self._theme.surface), 4.0))  # no line runs through them
+        painter.fillPath(letters, painter.pen().color())
 
     def _paint_dial(self, painter: QPainter, angle_deg: float) -> None:
         radius = 0.38 * min(self.width(), self.height())

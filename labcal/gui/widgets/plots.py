@@ -18,6 +18,7 @@ from labcal.gui.viewmodels.number_format import MINUS
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
+GAP_S = 2.0  # without a reading: no line
 MAX_POINTS = 1500  # points of a locus
 REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
@@ -148,9 +149,12 @@ class Traces(QWidget):
             name.setColor(colour)
 
     def show_rows(self, rows: Array) -> None:
-        """Draw `rows` (n, 4): time [s], x, y, z."""
+        """Draw `rows` (n, 4): time [s], x, y, z; no line where nothing was heard for a while."""
+        gaps = np.flatnonzero(np.diff(rows[:, 0]) > GAP_S) + 1
+        nothing = np.column_stack([rows[gaps - 1, 0], np.full((len(gaps), len(AXES)), np.nan)])
+        drawn = np.insert(rows, gaps, nothing, axis=0)
         for axis, curve in enumerate(self._curves):
-            curve.setData(rows[:, 0], rows[:, 1 + axis], connect="finite")
+            curve.setData(drawn[:, 0], drawn[:, 1 + axis], connect="finite")
         low, high = self.plot.viewRange()[1]
         least = (high - low) * NAME_PX / max(1, self.plot.height())
         at = spread(rows[-1, 1:], least) if len(rows) else ()

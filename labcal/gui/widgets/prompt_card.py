@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -50,6 +52,11 @@ WORDS = {
 
 
 RETRY = "retry"  # what is wanted where an instrument failed; a script stops, as the first choice says
+
+
+def unbroken(text: str) -> str:
+    """`text` with each number on the line of its unit."""
+    return re.sub(r"(?<=\d) (?=[µnm]?[TAKms°]\b|°)", "\N{NO-BREAK SPACE}", text)
 
 
 def acting(prompt: Prompt, choice: str) -> bool:
@@ -110,7 +117,8 @@ class PromptCard(Card):
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
             pictures.addWidget(widget, 1)
-        row.addLayout(pictures, 1)
+        row.addLayout(pictures)
+        self._row = row
         self.body.addLayout(row, 1)
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
@@ -128,8 +136,11 @@ class PromptCard(Card):
             return
         self._call()
         self.call.start()
-        self.text.set_text(in_words(asked_text(prompt)))
+        self.text.set_text(unbroken(in_words(asked_text(prompt))))
         self.drawing.show_drawing(prompt.drawing)
+        pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
+        self._row.setStretch(1, int(pictured))  # else Qt keeps half of the card for what is hidden
+        self.hint.setMinimumHeight(0)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
         self.choose.setVisible(FILE in prompt.drawing)
@@ -189,8 +200,13 @@ class PromptCard(Card):
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
         words = self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_"))
         made.setToolTip(words)
-        made.tapped.connect(lambda: self.hint.setText(self.tr("▲ Let go too early. {0}.").format(words)))
+        made.tapped.connect(lambda: self._say_tapped(words))
         return made
+
+    def _say_tapped(self, words: str) -> None:
+        """In the room that the hint had: the question above does not move."""
+        self.hint.setMinimumHeight(self.hint.height())
+        self.hint.setText(self.tr("▲ Let go too early. {0}.").format(words))
 
     def _enter(self) -> None:
         if self._prompt is not None and (SERIAL in self._prompt.drawing or not self._prompt.acts):
