@@ -74,6 +74,7 @@ class GenesysSupply(CurrentSource):
         limits=lambda s: (0, 0), read=switch,
     )  # fmt: skip
     sensed = quantity("MC?", unit="A", doc="Measure the delivered current.")
+    faults = quantity("FLT?", unit="1", doc="Tell which faults there are, a bit each.", read=lambda said: int(said, 16))
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
@@ -106,7 +107,7 @@ class GenesysSupply(CurrentSource):
 
     def trip(self) -> str:
         """Which protections its fault register names."""
-        faults = int(self.query("FLT?"), 16)
+        faults = int(self.faults)
         return " and ".join(name for bit, name in TRIPS.items() if faults >> bit & 1)
 
     def close(self) -> None:

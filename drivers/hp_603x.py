@@ -92,6 +92,7 @@ class Hp603x(CurrentSource):
         limits=lambda s: (0, 0),
     )  # fmt: skip
     sensed = quantity("IOUT?", unit="A", doc="Measure the delivered current.", read=after("IOUT"))
+    status = quantity("STS?", unit="1", doc="Tell how it is, a bit each.", read=after("STS"))
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
@@ -122,7 +123,7 @@ class Hp603x(CurrentSource):
 
     def trip(self) -> str:
         """Which protections its status register names."""
-        status = int(after("STS")(self._line.query("STS?")))
+        status = int(self.status)
         return " and ".join(name for bit, name in TRIPS.items() if status >> bit & 1)
 
     def command(self, text: str) -> None:

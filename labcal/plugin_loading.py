@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -67,16 +67,21 @@ def parts() -> list[Part]:
     from importlib.metadata import entry_points  # slow to load, and who only switches coils off does not need it
 
     found = [e for group in KINDS for e in sorted(entry_points(group=group), key=lambda e: e.name)]
-    return [_part(entry) for entry in found if entry.dist is None or entry.dist.name != "labcal"]
+    return [_part(entry, found) for entry in found if entry.dist is None or entry.dist.name != "labcal"]
 
 
-def _part(entry: EntryPoint) -> Part:
-    package = f"{entry.dist.name} {entry.dist.version}" if entry.dist else ""
+def _part(entry: EntryPoint, found: Sequence[EntryPoint]) -> Part:
+    package, fault = f"{entry.dist.name} {entry.dist.version}" if entry.dist else "", None
+    alike = [other for other in found if (other.group, other.name) == (entry.group, entry.name)]
     try:
         load(entry)
+        if len(alike) > 1:
+            names = " and ".join(sorted(other.dist.name if other.dist else other.value for other in alike))
+            what = f"two packages bring the {KINDS[entry.group]} {entry.name!r}"
+            fault = f"{what}: {names}; one of them needs another name"
     except InputError as error:
-        return Part(KINDS[entry.group], entry.name, package, entry.value, str(error))
-    return Part(KINDS[entry.group], entry.name, package, entry.value)
+        fault = str(error)
+    return Part(KINDS[entry.group], entry.name, package, entry.value, fault)
 
 
 def load(entry: AnyEntry) -> Any:

@@ -41,7 +41,7 @@ class CoilBoardEmulator(Answers):
             self.channels[int(stated.get("channel", alone))].coil = lab.coils[role[-1]]
         self._full_A, self._unit = settings.full_scale_A or 1.0, "ppm" if settings.full_scale_A else "uA"
         self._watchdog_s, self._sense, self._ends_s = settings.watchdog_s, not settings.unsensed, math.inf
-        self._left_ms = 0
+        self._left_ms, self._number = 0, 1 + min("xyz".index(role[-1]) for role in roles)
 
     def _line(self, t_s: float, text: str) -> bytes:
         found = REQUEST.fullmatch(text)
@@ -86,7 +86,7 @@ class CoilBoardEmulator(Answers):
             f"channels={CHANNELS} unit={self._unit} limit={LIMIT[self._unit]} "
             f"watchdog_ms={round(1000 * self._watchdog_s)} sense={self._sense:d}"
         )
-        return "", f"labcal-coil/1 labcal emulated-board 0001 1.0 {facts}"
+        return "", f"labcal-coil/1 labcal emulated-board {self._number:04d} 1.0 {facts}"
 
     def _state_reply(self, t_s: float, bridge: Channel, word: str) -> tuple[str, str]:
         match word:

@@ -37,6 +37,14 @@ class Channel:
     tripped: set[str] = field(default_factory=set)
 
 
+def of_unit(example: str, coil: str) -> str:
+    """The table's example as the unit at this coil says it: each has a serial number of its own, where it has any."""
+    words = example.split(",")
+    if coil != "x" and len(words) > 2 and words[2].strip(" 0"):
+        words[2] = words[2][:-1] + coil.upper()
+    return ",".join(words)
+
+
 class TableEmulator(Answers):
     """A message that names no channel is for the one that was selected last."""
 
@@ -48,7 +56,8 @@ class TableEmulator(Answers):
         alone = settings.channel if len(roles) == 1 else 1
         self.channels = {int(s.get("channel", alone)): Channel(lab.coils[role[-1]]) for role, s in roles.items()}
         self._selected, self._table = min(self.channels), table
-        self._scpi = Messages(table.example, self._do, self._reset, table.no_error, table.terminator)
+        who = of_unit(table.example, min(role[-1] for role in roles))
+        self._scpi = Messages(who, self._do, self._reset, table.no_error, table.terminator)
         self._known = list(self._understood(table))
         super().__init__(self._scpi.line, end=table.terminator.encode()[-1:], delay_s=0.01)
 

@@ -243,7 +243,10 @@ class Loader:
         if name not in found:
             found = _installed(group)
         if name not in found:
-            what = "driver" if group == DRIVERS else "emulator" if group == EMULATORS else "twin"
+            if group == EMULATORS:
+                where = f'{name} = "module:Class" in [project.entry-points."{EMULATORS}"] of its package'
+                self.refuse(f"the driver {name!r} has no emulator: declare {where}, and install again", keys)
+            what = "driver" if group == DRIVERS else "twin"
             self.refuse(f"there is no {what} {name!r}; there are {', '.join(sorted(found))}", keys)
         try:
             return plugin_loading.load(found[name])

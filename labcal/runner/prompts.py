@@ -18,7 +18,8 @@ def first_choice(prompt: Prompt) -> str:
 def information_only(prompt: Prompt) -> str:
     """The first choice where nothing is done by it. Raises InputError where only a person may answer."""
     if prompt.acts:
-        raise InputError(f"--yes cannot answer for a person on a real bench: {prompt.text}")
+        why = "--yes cannot answer for a person on a real bench or a served one; leave it out and answer at a terminal"
+        raise InputError(f"{why}: {prompt.text}")
     return first_choice(prompt)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,10 +13,17 @@ from numpy.typing import NDArray
 
 from drivers.csv_line import CsvLine
 from drivers.csv_line import Settings as CsvSettings
+from drivers.emulators.kepco_bop import KepcoEmulator
+from drivers.emulators.line import Lab
 from drivers.emulators.tti_pl import TtiEmulator
+from drivers.kepco_bop import KepcoBop
+from drivers.tti_pl import Settings as TtiSettings
 from drivers.tti_pl import TtiSupply
 from drivers.zaber import ZaberStage
 from labcal.bench import Bench
+from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.quantity import quantity
+from labcal.bench.links import Link
 from labcal.bench.steps import Procedure, energise, ready, record
 from labcal.errors import Stopped
 from labcal.fit import Fit, draft_calibration
@@ -76,6 +83,36 @@ class Clips(TtiSupply):
         super().set_current(max(0.0, min(current_A, 3.0)))
 
 
+class PositiveOnly(KepcoBop):
+    """Bipolar by its own word, with the limits of one that is not."""
+
+    current = quantity("CURR?", "CURR {value:.4f}", unit="A", doc="Control it.", limits=lambda s: (0.0, 3.0))
+
+
+class Strict(TtiSupply):
+    """Takes no byte for granted, and says so in an error of Python's."""
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: TtiSettings) -> None:
+        super().__init__(name, link, clock, settings)
+        asked = self.query
+        self.query = lambda text: asked(text).encode("ascii").decode()
+
+
+class NoCoil(TtiEmulator):
+    """It stands at no coil."""
+
+    def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
+        super().__init__(lab, roles, settings)
+        lab.coils["x"].drive = lambda *_: None
+
+
+class OneUnit(TtiEmulator):
+    """Whatever coil it is at, it is the same unit."""
+
+    def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
+        super().__init__(lab, {"coil-x": {}}, settings)
+
+
 class AllowsReset(TtiSupply):
     """Nothing is forbidden."""
 
@@ -104,8 +141,11 @@ class Late(TtiEmulator):
     ("driver", "emulator", "says"),
     [
         (IgnoresZero, TtiEmulator, r"make_safe\(\) leaves .* A set: it sets zero and opens the output"),
-        (WaitsForZero, TtiEmulator, r"raised InstrumentError .* The orders of zero and off wait for no answer"),
-        (LeavesAnAnswer, TtiEmulator, r"lost its place after write_current\(0\) .* wait for quiet first"),
+        (WaitsForZero, TtiEmulator, r"write_current or write_off waits for an answer .*: put the order on the line"),
+        (LeavesAnAnswer, TtiEmulator, r"lost its place after write_current\(0\) .* wait_for_quiet of labcal"),
+        (Strict, TtiEmulator, r"raised UnicodeEncodeError .* in \w+ where its answers had .*: raise InstrumentError"),
+        (TtiSupply, NoCoil, r"0 A flow in the simulated coil after set_current\(0\.5\): the emulator calls coil"),
+        (TtiSupply, OneUnit, r"says serial number '\d+' at coil x and at coil y: make it from the role"),
         (Clips, TtiEmulator, r"set_current\(99\) must raise LimitError that says '99 A' and 'nothing was sent'"),
         (AllowsReset, TtiEmulator, r"could send b'\*RST\\n': add a pattern that matches it to `never`"),
         (TtiSupply, Talks, r"fails when it is sent .*: answer as the instrument would"),
@@ -115,6 +155,53 @@ class Late(TtiEmulator):
 def test_a_driver_or_emulator_that_breaks_a_promise(driver: Any, emulator: Any, says: str) -> None:
     with pytest.raises(AssertionError, match=says):
         check_driver(driver, emulator, forbidden=FORBIDDEN, to_panel=b"LOCAL\n")
+
+
+def test_a_bipolar_supply_that_drives_one_way_alone() -> None:
+    with pytest.raises(AssertionError, match=r"is bipolar and refuses set_current\(-0\.5\) .* limits="):
+        check_driver(PositiveOnly, KepcoEmulator, forbidden=FORBIDDEN)
+
+
+@pytest.mark.parametrize(
+    ("stated", "forbidden", "says"),
+    [
+        ({"roles": "coil"}, FORBIDDEN, r'roles is \'coil\': a tuple of words, such as \("coil",\)'),
+        ({"roles": ("coil-x",)}, FORBIDDEN, r"roles names 'coil-x'; the roles are coil, "),
+        ({"never": rb"\*RST"}, FORBIDDEN, r"never is b'.*': a tuple of patterns in bytes, such as"),
+        ({"never": (r"\*RST",)}, FORBIDDEN, r"never is \('.*',\): a tuple of patterns in bytes, such as"),
+        ({}, ["*RST\n"], r"forbidden is \['.*'\]: a list of messages in bytes, such as"),
+        ({"roles": ()}, FORBIDDEN, r"roles is \(\): a tuple of words"),
+    ],
+)
+def test_what_is_stated_in_another_form(stated: dict[str, Any], forbidden: Any, says: str) -> None:
+    driver: Any = type("Stated", (TtiSupply,), {"__doc__": "Another form.", **stated})
+    with pytest.raises(AssertionError, match=says):
+        check_driver(driver, TtiEmulator, forbidden=forbidden, to_panel=b"LOCAL\n")
+
+
+def test_a_class_that_is_no_driver_or_comes_without_its_emulator() -> None:
+    with pytest.raises(AssertionError, match=r"int states no `roles`"):
+        check_driver(int, TtiEmulator, forbidden=FORBIDDEN)
+    with pytest.raises(AssertionError, match=r"No emulator for TtiSupply: check_driver\(Driver, Emulator"):
+        check_driver(TtiSupply, forbidden=FORBIDDEN)
+
+
+def test_a_supply_whose_settings_have_no_greatest_current() -> None:
+    @dataclass(frozen=True)
+    class Fewer:
+        """All but one."""
+
+        compliance_V: float = 20.0
+
+    class Unlimited(TtiSupply):
+        """Nobody states what it may carry."""
+
+        def __init__(self, name: str, link: Link, clock: Clock, settings: Any) -> None:
+            super().__init__(name, link, clock, settings)
+
+    Unlimited.__init__.__annotations__["settings"] = Fewer
+    with pytest.raises(AssertionError, match=r"The Settings of Unlimited lack max_current_A: a supply has one"):
+        check_driver(Unlimited, TtiEmulator, forbidden=FORBIDDEN)
 
 
 def test_a_magnetometer_that_reads_its_own_frames_otherwise() -> None:

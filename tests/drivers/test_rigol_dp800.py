@@ -31,6 +31,13 @@ def test_an_output_that_stays_off_is_a_fault() -> None:
         supply.output(False)
 
 
+def test_a_state_that_is_no_word_of_its_is_a_wrong_reply() -> None:
+    wire = [(b":OUTP CH1,OFF\n", SILENT), OK, (b":OUTP? CH1\n", b"OF\xb2\n")]
+    with scripted(RigolSupply, wire) as supply, pytest.raises(InstrumentError) as caught:
+        supply.output(False)
+    assert caught.value.fault == "wrong reply"
+
+
 def test_the_queued_error_is_quoted() -> None:
     wire = [(b":SOUR1:CURR 1.0000\n", SILENT), (b":SYST:ERR?\n", b'-222,"Data out of range"\n')]
     with scripted(RigolSupply, wire) as supply, pytest.raises(InstrumentError, match="Data out of range"):

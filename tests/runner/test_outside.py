@@ -81,6 +81,35 @@ def test_a_driver_that_exits_is_named_in_the_bench_file(site: Path) -> None:
         _installed.cache_clear()
 
 
+def test_a_name_that_two_packages_bring_is_said(
+    site: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("labcal.plugin_loading.KINDS", {"labcal.drivers": "driver", "labcal.emulators": "emulator"})
+    text = "[labcal.drivers]\ntti-pl = drivers.zaber:ZaberStage\n[labcal.emulators]\nother = drivers.zaber:ZaberStage\n"
+    (site / "other-1.0.dist-info" / "entry_points.txt").write_text(text)
+    assert labcal(["plugins"]) == 1
+    said = capsys.readouterr().err
+    assert "two packages bring the driver 'tti-pl': labcal and other; one of them needs another name" in said
+    assert "emulator 'other'" not in said
+
+
+def test_a_driver_without_its_emulator_is_told_where_that_is_declared(
+    site: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (site / "other-1.0.dist-info" / "entry_points.txt").write_text(
+        "[labcal.drivers]\nother = drivers.zaber:ZaberStage\n"
+    )
+    monkeypatch.setattr("labcal.bench.loading.entry_files.entries", lambda group: {})
+    bench = site / "bench.toml"
+    bench.write_text(EXAMPLE.read_text(encoding="utf-8").replace('"zaber"', '"other"'), encoding="utf-8")
+    _installed.cache_clear()
+    try:
+        with pytest.raises(InputError, match=r"the driver 'other' has no emulator: .*labcal\.emulators.*install again"):
+            load_bench(bench, None, 0)
+    finally:
+        _installed.cache_clear()
+
+
 def test_what_others_bring_is_listed_and_what_does_not_load_is_said_with_its_place(
     site: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -32,7 +32,8 @@ def test_yes_on_a_real_bench_refuses_before_anything_is_energised(bench_file: Be
     assert not set_points
     if outcome.fault is not None:
         assert isinstance(outcome.fault, InputError)
-        assert "--yes cannot answer for a person" in str(outcome.fault)
+        assert "--yes cannot answer for a person on a real bench" in str(outcome.fault)
+        assert "leave it out and answer at a terminal" in str(outcome.fault)
     else:
         assert not [item for item in seen if isinstance(item, Prompt) and item.acts]
 

@@ -16,10 +16,12 @@ MOST = {"CURR": 3.0, "VOLT": 30.0, "OUTP": 1.0}
 class ExampleEmulator(Answers):
     """One output on one coil; a command that it does not know is queued as an error and not answered."""
 
+    baud = 9600  # of its serial line, as its manual says
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.005)
         (role,) = roles
-        self._coil = lab.coils[role[-1]]
+        self._coil, self._serial = lab.coils[role[-1]], f"00{ord(role[-1])}"  # each unit has its own
         self._values = {"CURR": 0.0, "VOLT": 0.0, "OUTP": 0.0}
         self._errors = deque[str](maxlen=QUEUE)
 
@@ -29,7 +31,7 @@ class ExampleEmulator(Answers):
 
     def _do(self, t_s: float, text: str) -> str:
         if text == "*IDN?":
-            return "Example,CS-1,0042,1.0"
+            return f"Example,CS-1,{self._serial},1.0"
         if text == "SYST:ERR?":
             return self._errors.popleft() if self._errors else '0,"No error"'
         if text == "MEAS:CURR?":

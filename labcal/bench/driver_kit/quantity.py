@@ -98,7 +98,7 @@ class quantity:
         reply = device.query(question := self.get.format(s=device.settings))
         try:
             return self.read(reply)
-        except (ValueError, IndexError) as error:
+        except (ValueError, LookupError) as error:
             getattr(device, "refuse_earlier", _let_pass)(question, reply)
             raise InstrumentError(
                 f"{device.name}: {self.label} came back as {quoted(reply)}.", fault="wrong reply"

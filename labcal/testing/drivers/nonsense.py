@@ -1,10 +1,10 @@
-"""An emulator goes on whatever it is sent, and its driver can identify it afterwards."""
+"""An emulator goes on whatever it is sent; a driver that is answered nonsense raises InstrumentError and no other."""
 
 from __future__ import annotations
 
 import random
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
@@ -29,6 +29,19 @@ STEPS: tuple[Callable[[Any], object], ...] = (
     lambda d: d.angle_deg(),
     lambda d: d.make_safe(),
 )
+ASKED: tuple[tuple[Any, ...], ...] = (  # methods and what they are given; a function is given the time
+    ("identify",), ("output", True), ("set_current", 0.1), ("set_point",), ("measure_current",), ("trip",), ("feed",),
+    ("set_polarity", "x", -1), ("polarity", "x"), ("arm",), ("home",), ("move_to", 10.0, 5.0), ("moving",),
+    ("angle_deg",), ("state",), ("start",), ("read_until", lambda now_s: now_s + 1.0), ("stop",), ("make_safe",),
+)  # fmt: skip
+
+
+DAMAGES: Mapping[str, Callable[[bytes], bytes]] = {
+    "their first byte turned": lambda data: b"\xff" + data[1:],
+    "a byte turned": lambda data: data[: len(data) // 2] + b"\xb2" + data[len(data) // 2 + 1 :],
+    "no digits": lambda data: re.sub(rb"\d", b"x", data),
+    "lost their first half": lambda data: data[len(data) // 2 :],
+}
 
 
 def whatever_it_is_sent_its_emulator_goes_on(case: DriverCase) -> None:
@@ -55,6 +68,29 @@ def _send(rig: DriverRig, nonsense: bytes) -> None:
     except Exception as error:
         sentence = f"The emulator of {rig.name} fails when it is sent {nonsense!r} ({type(error).__name__}: {error})"
         raise AssertionError(f"{sentence}: answer as the instrument would, with an error or not at all.") from error
+
+
+def whatever_it_is_answered_it_raises_no_other_error(case: DriverCase) -> None:
+    """Answers that came damaged are InstrumentErrors, or look sound: no error of Python's leaves the driver."""
+    for damage, turned in DAMAGES.items():
+        rig = case.rig()
+        rig.driver.identify()
+        end: Any = rig.line._emulator
+        emit = end.emit
+        end.emit = lambda until_s, emit=emit, turned=turned: [(t_s, turned(data)) for t_s, data in emit(until_s)]
+        for name, *stated in ASKED:
+            if (method := getattr(rig.driver, name, None)) is not None:
+                _try(rig, damage, name, method, stated)
+
+
+def _try(rig: DriverRig, damage: str, name: str, method: Callable[..., object], stated: list[Any]) -> None:
+    try:
+        method(*(one(rig.clock.now()) if callable(one) else one for one in stated))
+    except InstrumentError:
+        return
+    except Exception as error:
+        what = f"{rig.name} raised {type(error).__name__} ({error}) in {name} where its answers had {damage}"
+        raise AssertionError(f"{what}: raise InstrumentError(…, fault='wrong reply').") from error
 
 
 def _use(rig: DriverRig) -> None:
@@ -88,4 +124,4 @@ def _crc(frame: bytes) -> bytes:
     return value.to_bytes(2, "little")
 
 
-PROMISES = (whatever_it_is_sent_its_emulator_goes_on,)
+PROMISES = (whatever_it_is_sent_its_emulator_goes_on, whatever_it_is_answered_it_raises_no_other_error)

@@ -9,12 +9,27 @@ from importlib.metadata import entry_points
 from typing import Any, get_type_hints
 
 from labcal.bench.clock import VirtualClock
+from labcal.bench.driver_kit.roles import (
+    CoilSupply,
+    DutStream,
+    Interlock,
+    Magnetometer,
+    PolarityRelay,
+    RotationPlatform,
+)
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
 from labcal.testing.require import require
 from labcal.twin import open_twin
 
-FIRST = {"coil": "coil-x"}  # which of the roles of one kind it plays here
+ROLES: dict[str, type] = {
+    "coil": CoilSupply,
+    "polarity": PolarityRelay,
+    "interlock": Interlock,
+    "platform": RotationPlatform,
+    "reference": Magnetometer,
+    "dut": DutStream,
+}
 
 
 @dataclass(frozen=True)
@@ -34,6 +49,21 @@ class DriverCase:
     resolution_A: float = 0.001
     knows_its_place: bool = False
 
+    def __post_init__(self) -> None:
+        name = getattr(self.driver, "__name__", repr(self.driver))
+        text = f"No emulator for {name}: check_driver(Driver, Emulator, …), or the driver's name where it is installed."
+        require(self.emulator is not None, text)
+        for stated, form in (("roles", '("coil",)'), ("never", r'(rb"RST",)')):
+            require(hasattr(self.driver, stated), f"{name} states no `{stated}`: add {stated} = {form} to the class.")
+        roles, never = self.driver.roles, self.driver.never
+        require(_all_are(str, roles) and roles, f'{name}.roles is {roles!r}: a tuple of words, such as ("coil",).')
+        unknown = sorted(set(roles) - set(ROLES))
+        require(not unknown, f"{name}.roles names {', '.join(map(repr, unknown))}; the roles are {', '.join(ROLES)}.")
+        text = f'{name}.never is {never!r}: a tuple of patterns in bytes, such as (rb"RST",).'
+        require(_all_are(bytes, never), text)
+        text = f'forbidden is {self.forbidden!r}: a list of messages in bytes, such as [b"RST\\n"].'
+        require(_all_are(bytes, self.forbidden), text)
+
     @property
     def types(self) -> dict[str, Any]:
         """The types that the driver's `__init__` states: they decide the kind of link and of settings."""
@@ -47,9 +77,17 @@ class DriverCase:
         """Whether it speaks registers instead of bytes."""
         return self.types["link"] is ModbusLink
 
-    def rig(self, **stated: Any) -> DriverRig:
-        """It on a line of its own; `stated` are settings beside the case's own."""
-        return DriverRig(self, self.types["settings"](**{**self.settings, **stated}))
+    def rig(self, *, coil: str = "x", **stated: Any) -> DriverRig:
+        """It on a line of its own, a supply at this coil; `stated` are settings beside the case's own."""
+        settings = self.types["settings"](**{**self.settings, **stated})
+        if "coil" in self.driver.roles:
+            text = f"The Settings of {self.driver.__name__} lack max_current_A: a supply has one."
+            require(hasattr(settings, "max_current_A"), text)
+        return DriverRig(self, settings, coil)
+
+
+def _all_are(kind: type, things: Any) -> bool:
+    return isinstance(things, tuple | list) and all(isinstance(one, kind) for one in things)
 
 
 def installed(name: str, **stated: Any) -> DriverCase:
@@ -83,11 +121,12 @@ class Foretold:
 class DriverRig:
     """One driver on its emulator, and what went over the line."""
 
-    def __init__(self, case: DriverCase, settings: Any) -> None:
+    def __init__(self, case: DriverCase, settings: Any, coil: str = "x") -> None:
         self.case, self.settings = case, settings
         self.role = case.driver.roles[0]
         self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
-        self.emulator = case.emulator(self.lab, {FIRST.get(self.role, self.role): {}}, settings)
+        plays = f"coil-{coil}" if self.role == "coil" else self.role
+        self.emulator = case.emulator(self.lab, {plays: {}}, settings)
         end = Foretold(self.emulator) if hasattr(self.emulator, "due_s") else self.emulator
         self.line = EmulatedLink("emulated://rig", end, self.clock)
         self.line.never.add(case.driver.never, settings.address if case.modbus else None)
