@@ -91,6 +91,13 @@ def _remedy(finding: Finding) -> NextExperiment:
     return NextExperiment(why, "put the bundle or the wiring right, and close the loop again")
 
 
+def of_other_judgements() -> list[str]:
+    """A remark where somebody's own policy decides; none where labcal's does."""
+    stated = policy.judgements()
+    each = [f"{name} {value:g} ({stated[name].value:g})" for name, value in policy.moved().items()]
+    return [f"Decided by other judgements than labcal's own: {', '.join(each)}."] if each else []
+
+
 def why_accepted(step: HeldOutErrors, own: Scored, group: str = "") -> str:
     """Why an effect was accepted, as one of a `group` where it was."""
     change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"

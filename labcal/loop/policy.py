@@ -42,7 +42,7 @@ class Policy:
         12.0, "nats",
         "a cause with less is not named",
         "measured", "odds of 1.6e5 to one; coloured noise beside twenty smooth channels stays below",
-        "loop/test_chance.py::test_correlated_noise_is_given_no_name_beside_twenty_smooth_channels",
+        "loop/test_judgements.py::test_a_cause_with_less_than_twelve_nats_is_not_named",
     )  # fmt: skip
     material_share: float = _judged(
         0.03, "of a mean square",
@@ -215,3 +215,8 @@ def judgements() -> dict[str, Judgement]:
 
 
 POLICY = Policy()
+
+
+def moved() -> dict[str, float]:
+    """The judgements that somebody's own policy in the place of POLICY has otherwise, with their values there."""
+    return {name: value for name, stated in judgements().items() if (value := getattr(POLICY, name)) != stated.value}

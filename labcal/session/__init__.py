@@ -30,6 +30,7 @@ from labcal.files.atomic import write_bytes
 from labcal.files.outputs import claim, writing
 from labcal.fit import Fit, draft_calibration
 from labcal.loop import ClosedLoop
+from labcal.loop.narrative import of_other_judgements
 from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
@@ -250,6 +251,7 @@ def close_loop(
     bundle = run_bundle(run)
     measured = bundle.run()
     closed = with_installed_procedure(loop.close_loop(measured, progress, empirical=empirical))
+    closed = replace(closed, remarks=(*closed.remarks, *of_other_judgements()))
     made = partial(draft_calibration, measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
     if measured.specification is not None:
         closed = replace(closed, conformity=assess(made(), measured.specification, measured))

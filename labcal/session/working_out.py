@@ -21,6 +21,7 @@ from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
 from labcal.fit import Fit, draft_calibration, fit
 from labcal.fit.registry import methods
+from labcal.loop import policy
 from labcal.model import Calibration, EffectRecord
 from labcal.model.effects import find
 from labcal.record import Run
@@ -45,9 +46,10 @@ def made_by(command: str, method: str, channels: Sequence[str] | None = None, *,
 
 
 def version() -> str:
-    """The version of labcal, and those of other packages here that bring effects or methods."""
+    """The version of labcal, judgements that are not its own, and packages here that bring effects or methods."""
     there = (entry.dist for group in ("labcal.effects", "labcal.estimators") for entry in entry_points(group=group))
-    return " ".join([__version__, *sorted({f"{d.name} {d.version}" for d in there if d and d.name != "labcal"})])
+    own = [f"{name} {value}" for name, value in policy.moved().items()]
+    return " ".join([__version__, *own, *sorted({f"{d.name} {d.version}" for d in there if d and d.name != "labcal"})])
 
 
 def keep(made: Calibration) -> None:

@@ -23,6 +23,7 @@ from labcal.certificate.calibration_file import calibration_bytes
 from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.files.home import home
+from labcal.loop import policy
 from labcal.record import Channel
 from labcal.session import working_out
 from labcal.session.of_its_record import OfRecord
@@ -290,6 +291,25 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
         path.write_bytes(calibration_bytes(stated))
         edited(path, lambda c, name=name: c["metrics"]["after"].update({name: 0.01}))
         assert working_out.recomputed(read_calibration(path)).why[0].startswith(f"metrics.after.{name}: 0.01 is stated")
+
+
+def test_what_was_decided_by_other_judgements_is_another_versions(
+    run_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """Said in the remarks and the file, and not compared with what is kept of the usual ones."""
+    path = tmp_path / "loop.json"
+    with monkeypatch.context() as here:
+        here.setattr(policy, "POLICY", policy.Policy(min_evidence=20.0))
+        closed = session.close_loop(run_id, path)
+        stated = read_calibration(path)
+        assert working_out.recomputed(stated, only_kept=True).same
+    assert "Decided by other judgements than labcal's own: min_evidence 20 (12)." in closed.remarks
+    assert stated.made_by
+    assert stated.made_by["version"] == f"{working_out.__version__} min_evidence 20.0"
+    shutil.rmtree(home() / working_out.FOLDER)
+    found = working_out.recomputed(stated)
+    assert found.same
+    assert "effects[0].why" in found.as_stated
 
 
 def test_structure_that_is_left_comes_again_between_versions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -182,7 +182,8 @@ def test_every_judgement_is_read_somewhere() -> None:
 def test_every_judgement_says_what_it_decides_and_names_a_test_that_is_there(name: str) -> None:
     stated = policy.judgements()[name]
     file, function = stated.test.split("::")
-    assert f"def {function}(" in (ROOT / "tests" / file).read_text()
+    there = f"def {function}(" in (ROOT / "tests" / file).read_text(encoding="utf-8")
+    assert there, f"{name} names a test that is not there: write {function} in tests/{file}"
     assert stated.decides
     assert stated.why
     assert stated.source in ("derived", "cited", "measured")
@@ -195,7 +196,14 @@ def test_the_policy_is_frozen_and_what_is_derived_follows() -> None:
     assert policy.Policy(floor_ratio=1.25).min_white_level == 0.8
     assert policy.POLICY.max_misfit_of_a_line == pytest.approx(0.0994, abs=1e-4)
     assert policy.Policy(min_evidence=20.0).saturation_significance == pytest.approx(math.exp(-20.0))
-    assert len(fields(policy.Policy)) == len(policy.judgements()) <= 25
+    assert len(fields(policy.Policy)) == len(policy.judgements()), "a judgement is declared by `_judged`, no other way"
+
+
+def test_there_are_twenty_five_judgements_at_most() -> None:
+    assert len(policy.judgements()) <= 25, (
+        "one more than 25: take out one that no answer hangs on, use one that says the same, or derive it from others "
+        "as a property of Policy (CONTRIBUTING.md, Change the decision's rule)"
+    )
 
 
 def test_a_policy_put_in_its_place_is_the_one_that_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -204,6 +212,12 @@ def test_a_policy_put_in_its_place_is_the_one_that_is_used(monkeypatch: pytest.M
     assert hampel_outliers(residual, segment).any()
     monkeypatch.setattr(policy, "POLICY", policy.Policy(outlier_sigmas=8.0))
     assert not hampel_outliers(residual, segment).any()
+
+
+def test_judgements_of_another_policy_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert policy.moved() == {}
+    monkeypatch.setattr(policy, "POLICY", policy.Policy(min_evidence=20.0, max_equivalents=2))
+    assert policy.moved() == {"min_evidence": 20.0, "max_equivalents": 2}
 
 
 def test_nobody_keeps_a_policy_of_his_own() -> None:
