@@ -62,7 +62,7 @@ KINDS = {
         "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "data.base_model:ITERATIONS",
-        "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL",
+        "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL", "findings.working_range:NOTHING",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
         "noise.declared_directions:SHOWS",
         "selection.crossval:NEVER", "selection.proof:PLAYS", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
