@@ -61,6 +61,9 @@ def test_a_window_that_is_closed_leaves_the_coils_at_zero(qtbot, shown, lab, pat
     else:
         bring(qtbot, shown, lab, patience, state)
     shown.close()
+    if (question := shown.leaving.question) is not None and question.isVisible():
+        qtbot.mouseClick(question.buttons["stop"], Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: not shown.isVisible(), timeout=patience)
     until(lambda: at_zero(lab))
     until(lambda: not guardians())
     assert at_zero(lab)

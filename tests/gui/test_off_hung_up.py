@@ -13,10 +13,10 @@ from labcal import session
 from labcal.bench.coils.at_zero import AtZero
 from labcal.gui.ipc import channel as channels
 from labcal.gui.ipc.lines import write_line
-from labcal.gui.ipc.messages import Answer, Request, SwitchOff
+from labcal.gui.ipc.messages import Abort, Answer, ListRuns, Request, ResumeRun, RunProcedure, Stop, SwitchOff, Word
 from labcal.gui.ipc.worker import serve
 from labcal.record.stream import Prompt
-from labcal.runner.control import Stopped
+from labcal.runner.control import Aborted, Stopped
 
 LONG_S = 30.0
 
@@ -78,4 +78,26 @@ def test_a_question_that_is_open_when_its_run_ends_takes_no_answer_of_the_next_r
     channel.run_ends()
     writing.close()
     listening.join(LONG_S)
+    reading.close()
+
+
+@pytest.mark.parametrize(("word", "ends"), [(Stop(), Stopped), (Abort(), Aborted)], ids=["stop", "coils off"])
+@pytest.mark.parametrize("asked", [RunProcedure("preflight", "bench.toml"), ResumeRun("r1", "bench.toml", "EM-07")])
+def test_what_is_said_while_a_run_is_being_started_is_said_to_it(
+    asked: RunProcedure | ResumeRun, word: Word, ends: type[Stopped], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reading, writing = (os.fdopen(end, mode) for end, mode in zip(os.pipe(), "rw", strict=True))
+    monkeypatch.setattr(channels.os, "_exit", lambda code: None)
+    channel = channels.Channel(reading, io.StringIO())
+    requests = channel.requests()
+    writing.write("".join(f"{write_line(said)}\n" for said in (Request(1, asked), word, Request(2, ListRuns()))))
+    writing.flush()
+    assert [next(requests).number for _ in range(2)] == [1, 2]  # and what was said between them was heard
+    channel.run_begins(simulated=True)
+    with pytest.raises(Stopped) as caught:
+        channel.control.check()
+    assert caught.type is ends
+    channel.run_ends()
+    writing.close()
+    list(requests)
     reading.close()

@@ -30,6 +30,8 @@ from labcal.gui.ipc.messages import (
     Recorded,
     Rejoin,
     Request,
+    ResumeRun,
+    RunProcedure,
     StateRead,
     Stop,
     Word,
@@ -59,7 +61,7 @@ class Channel:
     def __init__(
         self, requests: TextIO, messages: TextIO, *, watched: bool = False, let_go: Callable[[], object] = lambda: None
     ) -> None:
-        self.control = Control()
+        self.control, self._asked_for = Control(), False  # whether it is that of a run which has not begun yet
         self._input, self._lock = requests, threading.RLock()
         self._output: TextIO | None = messages  # None while no window listens
         self._requests: queue.Queue[Request | None] = queue.Queue()
@@ -103,7 +105,9 @@ class Channel:
 
     def run_begins(self, simulated: bool, going: GoesOn | None = None) -> None:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
-        self._on_bench, self.control, self._state = True, Control(to_be_resumed=True), None
+        if not self._asked_for:
+            self.control = Control(to_be_resumed=True)
+        self._on_bench, self._asked_for, self._state = True, False, None
         self._answers = queue.Queue()
         if self._watched and going is not None:
             self._past = PastMessages(going)
@@ -247,6 +251,9 @@ class Channel:
                 self._come_back(number)
             case HangUp():
                 self._hung_up = True
+            case Request(_, RunProcedure() | ResumeRun()) if not self._on_bench:
+                self.control, self._asked_for = Control(to_be_resumed=True), True  # a Stop before it begins is its own
+                self._requests.put(said)
             case Request():
                 self._requests.put(said)
             case Answer(key, text):
