@@ -94,15 +94,17 @@ def test_a_session_that_ends_takes_the_place_of_a_guardian_that_was_stopped(lab:
 
 @pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
 def test_a_session_that_holds_a_field_takes_its_place_too_and_nobody_need_stop_it(lab: Served) -> None:
-    stopped = list[int]()
+    stopped, first = list[int](), list[int]()
 
     def stop(item: Item) -> None:
         if isinstance(item, Event) and item.kind == "set-point" and not stopped:
-            stopped.extend(stopped_of(*guardians()))
+            first.extend(guardians())
+            stopped.extend(stopped_of(*first))
 
     outcome = labcal.session.run("field-hold", lab.file, {"duration_s": "60"}, answer=first_choice, on_item=stop)
     assert at_zero(lab), f"{outcome}\n{log()}"
     assert "the connection to the guardian was lost" in outcome.ending
+    assert f"guardian {first[0]} answers nothing and hangs, or was stopped: it was killed" in log()
     for pid in stopped:
         os.kill(pid, signal.SIGCONT)
 

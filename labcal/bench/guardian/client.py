@@ -58,7 +58,7 @@ class Connection:
         self._still_since_s: float | None = None  # it was stopped, and has not gone on since
         self._next_look_s = 0.0
         self._socket.settimeout(None)
-        self._received, self._number = b"", 0
+        self._received, self._number, self._ordered = b"", 0, ""
         self._socket.sendall(wire.packed({"token": card.get("token", "")}))
 
     def beat(self) -> None:
@@ -73,7 +73,7 @@ class Connection:
 
     def order(self, order: str, **what: Any) -> int:
         """Send an order; returns its number. That zero was heard is to be acknowledged."""
-        self._number += 1
+        self._number, self._ordered = self._number + 1, order
         message = {"id": self._number, "order": order, "with": what}
         if order == "zero" and self.card.get(wire.ACKNOWLEDGES):
             message["acknowledge"], self._unheard_since_s = True, time.monotonic()
@@ -93,7 +93,7 @@ class Connection:
 
     def end_who_hangs(self) -> None:
         """Kill it, so that another can take its place. Raises InstrumentError where this process may not."""
-        hung.ended(self.pid, self.uid)
+        hung.ended(self.pid, self.uid, "was ordered zero" if self._ordered == "zero" else "answers nothing")
 
     def reply(self, number: int, wait_s: float) -> wire.Message | None:
         """The reply to that order, if it comes within `wait_s`."""

@@ -23,8 +23,11 @@ def stands_still(pid: int | None) -> bool:
     return False
 
 
-def ended(pid: int | None, uid: int | None) -> None:
-    """Kill the guardian `pid`, whose user is `uid`. Raises InstrumentError where this process cannot."""
+def ended(pid: int | None, uid: int | None, why: str) -> None:
+    """Kill the guardian `pid`, whose user is `uid`; `why`: what it was asked for in vain.
+
+    Raises InstrumentError where this process cannot.
+    """
     whose = "" if uid is None else f" of user {user_name(uid)}"
     if pid is None or pid == os.getpid():
         raise _lost("a guardian holds the ports and hangs, or was stopped.", "End it, then say off again.")
@@ -35,7 +38,7 @@ def ended(pid: int | None, uid: int | None) -> None:
     except OSError as error:
         what = f"guardian {pid}{whose} hangs, or was stopped, and may not be ended from here ({error.strerror})."
         raise _lost(what, f"Have it ended (kill -9 {pid}), then say off again.") from error
-    note(f"guardian {pid} was ordered zero and hangs, or was stopped: it was killed by process {os.getpid()}")
+    note(f"guardian {pid} {why} and hangs, or was stopped: it was killed by process {os.getpid()}")
 
 
 def _lost(what: str, remedy: str) -> InstrumentError:
