@@ -13,7 +13,6 @@ from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError
 from labcal.testing.drivers import installed
-from labcal.testing.drivers.rig import FIRST
 from labcal.twin import open_twin
 
 NO_LINE = {"manual", "replay"}
@@ -34,7 +33,7 @@ class Swapped:
         settings, its = case.types["settings"](**case.settings), there.types["settings"](**there.settings)
         self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
         role = there.driver.roles[0]
-        emulator = there.emulator(self.lab, {FIRST.get(role, role): {}}, its)
+        emulator = there.emulator(self.lab, {"coil-x" if role == "coil" else role: {}}, its)
         line = EmulatedLink("emulated://swapped", emulator, self.clock)
         line.never.add(case.driver.never, settings.address if case.modbus else None)
         link: Any = ModbusLink(line, self.clock) if case.modbus else line

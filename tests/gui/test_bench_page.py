@@ -101,7 +101,8 @@ def test_who_has_checked_is_told_and_one_button_is_blue(qtbot, still, bench):
 
 
 @pytest.mark.parametrize(
-    ("ago_s", "shown"), [(0.0, "✓ coils at zero"), (3.2, "● coils last read back below their zero 3 s ago, not since")]
+    ("ago_s", "shown"),
+    [(0.0, "✓ coils at zero"), (3.2, "● coils last read back from here below their zero 3 s ago, not since")],
 )
 def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench, ago_s, shown):
     answers = (InstrumentAnswer("supply_x", "coil-x", "tcp://x", "a supply"),)

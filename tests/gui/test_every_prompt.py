@@ -111,7 +111,7 @@ class Questions:
         if way == "redone":
             answers, until = {"mount-y": "redo x"}, "redo-x"
         elif way == "resumed":
-            filled, until = {"resume": steps.Resume(frozenset(), {})}, "mounting-stands"
+            filled, until = {"resume": steps.Resume(frozenset({"zero"}), {})}, "mounting-stands"
         elif way == "no such file":
             answers, until = {"photo-covers": "none.jpg"}, "batteries"
         elif way == "by hand":

@@ -3201,6 +3201,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Decided by other judgements than labcal&apos;s own: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Declared errors leave as much or more in {0} % of runs.</source>
         <translation type="unfinished"></translation>
     </message>

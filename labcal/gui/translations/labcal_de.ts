@@ -3201,6 +3201,10 @@
         <translation>Am wahrscheinlichsten: {0}.</translation>
     </message>
     <message>
+        <source>Decided by other judgements than labcal&apos;s own: {0}.</source>
+        <translation>Entschieden nach anderen Maßstäben als denen von labcal: {0}.</translation>
+    </message>
+    <message>
         <source>Declared errors leave as much or more in {0} % of runs.</source>
         <translation>Angegebene Fehler lassen in {0} % der Messungen so viel oder mehr übrig.</translation>
     </message>

@@ -3201,6 +3201,10 @@
         <translation>Le plus probable : {0}.</translation>
     </message>
     <message>
+        <source>Decided by other judgements than labcal&apos;s own: {0}.</source>
+        <translation>Décidé selon d&apos;autres critères que ceux de labcal : {0}.</translation>
+    </message>
+    <message>
         <source>Declared errors leave as much or more in {0} % of runs.</source>
         <translation>Les erreurs déclarées laissent autant ou plus dans {0} % des mesures.</translation>
     </message>

@@ -147,6 +147,7 @@ FINDINGS = (  # of the data and the rig
     QT_TRANSLATE_NOOP("Data", "What is left has the shape of what the run declares, and is larger: {0}."),
     QT_TRANSLATE_NOOP("Data", "{0} nT held out, {1} beside it (noise alone: {2} nT)"),
     QT_TRANSLATE_NOOP("Data", "Likeliest: {0}."),
+    QT_TRANSLATE_NOOP("Data", "Decided by other judgements than labcal's own: {0}."),
     QT_TRANSLATE_NOOP("Data", "Declared errors leave as much or more in {0} % of runs."),
     QT_TRANSLATE_NOOP(
         "Data",
