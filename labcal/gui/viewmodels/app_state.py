@@ -25,7 +25,7 @@ from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, Sw
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+from labcal.gui.viewmodels.lab_now import LabNow, coil_read, lab_now
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
@@ -152,12 +152,11 @@ class AppState(QObject):
             for one in said.instruments
         )
         before = replace(self.known or state.LabState(state.unread()), instruments=heard, guardian=None)
-        if (
-            lifted := said.doubt is not None and said.doubt.lifted
-        ) and said.doubt is not None:  # by the reference, which was looked at after the coils
+        lifted = said.doubt if said.doubt is not None and said.doubt.lifted else None
+        if lifted is not None:  # by the reference, which was looked at after the coils
             agrees = state.Witness("agrees", "", read_s=now)
-            before = replace(before, coils=tuple(map(_coil, said.doubt.coils)) or before.coils, reference=agrees)
-        self.take_lab(before, at_zero=lifted)
+            before = replace(before, coils=tuple(map(coil_read, lifted.coils)) or before.coils, reference=agrees)
+        self.take_lab(before, lifted=lifted is not None)
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -299,7 +298,7 @@ class AppState(QObject):
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
         before = self.known or state.LabState(())
         self._asked_off = False
-        coils, heard = tuple(map(_coil, said.coils)), self._heard_from(before.instruments, said.coils)
+        coils, heard = tuple(map(coil_read, said.coils)), self._heard_from(before.instruments, said.coils)
         self.take_lab(replace(before, coils=coils, reference=witness, guardian=None, instruments=heard))
         if said.doubt or not all(axis.ok for axis in said.coils):
             self._off_failed(Fault("instrument", words))
@@ -327,10 +326,10 @@ class AppState(QObject):
         """What may be said of the coils now."""
         return self._now().coil_words or state.NOT_READ
 
-    def take_lab(self, known: state.LabState, *, at_zero: bool = False) -> None:
-        """From here on this is how the lab is; `at_zero` however long it took to say so."""
+    def take_lab(self, known: state.LabState, *, lifted: bool = False) -> None:
+        """From here on this is how the lab is; `lifted`: a doubt about zero was, however long ago it was read."""
         self.known, self._known_s = known, time.monotonic()
-        self.grow_old(at_zero)
+        self.grow_old(lifted)
 
     def _now(self) -> LabNow:
         """What may be said of the lab now. Where somebody was asked to switch the coils off, what was read is past."""
@@ -341,11 +340,11 @@ class AppState(QObject):
         now = lab_now(known, self._known_s, roles, time.monotonic())
         return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
-    def grow_old(self, at_zero: bool = False) -> None:
+    def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self._now()
         self.lab.update(now=now, field_U_nT=self._U(now.field_measured_nT))
-        if self._unconfirmed is not None and (at_zero or now.coils_at_zero):
+        if self._unconfirmed is not None and (lifted or now.coils_at_zero):
             over, self._unconfirmed = self._unconfirmed, None
             self.fault_over.emit(over)
 
@@ -383,7 +382,8 @@ class AppState(QObject):
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
-        print(details := "".join(format_exception(kind, error, trace)), file=sys.stderr)
+        details = "".join(format_exception(kind, error, trace))
+        print(details, file=sys.stderr)
         self.fault.emit(fault_of(error, details))
 
     def close(self) -> None:
@@ -393,10 +393,3 @@ class AppState(QObject):
         self.bench_worker.close(8000)
         for worker in (self.quick_worker, self.fit_worker, self.off_worker):
             worker.close(500)
-
-
-def _coil(said: CoilEnd) -> state.CoilReading:
-    """One axis as it was read back when it was switched off."""
-    known, read_s = said.current_A is not None, said.read_s or time.monotonic()
-    fault = "" if said.ok else said.words
-    return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
@@ -9,6 +10,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
+from labcal.gui.ipc.answers import CoilEnd
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
@@ -125,3 +127,10 @@ def _light(
     if heard_s is None:
         return name, "absent" if heard is None else "waiting", ""
     return name, "old" if words else "ok", words
+
+
+def coil_read(said: CoilEnd) -> state.CoilReading:
+    """One axis as it was read back when it was switched off."""
+    known, read_s = said.current_A is not None, said.read_s or time.monotonic()
+    fault = "" if said.ok else said.words
+    return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)
