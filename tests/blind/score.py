@@ -35,12 +35,15 @@ def put_through(folder: Path) -> Row:
     with tempfile.TemporaryDirectory() as scratch:
         made = draft_calibration(run, closed.fit(), bundle.sha256)
         apply_file(made, folder / "fresh.csv", Path(scratch) / "out.csv")
-        field = np.genfromtxt(Path(scratch) / "out.csv", delimiter=",", names=True, usecols=("b_x", "b_y", "b_z"))
-        field = np.column_stack([field[name] for name in ("b_x", "b_y", "b_z")])
+        rows = np.genfromtxt(
+            Path(scratch) / "out.csv", delimiter=",", names=True, usecols=("b_x", "b_y", "b_z", "u_nT")
+        )
+        field, stated = np.column_stack([rows[name] for name in ("b_x", "b_y", "b_z")]), rows["u_nT"]
     truth = np.loadtxt(folder / "truth_fresh.csv", delimiter=",")
     wrong = np.linalg.norm(field - truth, axis=1)
     if closed.residual_kind == "scalar":
         wrong = np.linalg.norm(field, axis=1) - np.linalg.norm(truth, axis=1)
+    components = 1 if closed.residual_kind == "scalar" else 3
     truth_json = json.loads((folder.parent / "truth" / f"{folder.name}.json").read_text())
     knew = truth_json["knowing_magnitude_rms_nT" if closed.residual_kind == "scalar" else "knowing_rms_nT"]
     return {
@@ -55,6 +58,7 @@ def put_through(folder: Path) -> Row:
         "after": closed.after.holdout_rms_nT,
         "fresh": float(np.sqrt(np.nanmean(wrong**2))),
         "knew": knew,
+        "stated": float(np.sqrt(components * np.nanmean(stated**2))),  # what u_nT says that `fresh` is
         "seconds": seconds,
     }
 

@@ -18,6 +18,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.credible import credible, is_beyond_half, min_new_share, without_wild_rows
 from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.noise.nuisance import orthonormal
 from labcal.loop.policy import POLICY
 from labcal.loop.refit import refit
 from labcal.loop.selection import final_fit as final
@@ -48,11 +49,11 @@ def test_directions_that_are_hardly_new_are_left_out_and_the_others_stay() -> No
     base, other = draw.normal(size=(200, 3, 4)), draw.normal(size=(200, 3, 1))
     nearly = base[:, :, :1] + 1e-2 * draw.normal(size=(200, 3, 1))
     columns = np.concatenate([7.0 * nearly, 0.1 * other], axis=2)
-    found = credible(columns, base, 1e-2)
+    found = credible(columns, orthonormal(base), 1e-2)
     assert np.linalg.matrix_rank(found.reshape(600, 2), tol=1e-6 * np.abs(columns).max()) == 1
     beta = np.linalg.lstsq(found.reshape(600, 2), other.ravel(), rcond=1e-6)[0]
     assert np.linalg.norm(found @ beta - other[:, :, 0]) < 0.2 * np.linalg.norm(other)
-    assert credible(columns, base, 1e-8) is columns
+    assert credible(columns, orthonormal(base), 1e-8) is columns
 
 
 def test_the_share_that_is_new_does_not_depend_on_the_columns_that_a_span_is_given_by() -> None:
@@ -61,7 +62,7 @@ def test_the_share_that_is_new_does_not_depend_on_the_columns_that_a_span_is_giv
     base, far = draw.normal(size=(200, 3, 1)), 0.2 * draw.normal(size=(200, 3, 1))
     nearly = base + np.sqrt(0.007) * draw.normal(size=(200, 3, 1))
     for columns in (np.concatenate([nearly, far], axis=2), np.concatenate([nearly + far, nearly - far], axis=2)):
-        found = credible(columns, base, 1e-2).reshape(600, 2)
+        found = credible(columns, orthonormal(base), 1e-2).reshape(600, 2)
         assert np.linalg.matrix_rank(found, tol=1e-6 * np.abs(columns).max()) == 1
         left = nearly.ravel() - found @ np.linalg.lstsq(found, nearly.ravel(), rcond=None)[0]
         assert np.linalg.norm(left) > 0.9 * np.linalg.norm(nearly)

@@ -73,13 +73,10 @@ def _keep_credible(problem: LinearProblem, first: Candidate, sets: ColumnSets) -
     share = problem.credible_share(first.term)
     if share is None or sets.mix is None:
         return
-    base, m = problem.T.shape[2], sets.made_of.shape[2]
-    flat = np.concatenate([problem.T, sets.made_of], axis=2).reshape(-1, base + m)
-    gram = flat.T @ flat
+    flat = sets.made_of.reshape(-1, sets.made_of.shape[2])
+    gram, onto = flat.T @ flat, problem.base_directions.reshape(len(flat), -1).T @ flat
     for place in range(sets.count):
         mix = sets.mix[:, place]
-        across = gram[:base, base:] @ mix
-        of_set = np.block([[gram[:base, :base], across], [across.T, mix.T @ gram[base:, base:] @ mix]])
-        out = not_credible(of_set, base, share)
+        out = not_credible(mix.T @ gram @ mix, onto @ mix, share)
         if out is not None:
             mix -= mix @ out

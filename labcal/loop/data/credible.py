@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop import policy
-from labcal.loop.noise.nuisance import MIN_NEW_SHARE, Reduced
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, new_directions, unit_lengths
 from labcal.model.effects import Term, families
 
 Array = NDArray[np.float64]
@@ -66,21 +66,21 @@ def without_wild_rows(residual_nT: Array) -> Array:
 
 
 def credible(columns: Array, base: Array, share: float) -> Array:
-    """Columns (n, q, p) without the directions of which no more than this share is new to the base's (n, q, t)."""
-    flat = np.concatenate([base, columns], axis=2).reshape(-1, base.shape[2] + columns.shape[2])
-    out = not_credible(flat.T @ flat, base.shape[2], share)
+    """Columns (n, q, p) without the directions of which no more than this share is new to the orthonormal `base`."""
+    flat = columns.reshape(-1, columns.shape[2])
+    out = not_credible(flat.T @ flat, base.reshape(len(flat), -1).T @ flat, share)
     return columns if out is None else np.asarray(columns - columns @ out)
 
 
-def not_credible(gram: Array, base: int, share: float) -> Array | None:
+def not_credible(gram: Array, onto: Array, share: float) -> Array | None:
     """What credible columns are less by, as a combination (p, p) of themselves; None where all are.
 
-    From the Gram matrix (t + p, t + p) of the base's t columns and theirs.
+    From their Gram matrix (p, p), and their products (b, p) with the orthonormal columns that span the base.
     """
-    reduced = Reduced.of(gram, base, share)
-    new = reduced.vectors[:, reduced.values > share]
-    if new.shape[1] == len(reduced.vectors):
+    length = unit_lengths(gram)
+    gram, onto = gram / np.outer(length, length), onto / length
+    shares, directions = new_directions(gram, gram - onto.T @ onto, share)
+    kept = directions[:, shares > share]
+    if kept.shape[1] == len(length):
         return None
-    length = reduced.length[base:]
-    onto = new @ (new.T @ (gram[base:, base:] / np.outer(length, length)))
-    return np.asarray(np.eye(len(length)) - onto * length / length[:, None])
+    return np.asarray(np.eye(len(length)) - kept @ (kept.T @ gram) * length / length[:, None])

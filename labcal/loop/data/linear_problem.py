@@ -98,12 +98,17 @@ class LinearProblem:
         if self.bins is not None and self.whole is not None:
             return self.bins.averaged(self.whole.declared)
         _, changes = moves(self.run, residual_of(self.observations, self.noise, self.theta, self.phase))
-        return principal(beside(orthonormal(self.T), self.whiten @ changes))
+        return principal(beside(self.base_directions, self.whiten @ changes))
 
     def columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p), of the rig's in directions that are credible."""
         made, share = self.all_columns(candidate), self.credible_share(candidate)
-        return made if share is None else credible(made, self.T, share)
+        return made if share is None else credible(made, self.base_directions, share)
+
+    @cached_property
+    def base_directions(self) -> Array:
+        """Orthonormal columns (n, q, b) that span T."""
+        return orthonormal(self.T)
 
     def credible_share(self, candidate: Term) -> float | None:
         """The share of a direction's square that has to be new to the base; None where all directions count."""

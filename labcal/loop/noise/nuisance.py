@@ -33,16 +33,13 @@ class Reduced:
     @classmethod
     def of(cls, gram: Array, nuisance: int, min_new_share: float = MIN_NEW_SHARE) -> Reduced:
         """From the Gram matrix (b + p, b + p) whose first `nuisance` = b columns are N."""
-        b, square = nuisance, np.asarray(np.diag(gram))
-        length = np.asarray(np.sqrt(np.where(square > 0, square, 1.0)), dtype=np.float64)
+        b, length = nuisance, unit_lengths(gram)
         gram = gram / np.outer(length, length)
         pinv = np.linalg.pinv(gram[:b, :b], rcond=RANK_TOLERANCE, hermitian=True)
         inverse = np.asarray(pinv, dtype=np.float64)
         carried = inverse @ gram[:b, b:]
-        values, vectors = np.linalg.eigh(gram[b:, b:] - gram[b:, :b] @ carried)
-        if min_new_share > MIN_NEW_SHARE:
-            values, vectors = _principal(values, vectors, gram[b:, b:])
-        return cls(length, inverse, carried, values, vectors, min_new_share)
+        new = gram[b:, b:] - gram[b:, :b] @ carried
+        return cls(length, inverse, carried, *new_directions(gram[b:, b:], new, min_new_share), min_new_share)
 
     @property
     def inverted(self) -> Array:
@@ -61,6 +58,21 @@ class Reduced:
         cross = -self.carried @ of_x
         of_nuisance = self.nuisance_inverse + self.carried @ of_x @ self.carried.T
         return np.asarray(np.block([[of_nuisance, cross], [cross.T, of_x]]) / np.outer(self.length, self.length))
+
+
+def unit_lengths(gram: Array) -> Array:
+    """The lengths (p,) of columns with this Gram matrix (p, p), one where a column is zero."""
+    square = np.diag(gram)
+    return np.asarray(np.sqrt(np.where(square > 0, square, 1.0)), dtype=np.float64)
+
+
+def new_directions(gram: Array, new: Array, min_new_share: float = MIN_NEW_SHARE) -> tuple[Array, Array]:
+    """What is new (r,) along each direction (p, r), S-orthogonal; a share of its own square where one is asked for.
+
+    From the Gram matrix (p, p) of columns of unit length, and `new` = S (p, p), that of what nuisance columns leave.
+    """
+    values, vectors = np.linalg.eigh(new)
+    return _principal(values, vectors, gram) if min_new_share > MIN_NEW_SHARE else (values, vectors)
 
 
 def _principal(values: Array, vectors: Array, gram: Array) -> tuple[Array, Array]:
