@@ -10,6 +10,7 @@ import pytest
 
 from labcal import session
 from labcal.geometry import rotate, rotation, rotation_vector, shortest_rotation
+from labcal.loop.candidates.angle_zeros import Search
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
@@ -75,7 +76,7 @@ class Table:
 @pytest.mark.parametrize(
     ("where", "channels", "zero"),
     [("beside", (), "stated"), ("beside", (), "each"),
-     ("on the table", (), "stated"), ("on the table", (), "one"),
+     ("on the table", (), "stated"), ("on the table", (), "one"), ("on the table", (), "each"),
      ("motor", ("motor_on",), "stated"), ("motor", ("motor_on",), "one"), ("motor", ("motor_on",), "each")],
 )  # fmt: skip
 def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
@@ -87,6 +88,35 @@ def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
     accepted, _ = stepwise_forward(pool)
     assert [c.cause for c in accepted] == [("cage-field", channels)]
     assert np.sqrt(np.mean(pool.residual(accepted) ** 2)) < 1.1
+
+
+@pytest.mark.parametrize(("where", "turns"), [("on the table", 1), ("motor", 3)])
+def test_where_the_angle_begins_in_each_mounting_is_found(
+    making: ModuleType, tmp_path: Path, where: str, turns: int
+) -> None:
+    """A motor of three pole pairs looks alike three times a turn."""
+    table = Table(making)
+    pool = CandidateSet.of(table.problem(tmp_path, table.cage(where), "each"), 0.85)
+    (found,) = stepwise_forward(pool)[0]
+    off = np.array([s.value for s in found.term.shape]) - (np.array(ZEROS[1:]) - ZEROS[0])
+    assert np.abs(np.sin(turns * off / 2)).max() < 0.1
+    assert found.size == len(found.term.parameters) + len(ZEROS) - 1
+
+
+def test_columns_from_any_zeros_come_from_those_at_seven(making: ModuleType, tmp_path: Path) -> None:
+    """What least squares leaves with them is what it leaves with the columns themselves."""
+    table = Table(making)
+    pool = CandidateSet.of(table.problem(tmp_path, table.cage("on the table"), "each"), 0.85)
+    (term,) = (t for t in family("cage-field").candidates(pool.problem.run) if t.parameters[0][0] == "t_u" and t.shape)
+    zeros = np.array([0.3, -2.0, 1.2, 3.0, -0.4])
+    at = term.with_values(**{s.name: float(v) for s, v in zip(term.shape, zeros, strict=True)})
+    A = np.concatenate([pool.problem.T, pool.problem.all_columns(at)], axis=2).reshape(pool.problem.y.size, -1)
+    y = pool.problem.y.ravel()
+    A /= np.linalg.norm(A, axis=0)
+    left = y - A @ np.linalg.lstsq(A, y, rcond=1e-9)[0]
+    search = Search.of(pool, (), term)
+    outside = float(np.sum(pool.residual(()) ** 2) - np.sum(search.z**2))
+    assert outside + np.sum(search.left(zeros) ** 2) == pytest.approx(float(np.sum(left**2)), rel=1e-3)
 
 
 def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(

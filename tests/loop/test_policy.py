@@ -23,7 +23,8 @@ TURN_deg = 360.0  # with 100 % and 1000 nT in a µT, which stand in sentences: u
 UNITS_IN_SENTENCES = (100, 1000)
 KINDS = {
     "budget of a search": (
-        "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS SKIRT BELOW_NYQUIST",
+        "candidates.changepoints:PEAKS EDGE APART", "candidates.angle_zeros:TRIED SWEEPS EVALUATIONS",
+        "candidates.spectral_lines:PEAKS SKIRT BELOW_NYQUIST",
         "data.checks:OFFSETS_S STEPS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED AMPLE",
         "selection.crossval:FOLDS BLOCKS CORRELATION_TIMES BLOCK_ROWS DRAWS TWO_BLOCKS INTERVAL_95",
         "selection.equivalents:MAX_TRIED",
@@ -56,6 +57,7 @@ KINDS = {
         "selection.related:RANDOM_DIRECTIONS DECIMALS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
+        "candidates.angle_zeros:HARMONICS NODES SAME FINE",
         "candidates.columns:GROUP_COLUMNS", "candidates.interpolated:ROWS NOT_NEW EXACT", "close:LONG_s STILL",
         "closures:SHARE SETTLED_S",
         "progress_report:SILENT_s",

@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Callable, Sequence
 from functools import partial
 
+from labcal.loop.candidates.angle_zeros import angle_zeros
 from labcal.loop.candidates.changepoints import changepoints
 from labcal.loop.candidates.delay_scan import delay_scan
 from labcal.loop.candidates.library import Candidate
@@ -20,6 +21,7 @@ SEARCHES: dict[FoundBy, Callable[[CandidateSet, Sequence[Candidate]], list[Candi
     "spectral lines": lambda pool, accepted: spectral_lines(pool.problem, pool.residual(accepted) * pool.rows[:, None]),
     "changepoints": changepoints,
     "delay scan": delay_scan,
+    "angle zeros": angle_zeros,
 }
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.candidates.angle_zeros import at_best_zeros
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.whitening import WhitenedNull
@@ -35,6 +36,8 @@ def has_own_secant(candidate: Candidate) -> bool:
 def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     if has_own_secant(candidate):
         return _on_own_secant(pool, candidate, accepted)
+    if candidate.term.found_by("angle zeros"):
+        return at_best_zeros(pool, candidate, accepted)
     searched = [shape.name for shape in candidate.term.shape if shape.grid]
     around = _brackets(pool, candidate)
     for _ in range(TURNS if len(searched) > 1 else 0):

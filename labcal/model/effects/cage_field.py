@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,58 +12,66 @@ from labcal.model.effects import iron
 from labcal.model.effects.iron import Names
 from labcal.model.effects.protocol import Array, Confounded, Family
 from labcal.model.effects.regressors import AXES, STEP, mountings, of_the_rig, some_moment
-from labcal.model.effects.scene import Scene
+from labcal.model.effects.scene import Rig, Scene
+from labcal.model.effects.shape import ZERO, Shape
 from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 from labcal.record.run import Channel
 
 HARMONICS = (1, 2, 3)  # of the platform angle
-NAME = re.compile(r"(?:m(\d+))?(q)?([a-z]*\d?)_([xyzuvw])")
+MOST_MOUNTINGS = 30  # in which the angle may count from a zero of its own
+NAME = re.compile(r"(q)?([a-z]*\d?)_([xyzuvw])")
 
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is.
 
-    `q_x`, `qcos1_x` … for each unit of a channel, `step_x` … from t_step on, `m2cos1_x` … in the second mounting alone.
-    `bx_y` along y of C for each unit of the reference along x; `t…` of iron that turns with the table (`effects.iron`).
+    `q_x`, `qcos1_x` … for each unit of a channel, `step_x` … from t_step on. θ counts from `zero_2_rad` in the second
+    mounting. `bx_y` along y of C for each unit of the reference along x; `t…` of iron that turns with the table
+    (`effects.iron`).
     """
     assert scene.rig is not None
-    rig, parts = scene.rig, [_part(name) for name, _ in term.parameters]
+    rig, parts = _from_zero(scene.rig, term), [_part(name) for name, _ in term.parameters]
     turned = iron.table_axes(rig) if any(part.kind.startswith("t") for part in parts) else rig.to_body
     out = np.empty((len(scene), 3, len(parts)))
     for place, part in enumerate(parts):
         if part.kind.startswith("t"):
             out[:, :, place] = iron.column(part.kind, part.along, turned, rig.prediction_nT)
         else:
-            out[:, :, place] = rig.to_body[:, :, AXES.index(part.along)] * _drive(part, term, scene)[:, None]
-        if part.mounting:
-            out[rig.mounting + 1 != int(part.mounting), :, place] = 0.0
+            out[:, :, place] = rig.to_body[:, :, AXES.index(part.along)] * _drive(part, term, scene.t_s, rig)[:, None]
         if part.driven:
             out[:, :, place] *= term.drive(scene)[:, None]
     return out
 
 
-def _drive(part: _Part, term: Term, scene: Scene) -> Array:
-    """What a field along one axis of the cage goes by (n,), but for a channel and a mounting."""
-    assert scene.rig is not None
-    turning = np.isfinite(scene.rig.angle_rad)
+def _from_zero(rig: Rig, term: Term) -> Rig:
+    """The rig with the angle of each mounting counted from its zero."""
+    zeros = np.zeros(int(rig.mounting.max(initial=0)) + 1)
+    for shape in term.shape:
+        if shape.kind is ZERO and (number := int(shape.name.split("_")[1])) <= len(zeros):
+            zeros[number - 1] = shape.value
+    return replace(rig, angle_rad=rig.angle_rad - zeros[rig.mounting]) if zeros.any() else rig
+
+
+def _drive(part: _Part, term: Term, t_s: Array, rig: Rig) -> Array:
+    """What a field along one axis of the cage goes by (n,), but for a channel."""
+    turning = np.isfinite(rig.angle_rad)
     if part.kind == "rest":
         return (~turning).astype(float)
     if part.kind == "step":
-        return (scene.t_s >= term.at(STEP.name)).astype(float)
+        return (t_s >= term.at(STEP.name)).astype(float)
     if part.kind.startswith("b"):
-        return scene.rig.reference_nT[:, AXES.index(part.kind[1])]
+        return rig.reference_nT[:, AXES.index(part.kind[1])]
     if part.kind in ("", "c"):
-        return np.ones(len(scene))
+        return np.ones(len(t_s))
     wave = np.cos if part.kind.startswith("cos") else np.sin
-    return np.asarray(wave(int(part.kind[3:]) * np.nan_to_num(scene.rig.angle_rad)) * turning)
+    return np.asarray(wave(int(part.kind[3:]) * np.nan_to_num(rig.angle_rad)) * turning)
 
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """A parameter's name, taken apart: in one mounting alone, for each unit of a channel, of what, along which axis."""
+    """A parameter's name, taken apart: for each unit of a channel, of what, along which axis."""
 
-    mounting: str
     driven: str
     kind: str
     along: str
@@ -86,9 +94,11 @@ def candidates(run: Run) -> list[Term]:
         return []
     rest = _of("rest") if any(s.kind != "rotation" for s in seen) else ()
     of_the_angle = [(*_of("c"), *rest, *_waves(most)) for most in HARMONICS]
-    standing = [_of("c"), *of_the_angle, (*_of("c"), *iron.BESIDE), *(form + rest for form in _on_table(run))]
+    on_table = [(*iron.ON_TABLE, *rest)] if len(mountings(run)) > 1 else []  # else it is the device's own soft iron
+    standing = [_of("c"), *of_the_angle, (*_of("c"), *iron.BESIDE), *on_table]
+    from_zeros = [Term(kernel, form, shape=zeros) for form in (of_the_angle[-1], *on_table) if (zeros := _zeros(run))]
     of_channels = [term for channel in of_the_rig(run) for term in _with(channel, run, rest)]
-    return [*(Term(kernel, form) for form in standing), *of_channels, _from_a_moment(run)]
+    return [*(Term(kernel, form) for form in standing), *from_zeros, *of_channels, _from_a_moment(run)]
 
 
 def _of(kind: str, unit: str = "nT") -> Names:
@@ -101,15 +111,19 @@ def _waves(most: int, before: str = "", unit: str = "nT", least: int = 1) -> Nam
     return tuple(name for kind in kinds for name in _of(kind, unit))
 
 
-def _on_table(run: Run) -> list[Names]:
-    """Iron on the table, where mountings tell it from the device's own soft iron, the platform's zero being one."""
-    return [iron.ON_TABLE] if len(mountings(run)) > 1 else []
+def _zeros(run: Run) -> tuple[Shape, ...]:
+    """Where the angle counts from in each mounting but the first; none where it means the same in all of them.
+
+    It does where each segment states its attitude at zero.
+    """
+    turning, numbers = [s for s in run.segments if s.kind == "rotation"], list(mountings(run))
+    if all(s.body_from_cage is not None for s in turning) or numbers[-1:] > [MOST_MOUNTINGS]:
+        return ()
+    return tuple(_zero(number) for number in numbers[1:])
 
 
-def _one_zero(run: Run) -> bool:
-    """Whether an angle means the same in all segments: each states its attitude at zero, or all share one mounting."""
-    turning = [s for s in run.segments if s.kind == "rotation"]
-    return all(s.body_from_cage is not None for s in turning) or len(mountings(run)) < 2
+def _zero(number: int) -> Shape:
+    return Shape(f"zero_{number}_rad", 0.0, "rad", kind=ZERO)
 
 
 def _with(channel: Channel, run: Run, rest: Names) -> list[Term]:
@@ -119,15 +133,13 @@ def _with(channel: Channel, run: Run, rest: Names) -> list[Term]:
     """
     unit = f"nT/{channel.unit}"
     driven, forms = _of("q", unit), [_of("q", unit)]
+    found, at = [], ((channel.name,), {channel.name: 0.0})
     if mountings(run):
-        on = (*driven, *_waves(HARMONICS[-1], "q", unit))
-        forms += [on, (*_of("c"), *rest, *_waves(HARMONICS[-1]), *on)]
-    if mountings(run) and not _one_zero(run):
-        for h in HARMONICS:
-            each = [(f"m{n}", f"m{n}q") for n in mountings(run)]
-            turned = tuple(p for m, q in each for p in (*_waves(h, m, least=h), *_waves(h, q, unit, h)))
-            forms.append((*_of("c"), *rest, *driven, *turned))
-    return [Term(kernel, form, (channel.name,), {channel.name: 0.0}) for form in forms]
+        on, standing = (*driven, *_waves(HARMONICS[-1], "q", unit)), (*_of("c"), *rest)
+        forms += [on, (*standing, *_waves(HARMONICS[-1]), *on)]
+        of_poles = [(*standing, *driven, *_waves(h, least=h), *_waves(h, "q", unit, h)) for h in HARMONICS]
+        found = [Term(kernel, form, *at, zeros) for form in of_poles if (zeros := _zeros(run))]
+    return [*(Term(kernel, form, *at) for form in forms), *found]
 
 
 def _from_a_moment(run: Run) -> Term:
@@ -146,7 +158,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
-    shapes=(STEP,),
+    shapes=(STEP, *(_zero(number) for number in range(2, MOST_MOUNTINGS + 1))),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
     responds={"bare platform": 1.0},
     confounded=(CAGE_OR_ZERO, IRON_OR_LEAN),

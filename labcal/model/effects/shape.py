@@ -18,7 +18,7 @@ BEYOND = 3.0  # times the last point of a grid, beyond which it is not searched
 RESOLUTION = 0.6  # of 1 / (the run's length), either way of a line's frequency
 FINE = 1e-3  # of a value: over so much an effect is straight in it
 FINE_ROW = 0.05  # of a row, the same for a delay
-FoundBy = Literal["grid", "delay scan", "changepoints", "spectral lines", "own secant"]
+FoundBy = Literal["grid", "delay scan", "changepoints", "spectral lines", "angle zeros", "own secant"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,8 @@ class Kind:
     `found_by` says where candidates come from. "grid": every point of the parameter's grid. "delay scan": the delay of
     its first channel, which it follows with one parameter for each axis, that takes most off the residual.
     "changepoints": the moments of which that is true, its columns being zero before. "spectral lines": the residual's
-    own frequencies. "own secant": the value of the linear parameter in its place.
+    own frequencies. "angle zeros": where each mounting's angle counts from, all at once. "own secant": the value of the
+    linear parameter in its place.
     """
 
     name: str  # for people
@@ -100,6 +101,7 @@ THRESHOLD = Kind("threshold", _not_narrower, _of_its_value)  # none below the gr
 LEVEL = Kind("level", _one_grid_step, _of_the_grid)  # may be zero or of either sign: searched by grid steps
 ANGLE = Kind("angle", _one_grid_step, _of_the_grid)  # may be zero
 DELAY = Kind("delay", _one_delay, _of_a_row, "delay scan")
+ZERO = Kind("zero of an angle", _one_grid_step, _of_the_grid, "angle zeros")  # in a mounting, the first one's being 0
 FREQUENCY = Kind("frequency", _one_line, _of_a_line, "spectral lines")
 MOMENT = Kind("moment", _scale, _of_its_value, "changepoints", _between_two_rows)
 SECANT = Kind("secant", _scale, _of_its_value, "own secant")  # the interval that a derivative in time is taken over
