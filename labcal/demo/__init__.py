@@ -24,7 +24,7 @@ from labcal.store import Store, save_bundle
 START = datetime(2026, 1, 5, 8, 0, tzinfo=UTC)
 STAGES = ("cage check", "preflight", "close the loop", "sign and verify")
 CAGE_CHECK = {"steps": "2", "dwell_s": "0.5"}  # the short form of cage-calibration
-PREFLIGHT: dict[str, str] = {}  # as it stands
+PREFLIGHT: dict[str, str] = {}  # nothing is other than as it stands; a test shortens it
 Progress = Callable[[str], None]
 
 

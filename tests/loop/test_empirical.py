@@ -181,7 +181,7 @@ def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
 @pytest.mark.parametrize(
     ("shape", "seed"),
     [
-        ("resonant in the rate", 2028),
+        pytest.param("resonant in the rate", 2028, marks=pytest.mark.slow),
         ("two channels' product", 2031),
         pytest.param("temperature times field", 2035, marks=pytest.mark.slow),
     ],
