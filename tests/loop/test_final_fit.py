@@ -192,7 +192,7 @@ def test_with_nothing_accepted_the_map_is_that_of_the_fit(making: ModuleType, tm
     assert np.allclose(closed.affine.K, plain.affine.K, rtol=0, atol=1e-5)
 
 
-@pytest.mark.parametrize("name", ["final-fit-1", "final-fit-2"])
+@pytest.mark.parametrize("name", [pytest.param("final-fit-1", marks=pytest.mark.slow), "final-fit-2"])
 def test_after_is_what_the_accepted_effects_reach(shared: Path, name: str) -> None:
     """Two runs whose gradient took off what it took to first order only."""
     folder = shared / "data" / "defects" / name
