@@ -37,7 +37,7 @@ fi
 # Three processes share the tests, whole files each, where there are two cores or more; `PROCESSES=1 make test`: one.
 # A process waits a quarter of its time for a line or a guardian: two would leave two cores idle.
 SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
-processes = int(os.environ["PROCESSES"] or 3 if (os.cpu_count() or 1) > 1 else 1)
+processes = int(os.environ["PROCESSES"] or (3 if (os.cpu_count() or 1) > 1 else 1))
 print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
 # shellcheck disable=SC2086  # several words
 exec "$BIN/pytest" $SHARED -m "not slow" "$@"
