@@ -20,10 +20,20 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the commands do: thread
 settings.register_profile("labcal", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("labcal")
 
+LONGEST = ("test_demo.py", "test_coverage.py", "test_check_standard.py")
+WAITING = {"archive", "bench", "bundle", "campaign", "cli", "clients", "runner", "store", "study"}  # rooms
+
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The longest files of the last rooms first: of several processes none waits for one of them at the end."""
-    items.sort(key=lambda item: item.path.name not in ("test_demo.py", "test_coverage.py", "test_check_standard.py"))
+    """The longest files first; then files that compute and files that wait for a line or a guardian, by turns.
+
+    Of several processes none waits for a long file at the end, and while some wait the others compute.
+    """
+    files, place = list(dict.fromkeys(item.path for item in items)), dict[Path, float]()
+    for waits in (True, False):
+        of_kind = [path for path in files if bool(WAITING & set(path.parts)) is waits]
+        place |= {path: number / len(of_kind) for number, path in enumerate(of_kind)}
+    items.sort(key=lambda item: (item.path.name not in LONGEST, place[item.path]))
 
 
 @pytest.fixture(scope="session")

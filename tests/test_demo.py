@@ -1,5 +1,6 @@
 """The whole line, from the emulated wire to a file that somebody without labcal can check."""
 
+import filecmp
 import json
 import os
 import shutil
@@ -16,6 +17,7 @@ from labcal.record.stream import Measurement
 from labcal.store import Store
 
 SEED = "3"
+SHORT = {"axes": "x,y", "modes": "nominal", "magnitudes_nT": "20000", "reverse": "no", "zero_s": "2", "dwell_s": "1"}
 
 
 @pytest.fixture(scope="module")
@@ -44,17 +46,9 @@ def home_of(folder):
     return folder.parent / f"{folder.name}-home"
 
 
-def run(folder, home):
-    command = [
-        sys.executable,
-        "-c",
-        "from labcal.cli import main; main()",
-        "demo",
-        "--seed",
-        SEED,
-        "--out",
-        str(folder),
-    ]
+def run(folder, home, preflight=(), seed=SEED):
+    begin = f"from labcal import cli, demo; demo.PREFLIGHT.update({dict(preflight)}); cli.main()"
+    command = [sys.executable, "-c", begin, "demo", "--seed", seed, "--out", str(folder)]
     environment = {**os.environ, "LABCAL_HOME": str(home)}
     return subprocess.run(command, capture_output=True, text=True, check=True, env=environment)
 
@@ -103,12 +97,22 @@ def test_the_hidden_effect_is_written_nowhere_in_the_run(demo):
         assert word not in header
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_bytes_and_a_second_call_works(demo, home_of_its_own):
     folder, _ = demo
     first = {name: (folder / name).read_bytes() for name in ("run.zip", "calibration.json")}
     run(folder, home_of_its_own)
     for name, content in first.items():
         assert (folder / name).read_bytes() == content, name
+
+
+def test_a_short_demo_gives_the_same_bytes_again_in_the_same_folder(tmp_path):
+    """Another process each, with a home of its own: half of the axes and of the fields."""
+    for number in (1, 2):
+        run(tmp_path / "out", tmp_path / f"home{number}", SHORT, "5")
+        shutil.copytree(tmp_path / "out", tmp_path / str(number))
+    same, *others = filecmp.cmpfiles(tmp_path / "1", tmp_path / "2", ["run.zip", "calibration.json"], shallow=False)
+    assert (same, *others) == (["run.zip", "calibration.json"], [], [])
 
 
 def test_somebody_without_labcal_can_check_the_signature(demo):

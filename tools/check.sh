@@ -2,6 +2,7 @@
 # Every check, quiet ones first: style, types, who may know whom, then the tests. `make test` calls it.
 set -euo pipefail
 BIN=${BIN:-.venv/bin}
+unset PYTHONDONTWRITEBYTECODE  # the tests start some thousand processes: each would compile labcal anew
 export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen} OPENBLAS_NUM_THREADS=1
 QT_LIBRARIES=$("$BIN/python" -m labcal.system.qt_packages)
 
@@ -30,13 +31,13 @@ fi
 
 "$BIN/ruff" check .
 "$BIN/ruff" format --check --quiet .
-"$BIN/mypy"
 "$BIN/lint-imports" --no-cache
+"$BIN/mypy"
 
-# Two processes share the tests, whole files each and in order, where there are two cores; `PROCESSES=1 make test`: one.
-# A process waits a quarter of its time for a line or a guardian: `PROCESSES=3` gives two cores more to do, in more memory.
+# Three processes share the tests, whole files each, where there are two cores or more; `PROCESSES=1 make test`: one.
+# A process waits a quarter of its time for a line or a guardian: two would leave two cores idle.
 SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
-processes = int(os.environ["PROCESSES"] or min(2, os.cpu_count() or 1))
+processes = int(os.environ["PROCESSES"] or (3 if (os.cpu_count() or 1) > 1 else 1))
 print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
 # shellcheck disable=SC2086  # several words
 exec "$BIN/pytest" $SHARED -m "not slow" "$@"

@@ -24,6 +24,7 @@ from labcal.store import Store, save_bundle
 START = datetime(2026, 1, 5, 8, 0, tzinfo=UTC)
 STAGES = ("cage check", "preflight", "close the loop", "sign and verify")
 CAGE_CHECK = {"steps": "2", "dwell_s": "0.5"}  # the short form of cage-calibration
+PREFLIGHT: dict[str, str] = {}  # nothing is other than as it stands; a test shortens it
 Progress = Callable[[str], None]
 
 
@@ -50,7 +51,7 @@ def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, on
         "cage-calibration", folder, seed, on_item, CAGE_CHECK, f"demo-{seed}-cage", START - timedelta(hours=1)
     )
     stage(STAGES[1])
-    outcome = _record("preflight", folder, seed, on_item, {}, f"demo-{seed}", START)
+    outcome = _record("preflight", folder, seed, on_item, PREFLIGHT, f"demo-{seed}", START)
     with Store.open(folder / STORE) as store:
         save_bundle(store.bundle(outcome.run_id, with_chain=True), folder / RUN)
     stage(STAGES[2])

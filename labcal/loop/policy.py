@@ -139,7 +139,7 @@ class Policy:
         0.5, "of the measured noise",
         "the white noise is taken to be no smaller, where none is declared",
         "derived", "what is measured at rest or from row to row holds more than white noise",
-        "loop/test_decision.py::test_a_random_walk_is_given_no_name",
+        "loop/test_judgements.py::test_white_noise_is_half_of_what_was_measured_at_least",
     )  # fmt: skip
     max_noise_ratio: float = _judged(
         1.3, "of the declared noise", "measured noise that differs by more is a finding", "cited", "the contract",
@@ -149,12 +149,12 @@ class Policy:
         0.002, "of the field",
         "a stretch whose field spreads less stands still, and shows the noise",
         "derived", "100 nT in 50 µT: more than noise, less than a step of the field",
-        "loop/test_floor.py::test_a_load_that_is_switched_at_rest_is_no_noise",
+        "loop/test_judgements.py::test_a_field_that_spreads_by_two_per_mille_stands_still",
     )  # fmt: skip
     significance: float = _judged(
         0.01, "", "a residual without structure fails a test this often, and chance piles readings up", "cited",
         "convention (Ljung 16.6)",
-        "loop/test_residual_tests.py::test_two_correlated_but_unrelated_wanders_are_mostly_called_independent",
+        "loop/test_judgements.py::test_errors_as_declared_are_called_larger_in_one_run_of_a_hundred",
     )  # fmt: skip
 
     # data checks
@@ -162,20 +162,20 @@ class Policy:
         0.02, "of the field",
         "a base this uncertain is not determined; one that misses less is not checked",
         "derived", "a tenth of what is incoherent",
-        "loop/test_bad_input.py::test_one_axis_alone_names_no_effect",
+        "loop/test_judgements.py::test_a_map_of_two_per_cent_of_the_field_is_not_determined",
     )  # fmt: skip
     gross_factor: float = _judged(
         5.0, "times",
         "a misfit of so many noise floors is gross, a fault explains it that leaves a fifth, a fifth of the "
         "field is incoherent, a gain below a fifth of the largest is no axis",
         "derived", "more than any effect of a sensor leaves",
-        "loop/test_bad_input.py::test_a_reference_in_another_frame_is_said_and_nothing_is_searched",
+        "loop/test_judgements.py::test_a_fifth_of_the_field_is_gross",
     )  # fmt: skip
     unit_factor: float = _judged(
         100.0, "times",
         "readings so far from the field are in another unit",
         "derived", "G, mG, µT and nT lie at least as far apart",
-        "loop/test_bad_input.py::test_another_unit_or_a_dead_axis_is_said",
+        "loop/test_judgements.py::test_readings_a_hundred_times_off_are_in_another_unit",
     )  # fmt: skip
 
     # what repeats
@@ -183,13 +183,13 @@ class Policy:
         3.0, "periods",
         "fewer of them in the run, or in a segment that they keep step with, are a drift",
         "derived", "fewer are like the curve of a drift",
-        "loop/test_decision.py::test_a_slow_wave_is_a_drift_and_no_smooth_channels",
+        "loop/test_judgements.py::test_three_periods_are_a_line",
     )  # fmt: skip
     phase_locked: float = _judged(
         0.7, "resultant length",
         "a line with such phases at the starts of segments keeps step with them",
         "derived", "a turn there and back repeats at twice its rate",
-        "loop/test_decision.py::test_a_slow_wave_is_a_drift_and_no_smooth_channels",
+        "loop/test_judgements.py::test_a_line_that_segments_begin_alike_with_is_their_own_motion",
     )  # fmt: skip
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from importlib import import_module
 from math import inf
 from typing import Any
@@ -81,12 +82,21 @@ def square_coils(
     exact: bool = False,
 ) -> CoilField:
     """Three square pairs, each axis tilted by the rotation vector `tilt_deg[axis]` (3, 3) from its ideal direction."""
+    tilts = tuple(map(tuple, np.asarray(tilt_deg, dtype=float)))
+    matrix, gradient = _about_the_centre(side_m, turns, tilts, spacing, imbalance)
+    return CoilField(matrix.copy(), gradient.copy(), Wires(side_m, turns, tilt_deg, spacing, imbalance), exact)
+
+
+@lru_cache(maxsize=64)
+def _about_the_centre(
+    side_m: float, turns: int, tilts_deg: tuple[tuple[float, ...], ...], spacing: float, imbalance: tuple[float, ...]
+) -> tuple[Array, Array]:
+    """The field at the centre and its change with place; kept, for a simulated lab is opened again and again."""
     step = 0.02
     shifts = np.vstack([np.zeros(3), step * np.eye(3), -step * np.eye(3)])
-    wires = Wires(side_m, turns, tilt_deg, spacing, imbalance)
+    wires = Wires(side_m, turns, np.array(tilts_deg), spacing, imbalance)
     fields = np.stack([wires.pair(axis, shifts) for axis in range(3)], axis=-1)  # (7, 3, 3): place, component, coil
-    gradient = np.moveaxis((fields[1:4] - fields[4:7]) / (2 * step), 0, -1)
-    return CoilField(fields[0], gradient, wires, exact)
+    return fields[0], np.moveaxis((fields[1:4] - fields[4:7]) / (2 * step), 0, -1)
 
 
 @dataclass

@@ -75,13 +75,13 @@ def sensor(kind: type[Hmr2300Emulator] = Hmr2300Emulator) -> Hmr2300Emulator:
 
 
 @contextmanager
-def bench_with(plug: Plug, role: str) -> Iterator[Bench]:
-    """The example bench, with one instrument on a real line."""
+def bench_with(plug: Plug, role: str, silent_s: float = PATIENCE_S) -> Iterator[Bench]:
+    """The example bench, with one instrument on a real line; its sensors may be silent for so long."""
     text = EXAMPLE.read_text().replace('role = "reference"', f'role = "reference"\n#{role}', 1)
     head = {"reference": 'driver = "hmr2300"\nlink = ', "platform": 'driver = "zaber"\nlink = '}[role]
     text = text[: text.rindex("[twin]")].replace(head + '"emulated://"', f'{head}"serial://{plug.path}?baud=115200"')
-    text = text.replace('kind = "vector"', f'kind = "vector"\nsilent_s = {PATIENCE_S}')
-    text = text.replace('serial = "SIM-0001"\nmodel', f'silent_s = {PATIENCE_S}\nserial = "SIM-0001"\nmodel', 1)
+    text = text.replace('kind = "vector"', f'kind = "vector"\nsilent_s = {silent_s}')
+    text = text.replace('serial = "SIM-0001"\nmodel', f'silent_s = {silent_s}\nserial = "SIM-0001"\nmodel', 1)
     path = plug.path.with_name("bench.toml")
     path.write_text(text)
     with open_bench(path) as bench:
@@ -143,11 +143,10 @@ def test_while_a_person_is_asked_with_the_coils_at_zero_a_cable_may_be_out_and_a
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, role: str, name: str
 ) -> None:
     monkeypatch.setattr(reconnect, "BACK_S", SHORT_S)
-    monkeypatch.setattr("test_reconnect.PATIENCE_S", SHORT_S)
     plug, lab = Plug(tmp_path / "ttyUSB0"), open_twin({}, 1)
     there = sensor() if role == "reference" else ZaberEmulator(lab, {}, SimpleNamespace(address=1, axis=1))
     plug.put_in(there)
-    with bench_with(plug, role) as bench:
+    with bench_with(plug, role, SHORT_S) as bench:
         bench.start()
         bench.stream_until(bench.clock.now() + 0.5)
         bench.asking = True

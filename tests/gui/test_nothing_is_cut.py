@@ -264,7 +264,7 @@ def other_language(qapp, request):
     translate.install_translator(qapp, QLocale("en"))
 
 
-@pytest.mark.parametrize("other_language", ["de", "fr"], indirect=True)
+@pytest.mark.parametrize("other_language", ["de", pytest.param("fr", marks=pytest.mark.slow)], indirect=True)
 def test_longer_words_of_another_language_are_not_cut_where_room_is_least(other_language, new_window, rest):
     found = list[str]()
     for state in STATES:

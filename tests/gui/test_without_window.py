@@ -205,6 +205,7 @@ def test_a_question_without_a_window_waits_only_with_the_coils_at_zero(worker, c
         over.set()
         told.join()
         back.join()
+        run_door.send_to_its_end(os.getpid())  # else it waits for another window until ALONE_S is over
 
 
 def session_bench():

@@ -102,7 +102,9 @@ def tried(which: str, part: float, spread: float, seed: int) -> tuple[dict[str, 
     return stated, float(np.mean((told.field_nT - other.field_nT)[plain] ** 2)), float(np.mean(told.u_nT[plain] ** 2))
 
 
-@pytest.mark.parametrize(("which", "spread"), [("core", 0.0), ("core", 0.3), ("stop", 0.0)])
+@pytest.mark.parametrize(
+    ("which", "spread"), [pytest.param("core", 0.0, marks=pytest.mark.slow), ("core", 0.3), ("stop", 0.0)]
+)
 def test_u_holds_how_the_run_s_own_segments_began(which: str, spread: float) -> None:
     found = [tried(which, 1.0, spread, seed) for seed in range(8)]
     errors, u = (np.mean([one[k] for one in found]) for k in (1, 2))

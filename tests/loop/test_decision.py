@@ -184,8 +184,8 @@ def test_rounds_of_selection_that_are_exhausted_are_an_outcome_and_said(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Of a load and a step no round finds what held-out data support, for nothing is called supported."""
-    rows, segments = making.recorded()
-    rows["dut"] = rows["dut"] + np.outer(rows["i_load"] + (rows["t_s"] > 200), [150.0, -100.0, 80.0])
+    rows, segments = making.recorded(seconds=20.0)
+    rows["dut"] = rows["dut"] + np.outer(rows["i_load"] + (rows["t_s"] > 150), [150.0, -100.0, 80.0])
     run = session.load_run(str(making.written(tmp_path, rows, segments)))
     assert ROUNDS_EXHAUSTED not in close_loop(run).remarks
     monkeypatch.setattr(

@@ -173,7 +173,9 @@ def test_the_marginal_likelihood_is_that_of_the_dense_covariance() -> None:
     assert found.log == pytest.approx(log, rel=1e-6)
 
 
-@pytest.mark.parametrize(("kind", "seed"), [("white", 2026), ("random walk", 2027), ("telegraph", 2028)])
+@pytest.mark.parametrize(
+    ("kind", "seed"), [("white", 2026), ("random walk", 2027), pytest.param("telegraph", 2028, marks=pytest.mark.slow)]
+)
 def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
     assert run_path(str(BLIND))["noise_trial"](kind, seed)["built"] == []
 
@@ -181,7 +183,7 @@ def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
 @pytest.mark.parametrize(
     ("shape", "seed"),
     [
-        ("resonant in the rate", 2028),
+        pytest.param("resonant in the rate", 2028, marks=pytest.mark.slow),
         ("two channels' product", 2031),
         pytest.param("temperature times field", 2035, marks=pytest.mark.slow),
     ],

@@ -85,7 +85,7 @@ def test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect(
 def test_an_effect_of_the_rig_beyond_half_of_the_field_is_given_up(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rows, segments = making.recorded(seconds=30.0)
+    rows, segments = making.recorded(seconds=20.0)
     axis = np.array([s["axis_body"] for s in segments])[np.repeat(np.arange(6), len(rows["t_s"]) // 6)]
     rows["dut"] = rows["dut"] + 1.05 * rotate(axis, -rows["angle"], np.array([300.0, -200.0, 250.0]))
     run = session.load_run(str(making.written(tmp_path, rows, segments)))
@@ -129,7 +129,7 @@ def test_a_wild_row_does_not_decide_what_is_credible() -> None:
 def test_an_effect_that_the_last_fit_does_not_arrive_with_is_given_up(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rows, segments = making.recorded()
+    rows, segments = making.recorded(seconds=20.0)
     rows["dut"] = rows["dut"] + 300.0 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
     run = session.load_run(str(making.written(tmp_path, rows, segments)))
     assert [effect.effect for effect in close_loop(run).accepted] == ["offset-current"]
@@ -145,7 +145,7 @@ def test_what_the_last_fit_gives_up_leaves_its_place_to_another_cause(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The same load on a second meter, less sure: it is looked at again once no fit arrives with the first."""
-    rows, segments = making.recorded()
+    rows, segments = making.recorded(seconds=20.0)
     rows["other"] = rows["i_load"] + np.random.default_rng(4).normal(0, 0.05, len(rows["t_s"]))
     rows["dut"] = rows["dut"] + 300.0 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
     channels = making.CHANNELS | {"other": making.CHANNELS["i_load"]}
@@ -193,7 +193,7 @@ def test_with_nothing_accepted_the_map_is_that_of_the_fit(making: ModuleType, tm
     assert np.allclose(closed.affine.K, plain.affine.K, rtol=0, atol=1e-5)
 
 
-@pytest.mark.parametrize("name", ["final-fit-1", "final-fit-2"])
+@pytest.mark.parametrize("name", [pytest.param("final-fit-1", marks=pytest.mark.slow), "final-fit-2"])
 def test_after_is_what_the_accepted_effects_reach(shared: Path, name: str) -> None:
     """Two runs whose gradient took off what it took to first order only."""
     folder = shared / "data" / "defects" / name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from labcal.loop import close_loop
 from labcal.loop.close import prepare
@@ -14,6 +15,7 @@ from labcal.store import read_bundle
 BY_HAND = 1.2  # times its held-out error; wanted is no more than that error itself
 
 
+@pytest.mark.slow
 def test_a_device_that_was_warmed_is_predicted_nearly_as_well_as_by_hand(shared: Path) -> None:
     """By hand: all nine gains and three offsets, and each of them straight in the temperature (24 parameters)."""
     run = read_bundle(shared / "data" / "av-mageval")

@@ -31,7 +31,7 @@ def coloured(memory: float, seed: int) -> np.ndarray:
     return SIZE_nT * out
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.slow) for n in (2, 3))])
 def test_noise_with_a_short_memory_is_noise_and_its_floor_is_its_size(seed: int) -> None:
     closed = close_loop(undeclared(coloured(0.7, seed)))
     assert (closed.verdict, closed.accepted) == ("clean", ())

@@ -45,7 +45,7 @@ def _closed(making: ModuleType, folder: Path, told: Rows, effect: Any) -> Closed
     return close_loop(session.load_run(str(folder)))
 
 
-@pytest.mark.parametrize(("seed", "count", "idle"), [(11, 4, 1), (12, 6, 2)])
+@pytest.mark.parametrize(("seed", "count", "idle"), [(11, 4, 1), pytest.param(12, 6, 2, marks=pytest.mark.slow)])
 def test_a_set_of_panels_is_found_whole_and_nothing_else(
     making: ModuleType, tmp_path: Path, seed: int, count: int, idle: int
 ) -> None:

@@ -50,7 +50,7 @@ def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late
 
 
 def test_a_load_that_is_where_its_telemetry_draws_it_loses_no_row() -> None:
-    t_s = _clock(120)
+    t_s = _clock(80)
     drawn = _drawn(t_s)
     problem, level, _ = prepare(_run(drawn, drawn))
     pool = relinearised(candidates_of(problem.run, problem))
@@ -70,7 +70,7 @@ def test_ways_are_missed_more_where_chance_would_not_put_so_many_of_the_largest(
 
 
 def test_a_fit_with_named_effects_leaves_out_the_same_rows() -> None:
-    t_s = _clock(120)
+    t_s = _clock(80)
     run = _run(_switched(t_s), _drawn(t_s))
     closed = close_loop(run)
     again = refit(run, closed.accepted)

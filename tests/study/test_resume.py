@@ -131,6 +131,7 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
         yield found
 
 
+@pytest.mark.slow
 def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bytes(
     study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: Cluster
 ) -> None:

@@ -15,12 +15,12 @@ from labcal.loop.noise.declared_directions import DeclaredDirections
 from labcal.loop.result import ClosedLoop
 from labcal.record import Run
 
-RUNS = 4  # of each kind of reference
+FEW, MANY = 1, pytest.param(4, marks=pytest.mark.slow)  # runs of each kind of reference
 
 
-def runs(*, effect: str = "none") -> Iterator[Run]:
+def runs(number: int, *, effect: str = "none") -> Iterator[Run]:
     """Recorded by the independent lab, wrong by draws of what they declare."""
-    yield from (recorded(seed, kind, effect=effect, twin=False)[1] for kind in KINDS for seed in range(RUNS))
+    yield from (recorded(seed, kind, effect=effect, twin=False)[1] for kind in KINDS for seed in range(number))
 
 
 def stated(run: Run, times: float) -> Run:
@@ -52,7 +52,7 @@ def kinds_of(closed: ClosedLoop) -> set[str]:
 
 
 def test_a_reference_that_is_wrong_as_it_declares_leaves_a_clean_run() -> None:
-    found = [close_loop(run) for run in runs()]
+    found = [close_loop(run) for run in runs(4)]
     left = [closed for closed in found if more_than_noise(closed)]
     assert len(left) > len(found) / 2  # there is something to explain
     assert [closed.verdict for closed in found] == ["clean"] * len(found)
@@ -64,11 +64,12 @@ def test_a_reference_that_is_wrong_as_it_declares_leaves_a_clean_run() -> None:
 def test_without_what_is_declared_the_same_runs_have_structure(monkeypatch: pytest.MonkeyPatch) -> None:
     none = property(lambda self: np.zeros((*self.y.shape, 0)))
     monkeypatch.setattr(LinearProblem, "declared", none)
-    assert any(close_loop(run).verdict != "clean" for run in runs())
+    assert any(close_loop(run).verdict != "clean" for run in runs(4))  # ends with the first
 
 
-def test_what_is_larger_than_declared_is_not_clean() -> None:
-    found = [close_loop(stated(run, 0.1)) for run in runs()]
+@pytest.mark.parametrize("number", [FEW, MANY])
+def test_what_is_larger_than_declared_is_not_clean(number: int) -> None:
+    found = [close_loop(stated(run, 0.1)) for run in runs(number)]
     left = [closed for closed in found if more_than_noise(closed)]
     assert left
     assert not any(closed.verdict == "clean" for closed in left)
@@ -87,8 +88,9 @@ def test_a_field_that_hides_in_the_declared_zero_is_not_claimed_and_a_larger_one
     assert [e.effect for e in seen.accepted] == ["cage-field"]
 
 
-def test_an_effect_at_work_keeps_its_name_and_closes_the_run() -> None:
-    for run in runs(effect="offset-current"):
+@pytest.mark.parametrize("number", [FEW, MANY])
+def test_an_effect_at_work_keeps_its_name_and_closes_the_run(number: int) -> None:
+    for run in runs(number, effect="offset-current"):
         closed = close_loop(run)
         assert [e.effect for e in closed.accepted] == ["offset-current"]
         assert closed.verdict == "explained"

@@ -41,7 +41,7 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
 def _frequencies(problem: LinearProblem, scores: Array) -> list[tuple[float, int]]:
     """Where lines are tried [Hz], and of how many frequencies each was chosen."""
     frequency, power = periodogram(problem.scene.t_s, scores)
-    peaks = _peaks(np.where(_admissible(problem, frequency), power / running_median(power), 0.0))
+    peaks = _peaks(np.where(admissible(problem, frequency), power / running_median(power), 0.0))
     found = [(float(frequency[peak]), len(frequency)) for peak in peaks]
     parts, t_s = stretches(problem.scene.segment), problem.scene.t_s
     lowest = policy.POLICY.min_cycles / max(float(np.median([np.ptp(t_s[part]) for part in parts])), 1e-9)
@@ -72,7 +72,7 @@ def _with_a_line(family: Family, problem: LinearProblem) -> list[tuple[Term, Sha
     return [(term, line) for term, line in found if line is not None and (known or family.owner(term) != "rig")]
 
 
-def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
+def admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
     """Which frequencies [Hz] are neither a drift's nor those of a motion that repeats in each segment."""
     times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
     law = policy.POLICY

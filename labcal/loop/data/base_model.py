@@ -106,15 +106,16 @@ def fit_base(run: Run, seen: Observations) -> tuple[Base, MaximumLikelihood]:
             except (ValueError, np.linalg.LinAlgError) as error:
                 why = str(error)
                 continue
-        if _is_determined(found, base) or (
-            scalar and _is_determined(replace(found, identified=determined_by_geometry(found)), base)
+        if is_determined(found, base) or (
+            scalar and is_determined(replace(found, identified=determined_by_geometry(found)), base)
         ):
             return base, found
         why = found.identified.why_not or why
     raise InputError(f"run {run.run_id} does not even determine an offset: {why}")
 
 
-def _is_determined(found: MaximumLikelihood, base: Base) -> bool:
+def is_determined(found: MaximumLikelihood, base: Base) -> bool:
+    """Whether the run determines it closely enough; of an offset alone nothing more is asked."""
     field = float(found.observations.magnitude.max())
     loose = found.identified.worst_u_nT >= policy.POLICY.max_field_uncertainty * field
     return found.identified.why_not is None and (base == "offset" or not loose)

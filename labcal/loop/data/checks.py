@@ -50,7 +50,7 @@ def check_data(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
     A few wild rows are no such misfit: a frame, a clock or a unit that is wrong is so in all rows.
     """
     field = float(np.sqrt(np.mean(problem.observations.magnitude**2)))
-    if (finding := _dead_axis(problem) or _units(problem, field)) is not None:
+    if (finding := _dead_axis(problem) or units(problem, field)) is not None:
         return finding
     left = float(np.sqrt(np.mean(problem.length_nT(without_wild_rows(problem.residual_nT)) ** 2)))
     law = policy.POLICY
@@ -61,7 +61,7 @@ def check_data(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
     if min(left, declared) < gross:
         return _insufficient_excitation(problem, left)
     mistake = _frame(problem, run, declared) or _clock(problem, declared)
-    return mistake or _insufficient_excitation(problem, left) or _incoherent(left, field)
+    return mistake or _insufficient_excitation(problem, left) or incoherent(left, field)
 
 
 def _dead_axis(problem: LinearProblem) -> Finding | None:
@@ -72,7 +72,7 @@ def _dead_axis(problem: LinearProblem) -> Finding | None:
     return Finding("dead-axis", "data", f"The reading along {' and '.join(dead)} is the same in every row.")
 
 
-def _units(problem: LinearProblem, field: float) -> Finding | None:
+def units(problem: LinearProblem, field: float) -> Finding | None:
     """Readings of another order of magnitude than the field: no gain and no offset explains them."""
     readings = problem.observations.reading * problem.observations.scale * problem.run.dut.nominal_nT_per_unit
     size, spread = (float(np.sqrt(np.mean(np.sum(v**2, axis=1)))) for v in (readings, readings - readings.mean(axis=0)))
@@ -133,7 +133,7 @@ def _frame(problem: LinearProblem, run: Run, declared: float) -> Finding | None:
     for alike in (*([other] for other in (*_frames(run), *_senses(run))), [*_axes(run)]):
         tries = _batch_fit(problem, [mistake.corrected for mistake in alike])
         tried += [(mistake, *tries.fitted(i, worth)) for i, mistake in enumerate(alike)]
-    tried = [(mistake, left, K) for mistake, left, K in tried if _is_full_rank(K)]
+    tried = [(mistake, left, K) for mistake, left, K in tried if is_full_rank(K)]
     least = min((left for _, left, _ in tried), default=np.inf)
     if least * law.gross_factor > declared:
         return None
@@ -177,7 +177,7 @@ def signed_permutations() -> list[Array]:
     return [np.diag(sign) @ np.eye(3)[list(order)] for order in orders for sign in signs]
 
 
-def _is_full_rank(K: Array) -> bool:
+def is_full_rank(K: Array) -> bool:
     """Whether every axis is seen: a map that flattens the readings fits any constant."""
     sizes = np.linalg.svd(K, compute_uv=False)
     return bool(sizes[2] * policy.POLICY.gross_factor > sizes[0])
@@ -313,7 +313,8 @@ def time_shifted(t_s: Array, values: Array, at_s: Array) -> Array:
     return np.asarray((1 - part) * values[place - 1] + part * values[place])
 
 
-def _incoherent(left: float, field: float) -> Finding | None:
+def incoherent(left: float, field: float) -> Finding | None:
+    """A misfit `left` [nT] that is a large part of the `field` [nT]."""
     if left * policy.POLICY.gross_factor < field:
         return None
     text = f"The readings do not follow the reference: the base model leaves {left:.0f} of {field:.0f} nT"

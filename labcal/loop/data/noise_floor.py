@@ -41,7 +41,7 @@ class NoiseFloor:
 
 def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
     """The problem whitened by the actual noise, and its floor: declared, else static stretches, else differences."""
-    level, source = _static_noise(problem), "static"
+    level, source = static_noise(problem), "static"
     if level is None:
         rounding = rounding_noise(problem.run) / problem.noise.reading
         level, source = white_level(problem.y, problem.scene.segment, rounding), "differences"
@@ -116,7 +116,7 @@ def _angle_step(problem: LinearProblem) -> float:
     return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / ROUNDING)
 
 
-def _static_noise(problem: LinearProblem) -> float | None:
+def static_noise(problem: LinearProblem) -> float | None:
     """Spread of the residual in segments whose field stands still; None without any.
 
     Counted about what follows a channel or the power mode there: a load that is switched at rest is no noise. Nor are
