@@ -6657,6 +6657,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mount it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Skip this step</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6670,6 +6674,22 @@
     </message>
     <message>
         <source>✕ An instrument failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The record is not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The guardian failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The clock was set back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The coils may be on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -6657,6 +6657,10 @@
         <translation>Hände weg: noch einmal</translation>
     </message>
     <message>
+        <source>Mount it again</source>
+        <translation>Neu montieren</translation>
+    </message>
+    <message>
         <source>Skip this step</source>
         <translation>Schritt auslassen</translation>
     </message>
@@ -6671,6 +6675,22 @@
     <message>
         <source>✕ An instrument failed</source>
         <translation>✕ Ein Gerät hat versagt</translation>
+    </message>
+    <message>
+        <source>✕ The record is not kept</source>
+        <translation>✕ Die Aufzeichnung wird nicht gesichert</translation>
+    </message>
+    <message>
+        <source>✕ The guardian failed</source>
+        <translation>✕ Der Wächter ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>✕ The clock was set back</source>
+        <translation>✕ Die Uhr wurde zurückgestellt</translation>
+    </message>
+    <message>
+        <source>✕ The coils may be on</source>
+        <translation>✕ Die Spulen können an sein</translation>
     </message>
     <message>
         <source>✕ A limit is not met</source>

@@ -6657,6 +6657,10 @@
         <translation>Mains éloignées : réessayer</translation>
     </message>
     <message>
+        <source>Mount it again</source>
+        <translation>Remonter</translation>
+    </message>
+    <message>
         <source>Skip this step</source>
         <translation>Sauter cette étape</translation>
     </message>
@@ -6671,6 +6675,22 @@
     <message>
         <source>✕ An instrument failed</source>
         <translation>✕ Un instrument a failli</translation>
+    </message>
+    <message>
+        <source>✕ The record is not kept</source>
+        <translation>✕ L&apos;enregistrement n&apos;est pas conservé</translation>
+    </message>
+    <message>
+        <source>✕ The guardian failed</source>
+        <translation>✕ Le gardien est en panne</translation>
+    </message>
+    <message>
+        <source>✕ The clock was set back</source>
+        <translation>✕ L&apos;horloge a été retardée</translation>
+    </message>
+    <message>
+        <source>✕ The coils may be on</source>
+        <translation>✕ Les bobines sont peut-être sous tension</translation>
     </message>
     <message>
         <source>✕ A limit is not met</source>
