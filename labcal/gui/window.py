@@ -279,7 +279,7 @@ class Window(Frame):
     def _show_next(self) -> None:
         """Who sees already what goes on, and is not asked, has nothing to do but to wait."""
         to = self.app_state.path.next()
-        self.next.setDisabled(to.waits and self.page_shown() == to.page)
+        self.next.setDisabled(self.app_state.login.locked or (to.waits and self.page_shown() == to.page))
 
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""

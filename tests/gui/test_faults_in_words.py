@@ -120,7 +120,7 @@ def test_a_lost_supply_is_one_card_and_that_the_coils_may_be_on_comes_first(stil
     assert card.isHidden()
     still.fault._close()
     still.app_state.grow_old()
-    still.app_state.lab.changed.emit()
+    still.app_state.lab.update(message="seen")
     assert card.isVisible()  # who has put that one away sees what failed
 
 

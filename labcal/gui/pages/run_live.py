@@ -316,6 +316,7 @@ class Live(QWidget):
         self.middle.setCurrentWidget(shown)
         if prompt is not None and prompt is not self._asked:
             QApplication.alert(self)
+            self.prompt.take_focus()
         self._asked = prompt
 
     def _show_steps(self) -> None:

@@ -6913,6 +6913,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>changed</source>
         <translation type="unfinished"></translation>
     </message>

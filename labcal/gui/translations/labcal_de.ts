@@ -6941,6 +6941,14 @@
         <translation>± U (k=2) ist die der Differenz; jenseits von E_n = ±1 hat sich der Prüfling verändert.</translation>
     </message>
     <message>
+        <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
+        <translation>Sie sind von zwei Prüflingen. ± U (k=2) ist die des Unterschieds.</translation>
+    </message>
+    <message>
+        <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
+        <translation>Eine der beiden ist nicht erklärt: Was sich unterscheidet, kann ihr Fehler sein und sagt noch nichts über den Prüfling.</translation>
+    </message>
+    <message>
         <source>changed</source>
         <translation>geändert</translation>
     </message>

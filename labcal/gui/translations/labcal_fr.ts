@@ -6941,6 +6941,14 @@
         <translation>± U (k=2) est celle de la différence ; au-delà de E_n = ±1 le DUT a changé.</translation>
     </message>
     <message>
+        <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
+        <translation>Elles sont de deux DUT. ± U (k=2) est celle de la différence.</translation>
+    </message>
+    <message>
+        <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
+        <translation>L&apos;une des deux n&apos;est pas expliquée : ce qui diffère peut être son erreur et ne dit encore rien du DUT.</translation>
+    </message>
+    <message>
         <source>changed</source>
         <translation>changé</translation>
     </message>

@@ -149,7 +149,10 @@ class PromptCard(Card):
             self.tr("Scan it, or type it") if SERIAL in prompt.drawing else self.tr("Write it here")
         )
         self._make_buttons(prompt)
-        if SERIAL in prompt.drawing:
+
+    def take_focus(self) -> None:
+        """Where a serial is asked it is typed without a click; a field that is not in sight yet gets no focus."""
+        if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
     def say_coils(self, coil_words: str) -> None:
