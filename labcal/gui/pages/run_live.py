@@ -220,8 +220,11 @@ class Live(QWidget):
         self._run.go_on() if self._run.state == "paused" else self._run.pause()
 
     def _show(self) -> None:
+        asked = self._asked
         with focus_kept_in(self, self.fit, self.close_run, self.note):
             self._show_run()
+        if self._asked is not asked and self.isVisible() and not self.note.text():
+            self.prompt.take_focus()
 
     def _show_run(self) -> None:
         run = self._run
@@ -316,7 +319,6 @@ class Live(QWidget):
         self.middle.setCurrentWidget(shown)
         if prompt is not None and prompt is not self._asked:
             QApplication.alert(self)
-            self.prompt.take_focus()
         self._asked = prompt
 
     def _show_steps(self) -> None:

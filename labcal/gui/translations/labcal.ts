@@ -1401,6 +1401,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>named as approver, but has not the role approve: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its operator, {0}, has not the role measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody but its operator has signed who has the role release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its numbers were not confirmed by its run</source>
         <translation type="unfinished"></translation>
     </message>

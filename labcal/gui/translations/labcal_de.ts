@@ -1401,6 +1401,18 @@
         <translation>als Genehmigender genannt, hat aber nicht signiert: {0}</translation>
     </message>
     <message>
+        <source>named as approver, but has not the role approve: {0}</source>
+        <translation>als Genehmiger genannt, aber ohne die Rolle approve: {0}</translation>
+    </message>
+    <message>
+        <source>its operator, {0}, has not the role measure</source>
+        <translation>Bediener {0} hat die Rolle measure nicht</translation>
+    </message>
+    <message>
+        <source>nobody but its operator has signed who has the role release</source>
+        <translation>niemand außer dem Bediener hat signiert, der die Rolle release hat</translation>
+    </message>
+    <message>
         <source>its numbers were not confirmed by its run</source>
         <translation>seine Zahlen wurden von seiner Messung nicht bestätigt</translation>
     </message>

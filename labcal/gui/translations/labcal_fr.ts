@@ -1401,6 +1401,18 @@
         <translation>nommé approbateur, mais n&apos;a pas signé : {0}</translation>
     </message>
     <message>
+        <source>named as approver, but has not the role approve: {0}</source>
+        <translation>nommé comme approbateur, mais sans le rôle approve : {0}</translation>
+    </message>
+    <message>
+        <source>its operator, {0}, has not the role measure</source>
+        <translation>l&apos;opérateur {0} n&apos;a pas le rôle measure</translation>
+    </message>
+    <message>
+        <source>nobody but its operator has signed who has the role release</source>
+        <translation>personne d&apos;autre que l&apos;opérateur n&apos;a signé qui ait le rôle release</translation>
+    </message>
+    <message>
         <source>its numbers were not confirmed by its run</source>
         <translation>ses nombres n&apos;ont pas été confirmés par sa mesure</translation>
     </message>
