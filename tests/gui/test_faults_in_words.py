@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
 
 from labcal.errors import InstrumentError, LimitError
 from labcal.gui.ipc.answers import CoilEnd, SwitchedOff
@@ -118,7 +119,7 @@ def test_a_lost_supply_is_one_card_and_that_the_coils_may_be_on_comes_first(stil
     still.app_state.off_worker.asked[-1].failed(Fault("instrument", "x: supply_x: the link was lost."))
     assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ The coils may be on", True)
     assert card.isHidden()
-    still.fault._close()
+    next(one for one in still.fault.findChildren(QPushButton) if one.text() == "Close").click()
     still.app_state.grow_old()
     still.app_state.lab.update(message="seen")
     assert card.isVisible()  # who has put that one away sees what failed
