@@ -47,6 +47,7 @@ NEEDS, LASTS_MIN = "the DUT on the platform, remounted three times; a vector ref
 Array = NDArray[np.float64]
 REFERENCE = ("ref_x", "ref_y", "ref_z")
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
+REMOUNT = "remount"
 LONGEST_DELAY_S = 0.5  # of an axis, as sync-check allows
 MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, for the time that is left
 
@@ -83,10 +84,14 @@ class PreflightPlan:
         """The turns about one body axis that are not done."""
         return [turn for turn in self.turns(axis) if turn[0] not in done]
 
+    def turned(self, done: frozenset[str]) -> bool:
+        """Whether any turn is done."""
+        return any(name in done for axis in self.axes for name, _, _ in self.turns(axis))
+
     def stood(self, done: frozenset[str]) -> str:
         """The body axis that was mounted when the run broke off after these steps; "" where none surely was."""
         mounted = [axis for axis in self.axes if f"mount-{axis}" in done]
-        return mounted[-1] if mounted else self.axes[0] if "zero" in done else ""
+        return mounted[-1] if mounted else self.axes[0] if "axes-check" in done else ""
 
     def turns(self, axis: str) -> Iterator[tuple[str, str, float]]:
         """Step name, mode and field of every turn about one body axis."""
@@ -156,8 +161,8 @@ def preflight(
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         mounted = next((axis for axis in axes if setting.left(axis, done)), axes[0])
-        first = yield from _open(bench, setting, mounted, resume)
-        setting = yield from _check(bench, setting, mounted)
+        first = yield from _open_and_check_axes(bench, setting, mounted, resume)
+        setting = yield from _check_sync(bench, setting, mounted)
         before = ""
         for axis in axes:
             if setting.left(axis, done):
@@ -166,15 +171,36 @@ def preflight(
         yield from _closing(bench, setting, first, before)
 
 
-def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None) -> Work[First]:
-    """Mount, then the zero and the first position; after an interruption they are compared with what they were."""
+def _open_and_check_axes(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None) -> Work[First]:
+    """The opening and the axes; where they are not as they should be it is mounted again, and both begin anew.
+
+    Nothing of a turn hangs on them yet: what was measured of the wrong mounting stays in the record, as do its limits
+    that were not met until they are. Raises LimitNotMet where the person stops.
+    """
+    stood = setting.stood(resume.done) if resume else ""
+    while True:
+        try:
+            first = yield from _open(bench, setting, axis, resume, stood)
+            yield setting.plan().begin(bench, "axes-check")
+            yield from check_axes(bench, axis, 5_000.0, 2.0, 20.0, 15.0)
+            return first
+        except LimitNotMet as wrong:
+            yield from coils_off(bench)
+            choices = ("stop", REMOUNT)
+            if (yield Prompt(bench.clock.now(), "opening-failed", str(wrong), choices)) != REMOUNT:
+                raise
+            stood = ""
+
+
+def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None, stood: str) -> Work[First]:
+    """Mount, then the zero and the first position; where turns are kept they are compared with what they were."""
     yield setting.plan().begin(bench, "zero")
-    yield from _mounted(bench, axis, setting.stood(resume.done) if resume else "")
+    yield from _mounted(bench, axis, stood)
     yield from switch_mode(bench, setting.modes[0])
     strongest = max(abs(b) for b in setting.fields_nT) / 1000
     yield from ready(bench, f"The coils go to {strongest:g} µT and the platform turns. Hands off?")
     spots = yield from _zero_and_first_position(bench, setting, "zero")
-    if resume is None:
+    if resume is None or not setting.turned(resume.done):
         return First(tuple(spot.excess for spot in spots), spots)
     moved = [resume.measured.get(f"zero: {c}", b) - b for c, b in zip(REFERENCE, bench.cage.ambient_nT, strict=True)]
     yield from _must_close(bench, "zero since the interruption", float(np.linalg.norm(moved)), 0.0, setting.closure_nT)
@@ -194,10 +220,8 @@ def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
 
 
-def _check(bench: Bench, setting: PreflightPlan, axis: str) -> Work[PreflightPlan]:
-    """Axes and timing; the rate follows from the timing uncertainty found."""
-    yield setting.plan().begin(bench, "axes-check")
-    yield from check_axes(bench, axis, 5_000.0, 2.0, 20.0, 15.0)
+def _check_sync(bench: Bench, setting: PreflightPlan, axis: str) -> Work[PreflightPlan]:
+    """Timing; the rate follows from the timing uncertainty found."""
     yield setting.plan().begin(bench, "sync-check")
     u_time_s = yield from check_sync(bench, axis, 8_000.0, 15, 1.0, 40.0, 0.5)
     found = replace(setting, u_time_s=max(u_time_s, setting.u_time_s)).at_rate_of(bench)

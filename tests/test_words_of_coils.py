@@ -44,7 +44,9 @@ ORDER, HELP, ASKED, REFUSED, READ = (
     "says what was refused or is going on, not how the coils are",
     "is made of the read-back that it quotes, where it was read",
 )
+NOT_KNOWN = "stands above the words of a reading for as long as that does not say that they are at zero"
 NO_CLAIM = {
+    "✕ The coils may be on": NOT_KNOWN,
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
     "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "
     "before it is cleared.": ORDER,

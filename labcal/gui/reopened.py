@@ -27,11 +27,13 @@ class Shown:
             return
         old.app_state.settings.setValue("language", language)
         install_translator(application, QLocale(language))
+        old.app_state.lab.update(message="")  # in the other language, and past
         self.window = Window(old.app_state)
         self._listen()
         self.window.setGeometry(old.geometry())
         self.window.open_page(old.page_shown())
         self.window.show()
+        self.window.language_switch.setFocus()  # where it was; else the DUT's serial has it, selected
         QTimer.singleShot(0, self.window, self.window.prebuild)
         old.hide()
         old.deleteLater()

@@ -279,7 +279,7 @@ class Window(Frame):
     def _show_next(self) -> None:
         """Who sees already what goes on, and is not asked, has nothing to do but to wait."""
         to = self.app_state.path.next()
-        self.next.setDisabled(to.waits and self.page_shown() == to.page)
+        self.next.setDisabled(self.app_state.login.locked or (to.waits and self.page_shown() == to.page))
 
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
@@ -335,8 +335,9 @@ class Window(Frame):
 
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
-        if self.fault.fault is not None and self.app_state.says_unconfirmed(self.fault.fault):
+        if said := self.app_state.says_unconfirmed(self.fault.fault):
             self.fault.say_coils(self.app_state.coil_words())
+        self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:
         from labcal.gui.problem_report import save_problem

@@ -20,7 +20,6 @@ from labcal.bench.coils.state import NOT_READ, LabState
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.parameters import settings
 from labcal.bench.stated import refuse_overdue, stated_administrative, stated_environment, stated_reference
-from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
@@ -31,6 +30,7 @@ from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import CLOCK_BACK, Drive, Ending, OnItem, Show
 from labcal.runner.prompts import Answer
+from labcal.runner.resume_state import resume_state
 from labcal.store import RunWriter, Store
 from labcal.store.writer import SAY_S, iso
 from labcal.version import __version__
@@ -152,7 +152,9 @@ def resume_run(
     on_item: OnItem = lambda item: None,
     show: Show = lambda state: None,
 ) -> Outcome:
-    """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
+    """Go on with an interrupted run after its last finished step.
+
+    Given up before a coil is energised, or where a check fails before anything new was begun, it stays interrupted.
 
     What was measured before is reported first, and counts in the outcome.
     Raises InputError where the run was not interrupted, the procedure cannot be resumed, is another or has changed
@@ -227,7 +229,7 @@ def _drive(
     bench.dut_serial = dut_serial
     drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, writer.check)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
-    if "resume" in values and ending.fault is not None and not seen.energised:
+    if "resume" in values and ending.fault is not None and seen.nothing_new(ending.fault, values["resume"].done):
         ending = Ending(INTERRUPTED, ending.fault)
     wanted = drive.control.to_be_resumed and isinstance(ending.fault, Stopped)
     if procedure.resumable and (wanted or _may_go_on(ending.fault)):
@@ -275,6 +277,7 @@ class _Seen:
     on_item: OnItem
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
+    steps: set[str] = field(default_factory=set)
     store_told_s: float = -math.inf
     wait_told: bool = False
 
@@ -284,7 +287,13 @@ class _Seen:
             self.wait_told = True
             self.notice(Event(t_s, NOT_KEPT, f"the end of the run waits: {fault.what}"))
 
+    def nothing_new(self, fault: BaseException, done: frozenset[str]) -> bool:
+        """Whether a run that was gone on with ended as it was: with no coil energised, or in a check of its opening."""
+        return not self.energised or (isinstance(fault, LimitNotMet) and self.steps <= done)
+
     def notice(self, item: Item) -> None:
+        if isinstance(item, Step):
+            self.steps.add(item.name)
         if isinstance(item, Measurement):
             self.failed.pop(item.name, None)
             if item.verdict == "FAIL":
@@ -328,23 +337,6 @@ def _said(ending: Ending) -> str:
     if ending.by_store:
         return f"{BY_STORE}: {why.removesuffix('.')}; every row is kept by now"
     return f"{INTERRUPTED}: {why.removesuffix('.')}"
-
-
-def resume_state(items: Iterable[Item]) -> Resume:
-    """What an interrupted run had finished, and the first value of every measurement.
-
-    A step is finished where another followed it before the run broke off, or broke off again.
-    """
-    done, measured, going = set[str](), dict[str, float](), ""
-    for item in items:
-        if isinstance(item, Step):
-            done |= {going} - {""}
-            going = item.name
-        elif isinstance(item, Event) and item.kind == RESUMED:
-            going = ""
-        elif isinstance(item, Measurement):
-            measured.setdefault(item.name, item.value)
-    return Resume(frozenset(done), measured)
 
 
 def _refuse_another(bench: Bench, procedure: FoundProcedure, header: RunHeader, dut_serial: str | None) -> None:

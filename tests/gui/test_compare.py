@@ -75,6 +75,21 @@ def test_two_chosen_runs_are_compared_the_older_one_first_and_back_again(still, 
     assert page.table.isVisible()
 
 
+@pytest.mark.parametrize(
+    ("verdict", "dut", "said"),
+    [
+        ("clean", "EM-07", "the DUT has changed"),
+        ("unexplained", "EM-07", "says nothing of the DUT yet"),
+        ("clean", "EM-08", "They are of two DUTs"),
+    ],
+)
+def test_what_differs_is_a_change_of_the_dut_only_where_both_are_explained_and_of_it(page, verdict, dut, said):
+    found = Comparison(side("r1", "r1.json"), replace(side("r2", "r2.json"), dut=dut), FOUND)
+    page.comparison.show_comparison(found, {"r1": verdict})
+    assert said in page.comparison.remark.text()
+    assert ("✕ UNEXPLAINED" in page.comparison.whose.text()) == (verdict == "unexplained")
+
+
 @pytest.mark.parametrize("runs", [(), ("r1",), ("r1", "r0"), ("r0", "r1", "r2")])
 def test_only_two_whole_runs_are_compared(page, qtbot, runs):
     choose(page, qtbot, *runs)

@@ -35,7 +35,14 @@ from labcal.store import Store
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 INSTALLED = sorted(e.name for e in entry_points(group="labcal.procedures") if e.value.startswith("procedures."))
-BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "configuration, no such file", "a fault")
+BESIDE = (
+    "preflight, redone",
+    "preflight, resumed",
+    "preflight, wrong axes",
+    "rotate-axis, by hand",
+    "configuration, no such file",
+    "a fault",
+)
 BESIDE += ("rotate-axis, another serial",)
 DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
@@ -111,7 +118,11 @@ class Questions:
         if way == "redone":
             answers, until = {"mount-y": "redo x"}, "redo-x"
         elif way == "resumed":
-            filled, until = {"resume": steps.Resume(frozenset({"zero"}), {})}, "mounting-stands"
+            filled, until = {"resume": steps.Resume(frozenset({"zero", "axes-check"}), {})}, "mounting-stands"
+        elif way == "wrong axes":
+            bench, until = self.folder / "wrong-axes.toml", "opening-failed"
+            text = EXAMPLE.read_text(encoding="utf-8")
+            bench.write_text(text.replace("angle_sign = 1", "angle_sign = -1"), encoding="utf-8")
         elif way == "no such file":
             answers, until = {"photo-covers": "none.jpg"}, "batteries"
         elif way == "by hand":

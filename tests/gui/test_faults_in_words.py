@@ -6,11 +6,13 @@ from pathlib import Path
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
 
-from labcal.errors import InstrumentError
+from labcal.errors import InstrumentError, LimitError
 from labcal.gui.ipc.answers import CoilEnd, SwitchedOff
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of, with_instrument_names
+from labcal.gui.widgets.fault_card import FaultCard
 from labcal.record.stream import Prompt
 
 LINKS = {"reference": "serial:///dev/ttyUSB9", "supply_x": "modbus-rtu:///dev/ttyUSB1"}
@@ -89,6 +91,38 @@ def test_a_full_disk_is_said_as_such_and_is_no_fault_of_labcal_s():
     assert (full.kind, full.text) == ("input", "/lab/runs.sqlite: No space left on device")
     assert fault_of(InstrumentError("ref is silent", remedy="Look.")).kind == "instrument"
     assert fault_of(KeyError("x")).kind == "crash"
+
+
+@pytest.mark.parametrize(
+    ("error", "title"),
+    [
+        (InstrumentError("the disk did not take in time.", fault="store slow"), "✕ The record is not kept"),
+        (InstrumentError("there was no room on the disk.", fault="disk full"), "✕ The record is not kept"),
+        (InstrumentError("the guardian did not start.", fault="guardian lost"), "✕ The guardian failed"),
+        (InstrumentError("set back by 3 s.", fault="clock set back"), "✕ The clock was set back"),
+        (LimitError("3 A is beyond its limit of 2.5 A", fault="limit reached"), "✕ This cannot be done as asked"),
+        (InstrumentError("stage: the link was lost.", fault="link lost"), "✕ An instrument failed"),
+    ],
+)
+def test_the_title_says_what_failed_and_not_an_instrument_where_none_did(qtbot, error, title):
+    card = FaultCard(closable=False)
+    qtbot.addWidget(card)
+    card.show_fault(fault_of(error))
+    assert card.heading.text() == title
+
+
+def test_a_lost_supply_is_one_card_and_that_the_coils_may_be_on_comes_first(still):
+    fail(still, Fault("instrument", "supply_x: the link was lost.", "Plug it in."))
+    card = still.page("Run").live.fault
+    assert card.isVisible()
+    still.app_state.coils_off()
+    still.app_state.off_worker.asked[-1].failed(Fault("instrument", "x: supply_x: the link was lost."))
+    assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ The coils may be on", True)
+    assert card.isHidden()
+    next(one for one in still.fault.findChildren(QPushButton) if one.text() == "Close").click()
+    still.app_state.grow_old()
+    still.app_state.lab.update(message="seen")
+    assert card.isVisible()  # who has put that one away sees what failed
 
 
 def test_a_bench_that_cannot_be_read_leaves_the_one_that_is_open(still, tmp_path):

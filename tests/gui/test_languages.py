@@ -73,6 +73,7 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
     new_window.app_state.set_identity(dut="EM-07")
     new_window.open_page("Bench")
     assert new_window.language_switch.text() == "Deutsch"
+    new_window.app_state.lab.update(message="Scanned EM-07: it is the DUT at the top.")
     new_window.language_switch.click()
     window = shown.window
     qtbot.addWidget(window)
@@ -81,6 +82,7 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
     assert "Prüfling" in {one.text() for one in window.top.findChildren(QLabel)}
     assert "SPULEN AUS" in window.top.off.text()
     assert window.language_switch.text() == "Français"
+    assert (window.focusWidget(), window.message.text()) == (window.language_switch, "")
     assert format_number(1234.5).endswith("234,5")
     assert window.app_state.settings.value("language") == "de"
     with qtbot.waitSignal(window.coils_off):

@@ -12,6 +12,7 @@ from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.sentences import COILS, FORMS, NAME_FORMS, form_of, in_words
+from labcal.gui.viewmodels.loop_words import without_evidence
 from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.parameter_form import title_of
 from labcal.record.stream import Prompt, Step
@@ -155,3 +156,9 @@ def test_limits_and_readings_in_sentences_have_the_decimal_mark_of_the_language(
     assert in_words("coils on: x +0.1060 A") == "Spulen an: x +0,1060 A"
     assert in_words("offset x") == "Nullpunkt x"
     assert in_words("tcp://127.0.0.1:4002") == "tcp://127.0.0.1:4002"
+
+
+def test_a_reason_without_its_evidence_has_a_form_as_well(german):
+    for said in ("no better than chance or a slow wander", "too little evidence"):
+        assert without_evidence(f"{said}: evidence −3.1 nats, 5 needed") == said
+        assert in_words(said) != said

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 from test_path import RUN
 
 from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import ListRuns, ResumeRun, RunProcedure
+from labcal.gui.ipc.messages import Answer, ListRuns, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record.stream import FAULT, Measurement, Prompt, Step
@@ -87,6 +87,25 @@ def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_b
     assert {choice: made.objectName() for choice, made in card.choices.items()}["retry"] == "primary"
     assert [made.objectName() for made in card.choices.values()].count("primary") == 1
     assert card.choices["retry"].text().startswith("Hands off")
+
+
+def test_a_wrong_mounting_is_asked_about_and_to_mount_again_is_the_blue_one(running):
+    wrong = "axes-check: the DUT's z axis shows +x. Is the DUT mounted as asked? Then look at its axes."
+    running.app_state.bench_worker.items.emit((Prompt(1.0, "opening-failed", wrong, ("stop", "remount")),))
+    card = running.page("Run").live.prompt
+    assert {made.text(): made.objectName() for made in card.choices.values()} == {
+        "Stop the run": "", "Mount it again": "primary"
+    }  # fmt: skip
+    card.choices["remount"].click()
+    assert running.app_state.bench_worker.said[-1] == Answer("opening-failed", "remount")
+
+
+def test_a_serial_that_is_asked_is_typed_without_a_click(running):
+    live = running.page("Run").live
+    live.note.setFocus()
+    drawing = {"serial": "EM-07"}
+    running.app_state.bench_worker.items.emit((Prompt(1.0, "serial-mount-z", "Scan it.", (), True, drawing),))
+    assert QApplication.focusWidget() is live.prompt.entry
 
 
 @pytest.mark.parametrize(("procedure", "said"), [("preflight", False), ("field-sphere", True)])

@@ -15,11 +15,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.named_links import named_links
-from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped, words_of_system
+from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped, words_of_system
 from labcal.record.stream import Item
 from labcal.runner.control import Left
 
 BROKEN = ("crash", "ended")  # kinds of fault after which nobody knows what the work left behind
+MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
+NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
+    "disk full": "record",
+    "store slow": "record",
+    "store locked": "record",
+    "store gone": "record",
+    "store failed": "record",
+    "guardian lost": "guardian",
+    "guardian failed": "guardian",
+    "clock set back": "clock",
+}
 
 
 def item_to_json(item: Item) -> list[Any]:
@@ -42,7 +53,8 @@ def item_from_json(said: list[Any]) -> Item:
 class Fault:
     """What went wrong, for a card.
 
-    `kind` is input, instrument, limit, stopped, left (by whoever ran it), page, crash or ended (its process).
+    `kind` is input, instrument, record (which is not kept), guardian, clock, coils (that may be on), limit, stopped,
+    left (by whoever ran it), page, crash or ended (its process).
     """
 
     kind: str
@@ -54,7 +66,8 @@ class Fault:
 def fault_of(error: BaseException, details: str = "") -> Fault:
     """The fault that an exception of labcal's (or any other) stands for."""
     if isinstance(error, InstrumentError):
-        return Fault("instrument", error.what, error.remedy, details)
+        kind = "input" if isinstance(error, LimitError) else NO_INSTRUMENT.get(error.fault, "instrument")
+        return Fault(kind, error.what, error.remedy, details)
     kinds: tuple[tuple[type[BaseException], str], ...] = (
         (InputError, "input"), (LimitNotMet, "limit"), (Left, "left"),
         (Stopped, "stopped"), (KeyboardInterrupt, "stopped"),

@@ -213,7 +213,7 @@ class BenchPage(QWidget):
         if doubt.lifted:
             return self._app_state.lab.update(message=doubt.words)
         remedy = self.tr("Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME")
-        return self.fault.show_fault(Fault("instrument", doubt.words, remedy.format(Path(self._app_state.bench).name)))
+        return self.fault.show_fault(Fault("coils", doubt.words, remedy.format(Path(self._app_state.bench).name)))
 
     def _not_identified(self, fault: Fault) -> None:
         self.fault.show_fault(fault)

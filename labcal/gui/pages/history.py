@@ -265,7 +265,7 @@ class HistoryPage(QWidget):
     def _known(self, command: CompareRuns, found: Comparison) -> None:
         """What was asked last is shown, and nothing that was asked before."""
         if command is self._compared:
-            self.comparison.show_comparison(found)
+            self.comparison.show_comparison(found, {one.run_id: one.verdict for one in self.runs if one.verdict})
 
     def _not_compared(self, fault: Fault) -> None:
         self.faces.setCurrentIndex(0)

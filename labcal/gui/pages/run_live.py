@@ -220,8 +220,11 @@ class Live(QWidget):
         self._run.go_on() if self._run.state == "paused" else self._run.pause()
 
     def _show(self) -> None:
+        asked = self._asked
         with focus_kept_in(self, self.fit, self.close_run, self.note):
             self._show_run()
+        if self._asked is not asked and self.isVisible() and not self.note.text():
+            self.prompt.take_focus()
 
     def _show_run(self) -> None:
         run = self._run
@@ -274,7 +277,7 @@ class Live(QWidget):
         self.fault.show_fault(fault)
         if fault is None:
             return self.fault.hide()
-        self.fault.say_coils(self._coils_left(fault))
+        self._say_coils_left()
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
@@ -293,10 +296,15 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         self.prompt.say_coils(self._app_state.lab.state.now.coil_words)
-        if (fault := self._run.fault) is not None:
-            self.fault.say_coils(self._coils_left(fault))
+        if self._run.fault is not None:
+            self._say_coils_left()
 
-    def _coils_left(self, fault: Fault) -> str:
+    def _say_coils_left(self) -> None:
+        """One card at a time: that the coils may be on is said above, and comes first."""
+        self.fault.say_coils(self._coils_left())
+        self.fault.setVisible(not self._app_state.warning_shown)
+
+    def _coils_left(self) -> str:
         """How the coils are after a run that failed."""
         words = in_words(self._app_state.coil_words())
         if self._app_state.lab.state.now.coils_at_zero is False:

@@ -218,6 +218,7 @@ class StartPage(QWidget):
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self._app_state.path.take_runs(runs)
+        self._app_state.propose_dut()
         if runs:
             lines = [run_title(one) for one in runs[:3]]
             self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))

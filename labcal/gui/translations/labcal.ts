@@ -1401,6 +1401,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>named as approver, but has not the role approve: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its operator, {0}, has not the role measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody but its operator has signed who has the role release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its numbers were not confirmed by its run</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6657,6 +6669,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mount it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Skip this step</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6670,6 +6686,22 @@
     </message>
     <message>
         <source>✕ An instrument failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The record is not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The guardian failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The clock was set back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The coils may be on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6890,6 +6922,14 @@
     </message>
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

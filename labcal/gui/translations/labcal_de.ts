@@ -1401,6 +1401,18 @@
         <translation>als Genehmigender genannt, hat aber nicht signiert: {0}</translation>
     </message>
     <message>
+        <source>named as approver, but has not the role approve: {0}</source>
+        <translation>als Genehmiger genannt, aber ohne die Rolle approve: {0}</translation>
+    </message>
+    <message>
+        <source>its operator, {0}, has not the role measure</source>
+        <translation>Bediener {0} hat die Rolle measure nicht</translation>
+    </message>
+    <message>
+        <source>nobody but its operator has signed who has the role release</source>
+        <translation>niemand außer dem Bediener hat signiert, der die Rolle release hat</translation>
+    </message>
+    <message>
         <source>its numbers were not confirmed by its run</source>
         <translation>seine Zahlen wurden von seiner Messung nicht bestätigt</translation>
     </message>
@@ -6657,6 +6669,10 @@
         <translation>Hände weg: noch einmal</translation>
     </message>
     <message>
+        <source>Mount it again</source>
+        <translation>Neu montieren</translation>
+    </message>
+    <message>
         <source>Skip this step</source>
         <translation>Schritt auslassen</translation>
     </message>
@@ -6671,6 +6687,22 @@
     <message>
         <source>✕ An instrument failed</source>
         <translation>✕ Ein Gerät hat versagt</translation>
+    </message>
+    <message>
+        <source>✕ The record is not kept</source>
+        <translation>✕ Die Aufzeichnung wird nicht gesichert</translation>
+    </message>
+    <message>
+        <source>✕ The guardian failed</source>
+        <translation>✕ Der Wächter ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>✕ The clock was set back</source>
+        <translation>✕ Die Uhr wurde zurückgestellt</translation>
+    </message>
+    <message>
+        <source>✕ The coils may be on</source>
+        <translation>✕ Die Spulen können an sein</translation>
     </message>
     <message>
         <source>✕ A limit is not met</source>
@@ -6919,6 +6951,14 @@
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
         <translation>± U (k=2) ist die der Differenz; jenseits von E_n = ±1 hat sich der Prüfling verändert.</translation>
+    </message>
+    <message>
+        <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
+        <translation>Sie sind von zwei Prüflingen. ± U (k=2) ist die des Unterschieds.</translation>
+    </message>
+    <message>
+        <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
+        <translation>Eine der beiden ist nicht erklärt: Was sich unterscheidet, kann ihr Fehler sein und sagt noch nichts über den Prüfling.</translation>
     </message>
     <message>
         <source>changed</source>

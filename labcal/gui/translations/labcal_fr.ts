@@ -1401,6 +1401,18 @@
         <translation>nommé approbateur, mais n&apos;a pas signé : {0}</translation>
     </message>
     <message>
+        <source>named as approver, but has not the role approve: {0}</source>
+        <translation>nommé comme approbateur, mais sans le rôle approve : {0}</translation>
+    </message>
+    <message>
+        <source>its operator, {0}, has not the role measure</source>
+        <translation>l&apos;opérateur {0} n&apos;a pas le rôle measure</translation>
+    </message>
+    <message>
+        <source>nobody but its operator has signed who has the role release</source>
+        <translation>personne d&apos;autre que l&apos;opérateur n&apos;a signé qui ait le rôle release</translation>
+    </message>
+    <message>
         <source>its numbers were not confirmed by its run</source>
         <translation>ses nombres n&apos;ont pas été confirmés par sa mesure</translation>
     </message>
@@ -6657,6 +6669,10 @@
         <translation>Mains éloignées : réessayer</translation>
     </message>
     <message>
+        <source>Mount it again</source>
+        <translation>Remonter</translation>
+    </message>
+    <message>
         <source>Skip this step</source>
         <translation>Sauter cette étape</translation>
     </message>
@@ -6671,6 +6687,22 @@
     <message>
         <source>✕ An instrument failed</source>
         <translation>✕ Un instrument a failli</translation>
+    </message>
+    <message>
+        <source>✕ The record is not kept</source>
+        <translation>✕ L&apos;enregistrement n&apos;est pas conservé</translation>
+    </message>
+    <message>
+        <source>✕ The guardian failed</source>
+        <translation>✕ Le gardien est en panne</translation>
+    </message>
+    <message>
+        <source>✕ The clock was set back</source>
+        <translation>✕ L&apos;horloge a été retardée</translation>
+    </message>
+    <message>
+        <source>✕ The coils may be on</source>
+        <translation>✕ Les bobines sont peut-être sous tension</translation>
     </message>
     <message>
         <source>✕ A limit is not met</source>
@@ -6919,6 +6951,14 @@
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
         <translation>± U (k=2) est celle de la différence ; au-delà de E_n = ±1 le DUT a changé.</translation>
+    </message>
+    <message>
+        <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
+        <translation>Elles sont de deux DUT. ± U (k=2) est celle de la différence.</translation>
+    </message>
+    <message>
+        <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
+        <translation>L&apos;une des deux n&apos;est pas expliquée : ce qui diffère peut être son erreur et ne dit encore rien du DUT.</translation>
     </message>
     <message>
         <source>changed</source>

@@ -58,7 +58,9 @@ REASONS = (  # of the verdict and of each candidate
     QT_TRANSLATE_NOOP("Data", "evidence over a slow wander without a name: {0}"),
     QT_TRANSLATE_NOOP("Data", "{0} nats, {1} needed"),
     QT_TRANSLATE_NOOP("Data", "no better than chance or a slow wander: evidence {0}"),
+    QT_TRANSLATE_NOOP("Data", "no better than chance or a slow wander"),
     QT_TRANSLATE_NOOP("Data", "too little evidence: {0}"),
+    QT_TRANSLATE_NOOP("Data", "too little evidence"),
     QT_TRANSLATE_NOOP("Data", "takes {0} times the noise's square off the residual: not worth its parameters"),
     QT_TRANSLATE_NOOP(
         "Data",

@@ -19,13 +19,13 @@ from labcal.bench.coils import state
 from labcal.errors import InputError
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
-from labcal.gui.ipc.answers import Bench, CoilEnd, Identified, InstrumentAnswer, SwitchedOff
+from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, coil_read, lab_now
+from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
@@ -86,6 +86,8 @@ class AppState(QObject):
         self._known_s = 0.0  # and when it did
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
+        self.warning_shown = False  # the card that says so
+        self._dut_stated = False  # by a person, or by the run that is gone on with
         self._age_timer = QTimer(self, interval=AGES_MS)
         self._age_timer.timeout.connect(self.grow_old)
         self._age_timer.start()
@@ -121,11 +123,18 @@ class AppState(QObject):
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
         self.run.virtual_time = facts.virtual_time
         self.run.links = {name: one.link for name, one in facts.instruments.items()}
-        serial = self.lab.state.dut_serial or facts.dut.serial
-        refused = self.serial_objection(serial)
-        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial, dut_objection=refused)
+        self.lab.update(bench=facts.name, simulated=facts.simulated)
+        self.propose_dut()
         self.grow_old()
         self.bench_changed.emit()
+
+    def propose_dut(self) -> None:
+        """Until somebody says which: the DUT of the run that is to be gone on with, else the one of the bench file."""
+        if self.facts is None:
+            return
+        state, of_run = self.lab.state, self.path.broken_off(self.facts.simulated)
+        serial = state.dut_serial if self._dut_stated else of_run or self.facts.dut.serial
+        self.lab.update(dut_serial=serial, dut_objection=self.serial_objection(serial))
 
     def come_back(self, worker: int) -> None:
         """Take up the run that the process `worker` went on with while there was no window."""
@@ -186,6 +195,7 @@ class AppState(QObject):
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
         if dut is not None:
+            self._dut_stated = True
             refused = self.serial_objection(dut.strip())
             self.lab.update(dut_serial=dut.strip(), dut_objection=refused)
             if refused or self.lab.state.message == self._said_of_dut:
@@ -298,29 +308,20 @@ class AppState(QObject):
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
         before = self.known or state.LabState(())
         self._asked_off = False
-        coils, heard = tuple(map(coil_read, said.coils)), self._heard_from(before.instruments, said.coils)
+        coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, self.facts)
         self.take_lab(replace(before, coils=coils, reference=witness, guardian=None, instruments=heard))
         if said.doubt or not all(axis.ok for axis in said.coils):
-            self._off_failed(Fault("instrument", words))
-
-    def _heard_from(self, before: tuple[state.Heard, ...], said: tuple[CoilEnd, ...]) -> tuple[state.Heard, ...]:
-        """Supplies that were read back answer, whatever was wrong with them before."""
-        roles = {} if self.facts is None else {one.role: name for name, one in self.facts.instruments.items()}
-        heard = {one.name: one for one in before}
-        for one in said:
-            if one.ok and one.read_s is not None and (name := roles.get(f"coil-{one.axis}")):
-                heard[name] = state.Heard(name, one.read_s)
-        return tuple(heard.values())
+            self._off_failed(Fault("coils", words))
 
     def _off_failed(self, fault: Fault) -> None:
         remedy = self.tr("Switch the supplies off at their mains switches.")
-        self.lab.update(message=fault.text)
-        self._unconfirmed = Fault(fault.kind, fault.text, remedy, fault.details)
+        self._unconfirmed = Fault("coils", fault.text, remedy, fault.details)
         self.fault.emit(self._unconfirmed)
+        self.lab.update(message=fault.text)
 
-    def says_unconfirmed(self, fault: Fault) -> bool:
+    def says_unconfirmed(self, fault: Fault | None) -> bool:
         """Whether this card is about coils that are not known to be at zero."""
-        return fault is self._unconfirmed
+        return fault is not None and fault is self._unconfirmed
 
     def coil_words(self) -> str:
         """What may be said of the coils now."""

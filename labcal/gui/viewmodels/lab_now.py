@@ -10,7 +10,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
-from labcal.gui.ipc.answers import CoilEnd
+from labcal.gui.ipc.answers import Bench, CoilEnd
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
@@ -134,3 +134,15 @@ def coil_read(said: CoilEnd) -> state.CoilReading:
     known, read_s = said.current_A is not None, said.read_s or time.monotonic()
     fault = "" if said.ok else said.words
     return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)
+
+
+def heard_from(
+    before: tuple[state.Heard, ...], said: tuple[CoilEnd, ...], facts: Bench | None
+) -> tuple[state.Heard, ...]:
+    """Supplies that were read back answer, whatever was wrong with them before."""
+    roles = {} if facts is None else {one.role: name for name, one in facts.instruments.items()}
+    heard = {one.name: one for one in before}
+    for one in said:
+        if one.ok and one.read_s is not None and (name := roles.get(f"coil-{one.axis}")):
+            heard[name] = state.Heard(name, one.read_s)
+    return tuple(heard.values())

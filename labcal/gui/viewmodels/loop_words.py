@@ -30,8 +30,6 @@ MEANS = {
 }
 EVIDENCE = re.compile(r"(; evidence over a slow wander without a name)?:( evidence)? −?[\d.]+ nats, \d+ needed")
 TEXTS = (
-    QT_TRANSLATE_NOOP("Data", "no better than chance or a slow wander"),
-    QT_TRANSLATE_NOOP("Data", "too little evidence"),
     QT_TRANSLATE_NOOP("Words", "{0} and {1}"),
     QT_TRANSLATE_NOOP("Words", "rows that were set aside"),
     *MEANS.values(),

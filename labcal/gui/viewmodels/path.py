@@ -71,6 +71,11 @@ class PathViewModel(QObject):
             remedy = self.tr("What it has not measured yet would be missing: go on with it on the Start page.")
         return self.tr("Run {0} {1}. {2}").format(run_id, known.get(status, failed), remedy)
 
+    def broken_off(self, simulated: bool) -> str:
+        """The DUT of the newest run in such a lab, where that run is to be gone on with; else ""."""
+        newest = next((one for one in self.runs if one.simulated == simulated), None)
+        return newest.dut_serial if newest is not None and newest.status == "interrupted" else ""
+
     def last(self) -> RunLine | None:
         """The newest run of this DUT that was to calibrate it."""
         serial = self._lab.state.dut_serial

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
@@ -11,6 +13,8 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import change_rows
+from labcal.gui.viewmodels.loop_words import verdict_word
+from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, offer
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.plot_export import export_buttons
@@ -19,6 +23,8 @@ from labcal.gui.widgets.study_plots import Residuals
 
 HEADINGS = ("figure", "earlier", "later", "± U", "unit", "E_n", "")
 OF_THE_DIFFERENCE = "± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed."
+TWO_DUTS = "They are of two DUTs. ± U (k=2) is that of the difference."
+NOT_EXPLAINED = "One of the two is not explained: what differs may be its error, and says nothing of the DUT yet."
 
 
 class ComparisonView(QWidget):
@@ -30,6 +36,7 @@ class ComparisonView(QWidget):
         super().__init__()
         self._theme = theme
         self._shown: Comparison | None = None
+        self._explained = True  # both, by the loop, or it has not decided
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
@@ -50,13 +57,19 @@ class ComparisonView(QWidget):
         self.whose.setText(self.tr("Runs without a calibration are fitted now."))
         self._draw()
 
-    def show_comparison(self, found: Comparison) -> None:
-        """Show two runs."""
-        self._shown = found
+    def show_comparison(self, found: Comparison, verdicts: Mapping[str, str] | None = None) -> None:
+        """Show two runs; `verdicts` of the loop, by run, where it has decided."""
+        self._shown, said = found, verdicts or {}
         duts = " / ".join(dict.fromkeys((found.older.dut, found.newer.dut)))
         self.card.heading.setText(self.tr("{0}: two runs compared").format(duts))
         sides = ((self.tr("Earlier"), found.older), (self.tr("Later"), found.newer))
-        self.whose.setText("\n".join(f"{which}: {self._source(one)}" for which, one in sides))
+        self.whose.setText(
+            "\n".join(
+                ": ".join(filter(None, (which, self._source(one), verdict_word(said.get(one.run_id, "")))))
+                for which, one in sides
+            )
+        )
+        self._explained = all(said.get(one.run_id, "clean") in EXPLAINED for _, one in sides)
         names = [name for name in found.older.against if name in found.newer.against]
         offer(self.against, names)
         self._draw()
@@ -127,9 +140,9 @@ class ComparisonView(QWidget):
                 colour = getattr(self._theme, cell.state) if cell.state else ""
                 self.table.set_cell(row, column, cell.text, right=cell.right, colour=colour, tip=cell.tip)
         if changes is not None:
-            self.remark.setText(
-                " ".join((*map(in_words, (changes.in_words(), *changes.remarks)), translated(OF_THE_DIFFERENCE)))
-            )
+            means = OF_THE_DIFFERENCE if self._explained else NOT_EXPLAINED
+            means = means if found is None or found.older.dut == found.newer.dut else TWO_DUTS
+            self.remark.setText(" ".join((*map(in_words, (changes.in_words(), *changes.remarks)), translated(means))))
         else:
             self.remark.setText("" if found is None else found.refused)
 

@@ -14,6 +14,10 @@ from labcal.gui.widgets.common import Card, button, label, set_state
 TITLES = {
     "input": "✕ This cannot be done as asked",
     "instrument": "✕ An instrument failed",
+    "record": "✕ The record is not kept",
+    "guardian": "✕ The guardian failed",
+    "clock": "✕ The clock was set back",
+    "coils": "✕ The coils may be on",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
     "left": "▲ Interrupted",

@@ -46,12 +46,13 @@ WORDS = {
     "no": "No",
     "stop": "Stop the run",
     "retry": "Hands off: try again",
+    "remount": "Mount it again",
     "skip": "Skip this step",
     "send": "Send",
 }
 
 
-RETRY = "retry"  # what is wanted where an instrument failed; a script stops, as the first choice says
+RETRY, REMOUNT = "retry", "remount"  # what is wanted where something failed; a script stops, as the first choice says
 
 
 def unbroken(text: str) -> str:
@@ -148,7 +149,10 @@ class PromptCard(Card):
             self.tr("Scan it, or type it") if SERIAL in prompt.drawing else self.tr("Write it here")
         )
         self._make_buttons(prompt)
-        if SERIAL in prompt.drawing:
+
+    def take_focus(self) -> None:
+        """Where a serial is asked it is typed without a click; a field that is not in sight yet gets no focus."""
+        if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
     def say_coils(self, coil_words: str) -> None:
@@ -169,9 +173,12 @@ class PromptCard(Card):
                 widget.deleteLater()
         self.choices, self.send = {}, None
         keys = iter(KEYS)
+        wanted = next(
+            (one for one in prompt.choices if one in (RETRY, REMOUNT)), prompt.choices[0] if prompt.choices else ""
+        )
         for choice in prompt.choices:
             made = self._button(answer_label(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
-            named(made, "primary" if choice == (RETRY if RETRY in prompt.choices else prompt.choices[0]) else "")
+            named(made, "primary" if choice == wanted else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
             self._buttons.addWidget(made)

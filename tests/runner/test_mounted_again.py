@@ -1,0 +1,119 @@
+"""A DUT that was mounted wrongly is found by the axes check, and may be mounted again without losing the run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+from short_preflight import SHORT
+from test_lost_and_gone_on_with import SECOND, TWO_FIELDS, begun, pulled
+
+from labcal import session
+from labcal.bench import open_bench
+from labcal.bench.bench import Bench
+from labcal.bench.clock import VirtualClock
+from labcal.bench.mounting import attitude
+from labcal.errors import LimitNotMet
+from labcal.record.stream import Item, Measurement, Prompt, Step
+from labcal.runner import Outcome, find, resume_run, run_procedure
+from labcal.store import Store
+
+BenchFile = Callable[..., Path]
+
+
+class Hands:
+    """Mounts the wrong axis at the first `wrong` mountings, says done each time, and then what `then` says."""
+
+    def __init__(self, lab: Bench, wrong: int, then: str = "remount") -> None:
+        self.lab, self.wrong, self.then, self.asked = lab, wrong, then, list[str]()
+        operator = lab.simulated_operator
+        assert operator is not None
+        self._do, operator.do = operator.do, self.do  # type: ignore[method-assign]
+
+    def do(self, prompt: Prompt) -> None:
+        if "body_from_cage" in prompt.drawing and self.wrong > 0:
+            self.wrong -= 1
+            drawing = {"body_from_cage": attitude(self.lab, "x").tolist()}
+            return self._do(Prompt(prompt.t_s, prompt.key, prompt.text, drawing=drawing))
+        return self._do(prompt)
+
+    def answer(self, prompt: Prompt) -> str:
+        self.asked.append(prompt.key)
+        return self.then if prompt.key == "opening-failed" else prompt.choices[0]
+
+
+@contextmanager
+def laboratory(bench: Path) -> Iterator[tuple[Bench, Store]]:
+    clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
+    with closing(open_bench(bench, clock=clock, seed=2)) as lab, Store.open() as store:
+        yield lab, store
+
+
+def gone_on_with(bench: Path, wrong: int, then: str = "remount") -> tuple[Outcome, Hands]:
+    with laboratory(bench) as (lab, store):
+        hands = Hands(lab, wrong, then)
+        return resume_run(lab, find("preflight"), "R", store=store, answer=hands.answer), hands
+
+
+def kept() -> list[Item]:
+    with Store.open() as store:
+        return list(store.items("R", but="block"))
+
+
+def of_axes() -> list[str]:
+    """The verdicts of the DUT's z axis, in the order in which it was looked at."""
+    return [i.verdict for i in kept() if isinstance(i, Measurement) and i.name == "DUT z points beside by"]
+
+
+def test_mounted_again_the_run_begins_anew_and_both_checks_stay_in_the_record(bench_file: BenchFile) -> None:
+    with laboratory(bench_file()) as (lab, store):
+        hands = Hands(lab, 1)
+        ended = run_procedure(lab, find("preflight"), SHORT, store=store, answer=hands.answer, run_id="R")
+    assert (ended.status, ended.fault, ended.failed) == ("finished", None, ())
+    assert hands.asked[:5] == ["mount-z", "mode-nominal", "ready", "opening-failed", "mount-z"]
+    assert of_axes() == ["FAIL", "PASS"]
+    assert [i.name for i in kept() if isinstance(i, Step)][:5] == ["zero", "axes-check"] * 2 + ["sync-check"]
+
+
+def test_a_wrong_yes_where_a_run_is_gone_on_with_loses_nothing(bench_file: BenchFile) -> None:
+    bench = bench_file()
+    assert begun(bench, "preflight", pulled("dut"), TWO_FIELDS, SECOND).resumable
+    ended, hands = gone_on_with(bench, 1)
+    assert (ended.status, ended.fault, ended.failed) == ("finished", None, ())
+    assert hands.asked[0] == "mounting-stands"
+    assert hands.asked[hands.asked.index("opening-failed") + 1] == "mount-z"  # not whether it still stands
+    assert of_axes() == ["PASS", "FAIL", "PASS"]
+    run = session.load_run("R")
+    turned = [one for n, one in enumerate(run.segments) if len(run.rows(n)) > 150]
+    assert [one.mounting for one in turned] == ["z", "z.again"]
+
+
+def test_stopped_at_that_question_it_can_be_gone_on_with_once_more(bench_file: BenchFile) -> None:
+    bench = bench_file()
+    begun(bench, "preflight", pulled("dut"), TWO_FIELDS, SECOND)
+    stopped, _ = gone_on_with(bench, 9, "stop")
+    assert (stopped.status, stopped.resumable) == ("interrupted", True)
+    assert stopped.ending.startswith("interrupted: axes-check: the DUT's ")
+    with pytest.raises(LimitNotMet, match="axes-check"):
+        stopped.raise_fault()
+    ended, _ = gone_on_with(bench, 0)
+    assert (ended.status, ended.failed) == ("finished", ())
+
+
+def test_a_run_that_never_passed_it_fails_where_the_person_stops(bench_file: BenchFile) -> None:
+    with laboratory(bench_file()) as (lab, store):
+        hands = Hands(lab, 9, "stop")
+        ended = run_procedure(lab, find("preflight"), SHORT, store=store, answer=hands.answer, run_id="R")
+    assert ended.status.startswith("failed: axes-check: the DUT's ")
+    assert not ended.resumable
+
+
+def test_what_was_measured_with_a_closure_beyond_its_limit_is_still_a_failed_run(bench_file: BenchFile) -> None:
+    bench = bench_file('effects = { "offset-step" = { at_s = 120.0 } }')
+    begun(bench, "preflight", pulled("dut"), TWO_FIELDS | {"closure_nT": "40"}, SECOND)
+    ended, hands = gone_on_with(bench, 0, "stop")
+    assert "opening-failed" not in hands.asked
+    assert ended.status.startswith("failed: closure")
