@@ -88,11 +88,20 @@ def _neighbourhood(
         y = neighbours[part]
         if len(y) < 2 * window + 1:
             continue
-        padded = np.pad(y, ((window, window), (0, 0)), mode="reflect")
-        near = np.stack([padded[k : k + len(y)] for k in range(2 * window + 1) if k != window])
+        near = y[_nearest(len(y), 2 * window)]
         middle = median(near, axis=0)
         away[part], around[part] = rows[part] - middle, median(np.abs(near - middle), axis=0)
     return away, around
+
+
+def _nearest(rows: int, neighbours: int) -> NDArray[np.intp]:
+    """The numbers of the nearest rows (neighbours, rows) of each row, itself left out; of one near an end, one-sided.
+
+    Each once: rows that were mirrored at an end would count a burst there twice.
+    """
+    at = np.arange(rows)
+    others = np.clip(at - neighbours // 2, 0, rows - neighbours - 1) + np.arange(neighbours)[:, None]
+    return np.asarray(others + (others >= at))
 
 
 def _median_of_known(values: Array, axis: int) -> Array:
