@@ -59,6 +59,9 @@ def figures(rows: Sequence[Row]) -> dict[str, str]:
     offered = [(r, d) for r in told for d in r["truth"]["decoys"]]
     claims = [r["after"] / r["fresh"] for r in told if r["verdict"] in ("clean", "explained")]
     over = [r["fresh"] / r["knew"] for r in known]
+    stated = [r for r in told if np.isfinite(r["over_stated"])]
+    whole = [r["over_stated"] for r in stated if r["verdict"] in ("clean", "explained")]
+    structured = [r["over_stated"] for r in stated if r["verdict"] not in ("clean", "explained")]
     seconds = [r["seconds"] for r in told]
     return {
         "runs (ended in an error)": f"{len(rows)} ({len(rows) - len(told)})",
@@ -73,6 +76,8 @@ def figures(rows: Sequence[Row]) -> dict[str, str]:
         "`ambiguous` where one cause is at work": _of(single, lambda r: r["verdict"] == "ambiguous"),
         "claimed over fresh error, 10 to 90 % (`clean`, `explained`)": quantiles(claims, (0.1, 0.9)),
         "fresh error over a fit that knew, median to 90 %": quantiles(over, (0.5, 0.9)),
+        "fresh error over u_nT, rows without a flag, 10 to 90 % (`clean`, `explained`)": quantiles(whole, (0.1, 0.9)),
+        "the same where structure is left": quantiles(structured, (0.1, 0.9)),
         "seconds of processor a run, median to largest": quantiles(seconds, (0.5, 1.0)),
     }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import sys
@@ -35,10 +36,10 @@ def put_through(folder: Path) -> Row:
     with tempfile.TemporaryDirectory() as scratch:
         made = draft_calibration(run, closed.fit(), bundle.sha256)
         apply_file(made, folder / "fresh.csv", Path(scratch) / "out.csv")
-        rows = np.genfromtxt(
-            Path(scratch) / "out.csv", delimiter=",", names=True, usecols=("b_x", "b_y", "b_z", "u_nT")
-        )
-        field, stated = np.column_stack([rows[name] for name in ("b_x", "b_y", "b_z")]), rows["u_nT"]
+        with (Path(scratch) / "out.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        field = np.array([[float(row[name]) for name in ("b_x", "b_y", "b_z")] for row in rows])
+        stated, flagged = np.array([float(row["u_nT"]) for row in rows]), np.array([bool(row["flag"]) for row in rows])
     truth = np.loadtxt(folder / "truth_fresh.csv", delimiter=",")
     wrong = np.linalg.norm(field - truth, axis=1)
     if closed.residual_kind == "scalar":
@@ -56,11 +57,16 @@ def put_through(folder: Path) -> Row:
         "floor": closed.noise_floor_nT,
         "before": closed.before.holdout_rms_nT,
         "after": closed.after.holdout_rms_nT,
-        "fresh": float(np.sqrt(np.nanmean(wrong**2))),
+        "fresh": _rms(wrong),
         "knew": knew,
-        "stated": float(np.sqrt(components * np.nanmean(stated**2))),  # what u_nT says that `fresh` is
+        "flagged": float(flagged.mean()),
+        "over_stated": _rms(wrong[~flagged]) / _rms(np.sqrt(components) * stated[~flagged]),  # of rows without a flag
         "seconds": seconds,
     }
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.nanmean(values**2))) if len(values) else float("nan")
 
 
 def attempted(folder: Path) -> Row | None:
