@@ -49,6 +49,18 @@ def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late
     assert [found[f"c_{axis}"] for axis in "xyz"] == pytest.approx(EACH_nT.tolist(), abs=15.0)
 
 
+@pytest.mark.parametrize("at_s", [1.5, 3.0, 4.5])
+def test_a_load_that_is_switched_once_between_two_samples_is_no_step(at_s: float) -> None:
+    """A step on the run's clock fits every row; the load all but those on which nobody knows it, and goes first."""
+    t_s = _clock(80)
+    before = float(t_s[len(t_s) // 2])
+    load = (t_s > before + at_s).astype(float)
+    drawn = np.interp(t_s, [before, before + 6.0], [0.0, 1.0])
+    closed = close_loop(_run(load, drawn))
+    assert [effect.effect for effect in closed.accepted] == ["offset-current"]
+    assert closed.after.holdout_rms_nT < 1.05 * closed.noise_floor_nT
+
+
 def test_a_load_that_is_where_its_telemetry_draws_it_loses_no_row() -> None:
     t_s = _clock(80)
     drawn = _drawn(t_s)

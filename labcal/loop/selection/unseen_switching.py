@@ -36,10 +36,16 @@ def switched_unseen(pool: CandidateSet, found: Selection) -> Mask:
         known = ~ways & pool.valid
         if not ways.any() or not known.any():
             continue
-        own = left if effects is found.accepted else _misfit(pool, effects)
-        if np.mean(own[known]) <= np.mean(left[known]) and misses_more(own, ways):
+        own = left if effects is found.accepted else _misfit(pool.without_rows(~known), effects)
+        if _is_as_good(own[known], left[known]) and misses_more(own, ways):
             out |= ways
     return out
+
+
+def _is_as_good(squares: Array, others: Array) -> bool:
+    """Whether a fit that leaves these squares is not behind the one that leaves the others by what decides."""
+    behind = 0.5 * len(squares) * np.log(np.mean(squares) / np.mean(others))
+    return bool(behind <= policy.POLICY.equivalent_nats)
 
 
 def _resting_on_channels(found: Selection) -> Iterator[tuple[Term, Sequence[Candidate]]]:
