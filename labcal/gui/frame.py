@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import partial
 from math import hypot
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -15,7 +14,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
     QMainWindow,
     QPushButton,
     QScrollArea,
@@ -25,13 +23,13 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.theming.theme import GRID
+from labcal.gui.top_bar import TopBar
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
-from labcal.gui.widgets.barcode_scanner import takes_scans
-from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state, shrinkable
+from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -40,52 +38,6 @@ NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side pan
 NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
 UNITS = ("nT", "µT", "mG")
-
-
-class TopBar(Surface):
-    """DUT, operator, bench, SIMULATED where it is, and Coils off: in sight on every page."""
-
-    def __init__(self) -> None:
-        super().__init__(Qt.Edge.BottomEdge)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
-        row.setSpacing(GRID)
-        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), shrinkable(label())
-        self.dut.setToolTip(self.tr("Serial number of the device under test: type it, or scan it at any moment"))
-        self.operator.setToolTip(self.tr("Who works here now; stands in the record and in the calibration"))
-        for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
-            value.setAccessibleName(caption)
-            value.setPlaceholderText(self.tr("needed"))
-            value.setMinimumWidth(4 * GRID)
-            value.editingFinished.connect(partial(value.setCursorPosition, 0))
-            row.addWidget(label(caption, "caption"))
-            row.addWidget(value)
-            row.addSpacing(2 * GRID)
-        self._tips = {entry: entry.toolTip() for entry in (self.dut, self.operator)}
-        self.dut.returnPressed.connect(self.operator.setFocus)
-        takes_scans(self.dut)
-        row.addWidget(label(self.tr("Bench"), "caption"))
-        row.addWidget(self.bench)
-        row.addStretch()
-        self.simulated = label(self.tr("SIMULATED"), "simulated")
-        row.addWidget(self.simulated)
-        row.addStretch()
-        self.off = QPushButton(self.tr("COILS OFF   F12"))
-        self.off.setObjectName("off")
-        self.off.setToolTip(self.tr("Take every coil to zero now (F12). Works in every state and asks nothing."))
-        self.off.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        row.addWidget(self.off)
-
-    def show_state(self, state: LabState) -> None:
-        """Write the state."""
-        for entry, text in ((self.dut, state.dut_serial), (self.operator, state.operator)):
-            if entry.text() != text and not (entry.hasFocus() and entry.isModified()):
-                entry.setText(text)
-                entry.setCursorPosition(0)  # of a long one its beginning is seen
-            entry.setToolTip(plain(f"{text}\n{self._tips[entry]}") if text else self._tips[entry])
-        set_state(self.dut, "bad" if state.dut_objection else "")
-        self.bench.setText(state.bench or "–")
-        self.simulated.setVisible(state.simulated)
 
 
 class SidePanel(Surface):
@@ -306,11 +258,14 @@ class Frame(QMainWindow):
         row.addWidget(self.next)
         return line
 
-    def show_path(self, marks: Mapping[str, str], following: str) -> None:
-        """A mark before the name of each page that is a step of the path, and what is next in words."""
+    def show_path(self, marks: Mapping[str, str]) -> None:
+        """A mark before the name of each page that is a step of the path."""
         for index, name in enumerate(self._names):
             mark = marks.get(name, "")
             self.sidebar_buttons.button(index).setText(f"{mark} {translated(name)}".strip())
+
+    def say_next(self, following: str) -> None:
+        """What is next, in words."""
         self.next.setText(self.tr("Next: {0}").format(following))
         self.next.show()
 

@@ -30,6 +30,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.leaving import Leaving
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
+from labcal.gui.screen import show_whole
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.translations.translate import following, languages, spoken
@@ -46,7 +47,6 @@ from labcal.gui.widgets.sounds import is_on, switch
 from labcal.system.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
-FRAME_PX = 40  # the title of a window and its edges take no more
 POLL_MS = 20  # between two looks whether the imports or a run are done
 SPARE_PLOTS = 4  # of a page, at most, when it is built
 
@@ -141,7 +141,8 @@ class Window(Frame):
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         self._show_path()
-        self.stack.currentChanged.connect(self._show_next)
+        self.stack.currentChanged.connect(self._page_turned)
+        app_state.scan_vm.changed.connect(self._show_next)
         app_state.fault.connect(self._show_fault)
         app_state.fault_over.connect(self._fault_is_over)
         app_state.lab.changed.connect(self._say_coils)
@@ -273,13 +274,19 @@ class Window(Frame):
 
     def _show_path(self) -> None:
         path = self.app_state.path
-        self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()}, path.next().words)
+        self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()})
         self._show_next()
 
     def _show_next(self) -> None:
-        """Who sees already what goes on, and is not asked, has nothing to do but to wait."""
-        to = self.app_state.path.next()
-        self.next.setDisabled(self.app_state.login.locked or (to.waits and self.page_shown() == to.page))
+        """Who sees already what goes on, and is not asked, has nothing to do but to wait; a scan is answered first."""
+        to, app_state = self.app_state.path.next(), self.app_state
+        here = self.page_shown() == to.page
+        self.say_next(self.tr("Begin preflight") if here and to.begins else to.words)
+        self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or (to.waits and here))
+
+    def _page_turned(self) -> None:
+        self.app_state.put_away_said()
+        self._show_next()
 
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
@@ -288,7 +295,7 @@ class Window(Frame):
         wanted: list[QWidget] = []
         if to.page == "Start" and state.bench:
             wanted += [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
-            wanted += [self.top.operator] * (not state.operator)
+            wanted += [self.top.operator] * (not state.operator or bool(state.operator_objection))
         for widget in [*wanted, *self._begins_at(to.page)][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
 
@@ -374,14 +381,6 @@ def _palette(theme: Theme) -> QPalette:
                           (role.Mid, theme.line), (role.BrightText, theme.bad)):  # fmt: skip
         palette.setColor(which, QColor(colour))
     return palette
-
-
-def show_whole(window: QWidget) -> None:
-    """Show it in its size; where the screen has no room for that and the title above it, over the whole screen."""
-    room = window.screen().availableSize()
-    if window.width() > room.width() - FRAME_PX or window.height() > room.height() - FRAME_PX:
-        return window.showMaximized()
-    return window.show()
 
 
 def open_window(bench: str | None, *, watched: bool = False, worker: int = 0) -> Window:

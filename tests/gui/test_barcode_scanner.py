@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QPushButton
 
 
 class Clock:
@@ -61,11 +61,13 @@ def test_what_a_busy_window_holds_back_is_typed_before_the_focus_goes(still, key
 
 
 def test_a_burst_where_no_field_waits_for_it_is_a_question_and_can_be_undone(still, keys, qtbot):
-    keys(still.top.operator, "EM-19", 0.01, Qt.Key.Key_Return)
+    keys(still.sidebar, "EM-19", 0.01, Qt.Key.Key_Return)
     state = still.app_state.lab.state
-    assert (state.dut_serial, state.operator, still.top.operator.text()) == ("EM-07", "J. Doe", "J. Doe")
+    assert (state.dut_serial, state.operator) == ("EM-07", "J. Doe")
     asked = "Scanned EM-19. Is it the DUT from here on? Until now: EM-07."
     assert shown(still) == (asked, ["Take EM-19", "Leave EM-07"])
+    main = [one.text() for one in still.scan_card.findChildren(QPushButton, "primary") if one.isVisible()]
+    assert main == ["Leave EM-07"]  # it changes nothing
     qtbot.mouseClick(still.scan_card.take, Qt.MouseButton.LeftButton)
     assert still.top.dut.text() == "EM-19"
     assert shown(still) == ("The DUT is EM-19, in place of EM-07.", ["Close", "Undo"])
@@ -76,10 +78,10 @@ def test_a_burst_where_no_field_waits_for_it_is_a_question_and_can_be_undone(sti
 
 def test_a_scan_that_is_left_or_answered_by_typing_changes_nothing(still, keys, qtbot):
     for _ in range(2):
-        keys(still.top.operator, "EM-19", 0.01)
+        keys(still.sidebar, "EM-19", 0.01)
         qtbot.mouseClick(still.scan_card.leave, Qt.MouseButton.LeftButton)
         assert (shown(still), still.app_state.lab.state.dut_serial) == (None, "EM-07")
-    keys(still.top.operator, "EM-19", 0.01)
+    keys(still.sidebar, "EM-19", 0.01)
     still.app_state.set_identity(dut="EM-33")
     assert (shown(still), still.app_state.lab.state.dut_serial) == (None, "EM-33")
 
@@ -87,7 +89,7 @@ def test_a_scan_that_is_left_or_answered_by_typing_changes_nothing(still, keys, 
 def test_a_question_of_a_scan_is_gone_when_a_run_begins(still, keys):
     from labcal.gui.ipc.messages import RunProcedure
 
-    keys(still.top.operator, "EM-19", 0.01)
+    keys(still.sidebar, "EM-19", 0.01)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     assert shown(still) is None
     keys(still.top.dut, "EM-19", 0.01)  # whose run it is stands fixed
@@ -106,7 +108,7 @@ def test_a_scan_goes_into_the_serial_or_the_search_that_has_the_focus(still, key
 
 
 def test_what_is_no_serial_is_not_taken_and_says_why(still, keys):
-    keys(still.top.operator, "EM 07/!?<b>", 0.01)
+    keys(still.sidebar, "EM 07/!?<b>", 0.01)
     assert shown(still) is None
     assert still.message.text().startswith("✕ Scanned, and not taken: 'EM 07/!?<b>' is no serial number")
     still.app_state.set_identity(dut="EM 07/!?<b>")
@@ -120,10 +122,10 @@ def test_what_is_no_serial_is_not_taken_and_says_why(still, keys):
 
 def test_serials_are_those_of_the_pattern_of_the_bench_file(still, keys, monkeypatch):
     monkeypatch.setattr(still.app_state, "facts", replace(still.app_state.facts, serial_pattern=r"EM-\d\d"))
-    keys(still.top.operator, "FM-19", 0.01)
+    keys(still.sidebar, "FM-19", 0.01)
     assert shown(still) is None
     assert r"they match EM-\d\d" in still.message.text()
-    keys(still.top.operator, "EM-19", 0.01)
+    keys(still.sidebar, "EM-19", 0.01)
     assert shown(still) is not None
 
 
@@ -156,7 +158,7 @@ def test_a_scan_answers_a_question_for_the_serial_wherever_the_focus_is(still, k
     assert not still.scan_card.isVisible()
 
 
-@pytest.mark.parametrize("apart_s", [0.05, 0.2])
+@pytest.mark.parametrize("apart_s", [0.015, 0.05, 0.2])
 def test_what_a_person_types_stays_where_it_is_typed(still, keys, apart_s):
     still.top.operator.clear()
     keys(still.top.operator, "A. Smith", apart_s)
@@ -174,3 +176,43 @@ def test_keys_that_a_busy_window_hears_late_are_judged_by_when_they_were_struck(
         assert scanner.handle_key(operator, event)  # all at once by the clock on the wall
     scanner.flush()
     assert operator.text() == "Smith"
+
+
+def test_a_badge_takes_the_place_of_a_name_and_quick_fingers_go_on_with_theirs(still, keys):
+    operator = still.top.operator
+    operator.setFocus()
+    keys(still.top.dut, "", 0.2)  # whoever leaves the field has done with the name
+    keys(operator, "A. Smith", 0.01, Qt.Key.Key_Return)
+    assert (operator.text(), still.app_state.lab.state.operator) == ("A. Smith", "A. Smith")
+    keys(operator, "jdoe@lab", 0.01, Qt.Key.Key_Return)
+    assert still.app_state.lab.state.operator == "jdoe@lab"
+    operator.selectAll()
+    keys(operator, "Al", 0.2)
+    keys(operator, "exander Doe", 0.01)
+    assert (still.app_state.lab.state.operator, shown(still)) == ("Alexander Doe", None)
+
+
+def test_a_lab_is_not_ready_until_the_question_of_a_scan_is_answered(still, keys):
+    start, choose = still.page("Start"), still.page("Run").choose
+    assert choose.start.isEnabled()
+    keys(still.sidebar, "EM-19", 0.01)
+    assert start.question.text() == choose.objection.text() == "Answer first whether EM-19 is the DUT."
+    assert [one.isEnabled() for one in (still.next, choose.start, start.calibrate, start.morning)] == [False] * 4
+    still.scan_card.leave.click()
+    assert start.question.text().startswith("Ready. EM-07")
+    assert [one.isEnabled() for one in (still.next, choose.start, start.calibrate, start.morning)] == [True] * 4
+
+
+@pytest.mark.parametrize("then", ["page", "operator", "scan", "setting"])
+def test_what_was_said_of_a_scan_is_past_with_the_next_input_that_is_accepted(still, keys, then):
+    keys(still.sidebar, "EM 07/!?<b>", 0.01)
+    assert still.message.text().startswith("✕ Scanned, and not taken")
+    if then == "page":
+        still.open_page("Start")
+    elif then == "operator":
+        keys(still.top.operator, "A. Smith", 0.01)
+    elif then == "scan":
+        keys(still.sidebar, "EM-19", 0.01)
+    else:
+        still.page("Run").choose.form.set_text("rate_deg_per_s", "20")
+    assert still.message.text() == ""

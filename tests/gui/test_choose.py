@@ -137,6 +137,21 @@ def test_a_setting_out_of_range_is_named_and_start_waits(choose):
     assert "35 to 65" in choose.form.complaints["inclination_deg"].text()
 
 
+def test_nothing_points_to_a_plan_that_cannot_be_asked_for(still, choose):
+    def points():
+        return ["The plan" in choose.needs.text(), choose.show_plan.isEnabled()]
+
+    lines = len(choose.needs.text().splitlines())
+    choose.form.set_text("rate_deg_per_s", "20")
+    assert points() == [True, True]
+    choose.form.set_text("inclination_deg", "80")
+    assert points() == [False, False]
+    assert len(choose.needs.text().splitlines()) == lines
+    choose.form.set_text("inclination_deg", "50")
+    still.app_state.set_identity(operator="")
+    assert points() == [False, False]
+
+
 def test_no_operator_no_run(still, choose):
     still.app_state.set_identity(operator="")
     assert not choose.start.isEnabled()

@@ -2,19 +2,20 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
+from labcal.gui.frame import Frame
 from labcal.gui.ipc.answers import Ended, Identified, InstrumentAnswer, RunLine
 from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rehearse, Rejoin, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.screen import show_whole
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.run import began_at
 from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.plots import Traces, spread
 from labcal.gui.widgets.run_chooser import run_title
-from labcal.gui.window import show_whole
 from labcal.record.stream import Block, Step
 
 ORDER = RunProcedure("preflight", "bench.toml")
@@ -141,8 +142,8 @@ class Screen:
     def __init__(self, width: int, height: int) -> None:
         self.room = QRect(0, 0, width, height)
 
-    def availableSize(self) -> QSize:
-        return self.room.size()
+    def availableGeometry(self) -> QRect:
+        return self.room
 
 
 @pytest.mark.parametrize(("high", "whole"), [(850, True), (899, True), (900, False), (1080, False)])
@@ -153,6 +154,20 @@ def test_no_edge_of_the_window_lies_beyond_the_screen(qtbot, monkeypatch, high, 
     window.resize(1360, 860)
     show_whole(window)
     assert bool(window.windowState() & Qt.WindowState.WindowMaximized) is whole
+
+
+@pytest.mark.parametrize("remembered", [False, True])
+def test_the_window_is_no_larger_than_a_small_screen_where_no_desktop_fills_it(still, monkeypatch, remembered):
+    frame = Frame(still.app_state.lab, {"Start": QWidget()})
+    frame.says_off = False
+    if remembered:
+        frame.resize(1920, 1000)
+    monkeypatch.setattr(frame, "screen", lambda: Screen(1366, 768), raising=False)
+    monkeypatch.setattr(frame, "showMaximized", frame.show)  # as on a desktop without a window manager
+    show_whole(frame)
+    assert (frame.isVisible(), frame.pos()) == (True, QPoint(0, 0))
+    assert QRect(0, 0, 1366, 768).contains(frame.geometry())
+    frame.close()
 
 
 def test_begin_again_leaves_the_focus_on_the_page(still, qtbot, patience):

@@ -92,8 +92,8 @@ def test_the_sidebar_says_how_far_this_dut_is_and_next_leads_on(still, path, qtb
     path.take_runs(runs)
     path.take_calibrations(files)
     assert marks(still) == shown
-    assert still.next.text() == f"Next: {words}"
     still.open_page("History")
+    assert still.next.text() == f"Next: {words}"
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.stack.currentWidget() is still.lazy_pages[page]
 
@@ -266,6 +266,21 @@ def test_next_leads_into_the_field_that_is_wanted(still, path, qtbot):
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert still.page_shown() == "Start"
     assert still.top.operator.hasFocus()
+
+
+def test_next_leads_to_the_setting_that_is_refused_else_to_begin(still, path, qtbot):
+    choose = still.page("Run").choose
+    assert (still.next.text(), choose.start.isEnabled()) == ("Next: Begin preflight", True)
+    choose.form.set_text("inclination_deg", "80")
+    assert (still.next.text(), choose.start.isEnabled()) == ("Next: Mend Inclination", False)
+    still.open_page("Start")
+    assert still.next.text() == "Next: Mend Inclination"
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert (still.page_shown(), choose.form.fields["inclination_deg"].hasFocus()) == ("Run", True)
+    choose.form.set_text("inclination_deg", "50")
+    assert still.next.text() == "Next: Begin preflight"
+    still.open_page("Start")
+    assert still.next.text() == "Next: Calibrate EM-07"
 
 
 def test_start_is_not_ready_where_the_side_panel_says_what_is_wrong(still):

@@ -57,6 +57,11 @@ class RunPage(QWidget):
             self.choose.choose(names)
             self.faces.setCurrentWidget(self.choose)
 
+    @property
+    def begins_at(self) -> QWidget | None:
+        """The setting that is to be mended before anything else."""
+        return self.choose.refused_field() if self.faces.currentWidget() is self.choose else None
+
     def _open_wanted(self) -> None:
         if (wanted := self._app_state.take_wanted()) is not None:
             self.open_procedure(wanted.names)

@@ -21,7 +21,7 @@ from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.kept_focus import focus_kept_in
-from labcal.gui.widgets.parameter_form import ParameterForm
+from labcal.gui.widgets.parameter_form import ParameterForm, title_of
 from labcal.gui.widgets.work_bar import WorkBar
 
 HEADING = Qt.ItemDataRole.UserRole  # of an item that is no procedure
@@ -40,6 +40,7 @@ class Choose(QWidget):
         self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
+        self._needs_of: Procedure | None = None  # the procedure of the form, as it is set
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
@@ -47,6 +48,7 @@ class Choose(QWidget):
         row.addWidget(self._form_card(), 3)
         app_state.lab.changed.connect(self._check)
         app_state.bench_changed.connect(self._check)
+        app_state.scan_vm.changed.connect(self._check)
         app_state.request(ListProcedures(), self.show_procedures)
 
     def _list_card(self) -> Card:
@@ -138,7 +140,7 @@ class Choose(QWidget):
                 self._check()
 
         def planned(lines: tuple[str, ...]) -> None:
-            self.needs.setText(needs_text(replace(self._procedures[name], lasts_min=None)))  # the plan says it better
+            self._needs_of = replace(self._procedures[name], lasts_min=None)  # the plan says it better
             said = map(plan_line, lines[1:])  # the first stands above as heading
             show_plan("\n".join([*said, *self._what_for()]))
 
@@ -172,8 +174,10 @@ class Choose(QWidget):
             self._rehearsed = self._planned = None
             self.plan.clear()
             self.plan.hide()
-            self.needs.setText(needs_text(self._as_set(self._procedures[self.list.currentItem().text()])))
+            self._needs_of = self._as_set(self._procedures[self.list.currentItem().text()])
         self._check()
+        if self.form is not None and self.form.valid():
+            self._app_state.put_away_said()
 
     def show_procedures(self, there: Procedures) -> None:
         """List what there is to run, and by name what does not load, with the reason."""
@@ -232,7 +236,7 @@ class Choose(QWidget):
         one = self._procedures[name]
         self.heading.setText(procedure_title(name))
         self.title.setText(in_words(one.title))
-        self.needs.setText(needs_text(one))
+        self._needs_of = one
         if self.form is not None and self.form is not self._area.widget():
             self.form.hide()  # it never came to be shown, and nothing else would take it away
             self.form.deleteLater()
@@ -263,10 +267,13 @@ class Choose(QWidget):
         for widget in (self.pace, self.pace_label):
             widget.setVisible(virtual)
         objection = self._app_state.objection()
-        if not objection and self.form is not None and not self.form.valid():
+        refused = self.form.refused() if self.form is not None else None
+        if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
         self.objection.setText(objection)
         self.objection.setVisible(bool(objection))
+        if self._needs_of is not None:
+            self.needs.setText(needs_text(self._needs_of, plannable=not objection))
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         rehearsing = self._rehearsed is not None and not self._app_state.run.alive
         with focus_kept_in(self, self.give_up, self.show_plan):
@@ -275,16 +282,27 @@ class Choose(QWidget):
             self.show_plan.setEnabled(ready)
             self.show_plan.setVisible(not rehearsing)
         self.work.show_work(rehearsing)
+        of_preflight = self._shown == "preflight"
+        named = title_of(refused) if of_preflight and refused is not None else ""
+        self._app_state.path.take_form(named, of_preflight and ready)
+
+    def refused_field(self) -> QWidget | None:
+        """Where the first setting that is not accepted is typed."""
+        refused = self.form.refused() if self.form is not None else None
+        return None if self.form is None or refused is None else self.form.fields[refused.name]
 
     def _start(self) -> None:
         if self.form is not None:
             self._app_state.start(self.list.currentItem().text(), self.form.given())
 
 
-def needs_text(one: Procedure) -> str:
-    """What a procedure needs, and how long it takes: as many lines whatever is known, so that no field moves."""
+def needs_text(one: Procedure, *, plannable: bool = True) -> str:
+    """What a procedure needs, and how long it takes: as many lines whatever is known, so that no field moves.
+
+    Where a plan cannot be asked for, nothing points to it.
+    """
     needs = translated("Needs: {0}").format(in_words(one.needs)) if one.needs else ""
-    lasts = translated("The plan says how long this takes")
+    lasts = translated("The plan says how long this takes") if plannable else "\u00a0"
     if one.lasts_min:
         lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min)
     return "\n".join(part for part in (needs, lasts) if part)

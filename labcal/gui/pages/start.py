@@ -60,6 +60,7 @@ class StartPage(QWidget):
         app_state.bench_changed.connect(self._bench_known)
         app_state.lab.changed.connect(self._enable)
         app_state.run.changed.connect(self._enable)
+        app_state.scan_vm.changed.connect(self._enable)
         app_state.run.ended.connect(self.refresh)
         self._bench_known()
 
@@ -136,7 +137,7 @@ class StartPage(QWidget):
         with focus_kept_in(self, self.calibrate):
             for widget in (self.morning, self.calibrate):
                 widget.setVisible(known)
-                widget.setEnabled(not self._app_state.run.alive)
+                widget.setEnabled(not self._app_state.run.alive and not self._app_state.scan_vm.asks)
             for widget in (self.simulated, self.open):
                 widget.setVisible(not known)
 

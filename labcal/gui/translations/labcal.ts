@@ -36,6 +36,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Answer first whether {0} is the DUT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Coils off: no bench is open, this window drives no coil.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5855,6 +5859,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mend {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Calibrate {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6526,6 +6534,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Begin preflight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Save a problem report</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7174,6 +7186,10 @@
     </message>
     <message>
         <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -36,6 +36,10 @@
         <translation>Oben den Namen des Bedieners eingeben.</translation>
     </message>
     <message>
+        <source>Answer first whether {0} is the DUT.</source>
+        <translation>Zuerst beantworten, ob {0} der Prüfling ist.</translation>
+    </message>
+    <message>
         <source>Coils off: no bench is open, this window drives no coil.</source>
         <translation>Spulen aus: Kein Messplatz ist offen, dieses Fenster treibt keine Spule.</translation>
     </message>
@@ -5855,6 +5859,10 @@
         <translation>Messung fortsetzen</translation>
     </message>
     <message>
+        <source>Mend {0}</source>
+        <translation>{0} berichtigen</translation>
+    </message>
+    <message>
         <source>Calibrate {0}</source>
         <translation>{0} kalibrieren</translation>
     </message>
@@ -6524,6 +6532,10 @@
     <message>
         <source>Sound on</source>
         <translation>Ton an</translation>
+    </message>
+    <message>
+        <source>Begin preflight</source>
+        <translation>preflight beginnen</translation>
     </message>
     <message>
         <source>Save a problem report</source>
@@ -7239,6 +7251,10 @@
     <message>
         <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
         <translation>Genehmigt von {0}; diese Person muss jetzt unterschreiben. Der Bediener darf es auch.</translation>
+    </message>
+    <message>
+        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation>»{0}« ist kein Name: Buchstaben, Ziffern, Leerzeichen, dazwischen . , &apos; - _ @ + &amp; / ( )</translation>
     </message>
     <message>
         <source>the operator</source>

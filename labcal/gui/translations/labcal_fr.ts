@@ -36,6 +36,10 @@
         <translation>Tapez en haut le nom de l&apos;opérateur.</translation>
     </message>
     <message>
+        <source>Answer first whether {0} is the DUT.</source>
+        <translation>Répondez d&apos;abord si {0} est le DUT.</translation>
+    </message>
+    <message>
         <source>Coils off: no bench is open, this window drives no coil.</source>
         <translation>Bobines à zéro : aucun banc n&apos;est ouvert, cette fenêtre ne pilote aucune bobine.</translation>
     </message>
@@ -5855,6 +5859,10 @@
         <translation>Reprendre la mesure</translation>
     </message>
     <message>
+        <source>Mend {0}</source>
+        <translation>Corriger {0}</translation>
+    </message>
+    <message>
         <source>Calibrate {0}</source>
         <translation>Étalonner {0}</translation>
     </message>
@@ -6524,6 +6532,10 @@
     <message>
         <source>Sound on</source>
         <translation>Son</translation>
+    </message>
+    <message>
+        <source>Begin preflight</source>
+        <translation>Démarrer preflight</translation>
     </message>
     <message>
         <source>Save a problem report</source>
@@ -7239,6 +7251,10 @@
     <message>
         <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
         <translation>Approuvé par {0}, qui doit signer maintenant. L&apos;opérateur peut signer aussi.</translation>
+    </message>
+    <message>
+        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation>« {0} » n&apos;est pas un nom : lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
     </message>
     <message>
         <source>the operator</source>

@@ -16,7 +16,6 @@ from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench import serials
 from labcal.bench.coils import state
-from labcal.errors import InputError
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer, SwitchedOff
@@ -27,11 +26,11 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now
 from labcal.gui.viewmodels.login import LoginViewModel
+from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
-from labcal.record.person import check_operator
 
 R = TypeVar("R")
 AGES_MS = 250  # what was read grows old
@@ -95,7 +94,8 @@ class AppState(QObject):
         self.force_timer.timeout.connect(self._off_by_force)
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
-        self.lab.update(operator=str(self.settings.value("operator", "")))
+        name = str(self.settings.value("operator", ""))
+        self.lab.update(operator=name, operator_objection=name_objection(name))
 
     def request(self, command: Command[R], then: Callable[[R], object]) -> None:
         """Ask the quick worker; a fault comes up as a card."""
@@ -198,14 +198,15 @@ class AppState(QObject):
             self._dut_stated = True
             refused = self.serial_objection(dut.strip())
             self.lab.update(dut_serial=dut.strip(), dut_objection=refused)
-            if refused or self.lab.state.message == self._said_of_dut:
-                self._say_of_dut(f"✕ {refused}" if refused else "")
         if operator is not None:
-            self.lab.update(operator=operator.strip())
-            self.settings.setValue("operator", operator.strip())
+            name = operator.strip()
+            self.lab.update(operator=name, operator_objection=name_objection(name))
+            self.settings.setValue("operator", name)
+        self.put_away_said()
 
     def scan(self, serial: str) -> None:
         """A scanner read this where no field waited for it: is it the DUT's serial? A run may ask for it."""
+        self.put_away_said()
         if self.run.asks_serial:
             self.run.answer(serial)
         elif self.run.alive:
@@ -218,9 +219,14 @@ class AppState(QObject):
             self.scan_vm.ask(serial)
 
     def _say_of_dut(self, words: str) -> None:
-        """In the line below, until another serial is stated."""
+        """In the line below, until it is put away."""
         self._said_of_dut = words
         self.lab.update(message=words)
+
+    def put_away_said(self) -> None:
+        """What was said of a scan is past with the next that is accepted, and with another page."""
+        if self._said_of_dut and self.lab.state.message == self._said_of_dut:
+            self._say_of_dut("")
 
     def serial_objection(self, serial: str) -> str:
         """Why this is no serial on this bench; "" where it is one."""
@@ -239,11 +245,9 @@ class AppState(QObject):
             return said
         if not state.operator:
             return self.tr("Type the operator's name at the top.")
-        try:
-            check_operator(state.operator)
-        except InputError as error:
-            return in_words(str(error))
-        return ""
+        if self.scan_vm.asks:
+            return self.tr("Answer first whether {0} is the DUT.").format(self.scan_vm.serial)
+        return state.operator_objection
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
         """Run a procedure for the DUT and the operator above."""

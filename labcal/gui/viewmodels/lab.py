@@ -21,6 +21,7 @@ class LabState:
     dut_serial: str = ""
     dut_objection: str = ""  # why it is no serial
     operator: str = ""
+    operator_objection: str = ""  # why it is no name
     bench: str = ""
     opening: bool = False  # a bench
     simulated: bool = False

@@ -52,7 +52,7 @@ class LoginViewModel(QObject):
         self.refused = "" if found else self.tr("Nobody of the trust list has the name {0}.").format(name.strip())
         if found is not None:
             self.locked = False
-            self._lab.update(operator=found.name)
+            self._lab.update(operator=found.name, operator_objection="")
             self.touched()
         self.changed.emit()
 

@@ -24,12 +24,16 @@ EXPLAINED = ("clean", "explained")
 
 @dataclass(frozen=True, slots=True)
 class Next:
-    """What is to be done, in words, and the page for it; with the run to be studied there. `waits`: it works."""
+    """What is to be done, in words, and the page for it; with the run to be studied there.
+
+    `waits`: it works. `begins`: whoever sees the page has its Begin before them.
+    """
 
     page: str
     words: str
     run: str = ""
     waits: bool = False
+    begins: bool = False
 
 
 class PathViewModel(QObject):
@@ -42,6 +46,7 @@ class PathViewModel(QObject):
         self._lab, self._run, self._study = lab, run, study
         self.runs: tuple[RunLine, ...] = ()
         self.files: tuple[CalibrationFile, ...] = ()
+        self.refused, self.ready = "", False  # of the form on the Run page, where it is that of the preflight
         for source in (lab.changed, run.changed, study.changed):
             source.connect(self.changed)
 
@@ -108,12 +113,12 @@ class PathViewModel(QObject):
             return Next("Bench", self.tr("See to {0}").format(failed[0]))
         if not state.dut_serial or state.dut_objection:
             return Next("Start", self.tr("Say which DUT"))
-        if not state.operator:
+        if not state.operator or state.operator_objection:
             return Next("Start", self.tr("Say who works here"))
         if last is not None and last.status == "interrupted":
             return Next("Start", self.tr("Go on with the run"))
         if last is None or marks["Run"] != "done":
-            return Next("Run", self.tr("Calibrate {0}").format(state.dut_serial))
+            return self._to_calibrate(state.dut_serial)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
             return Next("Loop" if marks["Loop"] == "now" else "Fit", self.tr("See what is found"), waits=True)
         if marks["Fit"] == "open":
@@ -125,6 +130,18 @@ class PathViewModel(QObject):
             return Next("Loop", self.tr("See what is not known"), "" if shown else last.run_id)
         return self._of_the_signatures(last)
 
+    def _to_calibrate(self, serial: str) -> Next:
+        """By a preflight: where a setting of it is refused, that comes first."""
+        if self.refused:
+            return Next("Run", self.tr("Mend {0}").format(self.refused))
+        return Next("Run", self.tr("Calibrate {0}").format(serial), begins=self.ready)
+
+    def take_form(self, refused: str, ready: bool) -> None:
+        """How the form of the preflight stands: the first setting that is refused, and whether it may begin."""
+        if (refused, ready) != (self.refused, self.ready):
+            self.refused, self.ready = refused, ready
+            self.changed.emit()
+
     def _of_the_signatures(self, last: RunLine) -> Next:
         """Sign, as long as somebody is still to; what is provisional for good may be handed out as that."""
         file = self._file(last)
@@ -134,7 +151,7 @@ class PathViewModel(QObject):
         if not standing.valid:
             return Next("Fit", self.tr("Make a new draft"), last.run_id)
         if standing.status in NO_LONGER:
-            return Next("Run", self.tr("Calibrate {0}").format(last.dut_serial))
+            return self._to_calibrate(last.dut_serial)
         if awaited(file):
             return Next("Certificate", self.tr("The second signature"))
         words = self.tr("Hand it out, as PROVISIONAL") if standing.provisional else self.tr("Hand it out")

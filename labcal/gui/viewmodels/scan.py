@@ -18,6 +18,11 @@ class ScanViewModel(QObject):
         self.serial, self.before, self.taken = "", "", False
         lab.changed.connect(self._other_dut)
 
+    @property
+    def asks(self) -> bool:
+        """Whether the question is open."""
+        return bool(self.serial) and not self.taken
+
     def ask(self, serial: str) -> None:
         """Hold `serial` up as a question: whether it is the DUT from here on."""
         self._hold(serial, self._lab.state.dut_serial, taken=False)

@@ -1,12 +1,14 @@
 """Tells a barcode scanner from a person: more than 30 characters a second are a scan.
 
-It goes into the field that has the focus where that `takes_scans`; anywhere else it is for whoever hears `scanned`.
+It goes into the field that has the focus where that `takes_scans`, or `takes_names`; anywhere else it is for whoever
+hears `scanned`.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from typing import TypeGuard
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
@@ -14,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QWidget
 
 FASTEST_TYPIST_S = 1 / 30  # between two characters
 SHORTEST = 4  # characters of a scan
-TAKES_SCANS = "takes_scans"
+TAKES_SCANS, TAKES_NAMES = "takes_scans", "takes_names"
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 MODIFIERS = (Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_AltGr, Qt.Key.Key_Meta)
 STRUCK = (QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride)
@@ -82,7 +84,11 @@ class Scanner(QObject):
         struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
         text = "".join(event.text() for event in struck if event.key() not in ENTER)
         if len(text) >= SHORTEST:
-            return self._scan(kept[0][0], text.strip())
+            into = kept[0][0]
+            if not _is_for_a_name(into):
+                return self._scan(into, text.strip())
+            if not into.isModified():
+                into.selectAll()  # a badge in place of yesterday's name; within a name that is being typed, more of it
         self._replaying = True
         try:
             for widget, event in kept:
@@ -94,6 +100,16 @@ class Scanner(QObject):
 def takes_scans(field: QLineEdit) -> None:
     """What is scanned while `field` has the focus is written into it: it is for a serial, or searches."""
     field.setProperty(TAKES_SCANS, True)
+
+
+def takes_names(field: QLineEdit) -> None:
+    """What comes quickly while `field` has the focus is a name: of a badge, a password manager or quick fingers."""
+    field.setProperty(TAKES_NAMES, True)
+    field.editingFinished.connect(lambda: field.setModified(False))
+
+
+def _is_for_a_name(into: QWidget) -> TypeGuard[QLineEdit]:
+    return isinstance(into, QLineEdit) and bool(into.property(TAKES_NAMES)) and not into.isReadOnly()
 
 
 def _secret(watched: QWidget) -> bool:

@@ -167,9 +167,13 @@ class ParameterForm(QWidget):
             return self.tr("expected {0}").format(in_words(spec.expected))
         return ""
 
+    def refused(self) -> ParameterSpec | None:
+        """The first setting that is not accepted."""
+        return next((spec for spec in self._specs if self.objection(spec)), None)
+
     def valid(self) -> bool:
         """Whether every field is accepted."""
-        return not any(self.objection(spec) for spec in self._specs)
+        return self.refused() is None
 
     def given(self) -> dict[str, str]:
         """The settings that differ from the defaults, as text; what is refused as it was typed."""

@@ -15,8 +15,8 @@ class ScanCard(Card):
         super().__init__()
         self._scan = scan
         self.words = label("", wrap=True)
-        self.take = button("", self.tr("From here on this is the serial of the DUT"), primary=True)
-        self.leave = button("", self.tr("The scan is forgotten"))
+        self.take = button("", self.tr("From here on this is the serial of the DUT"))
+        self.leave = button("", self.tr("The scan is forgotten"), primary=True)  # it changes nothing
         self.undo = button(self.tr("Undo"), self.tr("The DUT is the one before again"))
         self.take.clicked.connect(scan.take)
         self.leave.clicked.connect(scan.put_away)
