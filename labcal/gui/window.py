@@ -281,7 +281,7 @@ class Window(Frame):
         """Who sees already what goes on, and is not asked, has nothing to do but to wait; a scan is answered first."""
         to, app_state = self.app_state.path.next(), self.app_state
         here = self.page_shown() == to.page
-        self.say_next(self.tr("Begin preflight") if here and to.begins else to.words)
+        self.say_next(self.tr("Begin preflight") if here and to.ready else to.words)
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or (to.waits and here))
 
     def _page_turned(self) -> None:

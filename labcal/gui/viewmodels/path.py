@@ -26,14 +26,14 @@ EXPLAINED = ("clean", "explained")
 class Next:
     """What is to be done, in words, and the page for it; with the run to be studied there.
 
-    `waits`: it works. `begins`: whoever sees the page has its Begin before them.
+    `waits`: it works. `ready`: whoever sees the page has its Begin before them.
     """
 
     page: str
     words: str
     run: str = ""
     waits: bool = False
-    begins: bool = False
+    ready: bool = False
 
 
 class PathViewModel(QObject):
@@ -134,7 +134,7 @@ class PathViewModel(QObject):
         """By a preflight: where a setting of it is refused, that comes first."""
         if self.refused:
             return Next("Run", self.tr("Mend {0}").format(self.refused))
-        return Next("Run", self.tr("Calibrate {0}").format(serial), begins=self.ready)
+        return Next("Run", self.tr("Calibrate {0}").format(serial), ready=self.ready)
 
     def take_form(self, refused: str, ready: bool) -> None:
         """How the form of the preflight stands: the first setting that is refused, and whether it may begin."""
