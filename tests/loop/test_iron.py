@@ -10,7 +10,7 @@ import pytest
 
 from labcal import session
 from labcal.geometry import rotate, rotation, rotation_vector, shortest_rotation
-from labcal.loop.candidates.angle_zeros import Search
+from labcal.loop.candidates.angle_zeros import Search, angle_zeros
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
@@ -117,6 +117,15 @@ def test_columns_from_any_zeros_come_from_those_at_seven(making: ModuleType, tmp
     search = Search.of(pool, (), term)
     outside = float(np.sum(pool.residual(()) ** 2) - np.sum(search.z**2))
     assert outside + np.sum(search.left(zeros) ** 2) == pytest.approx(float(np.sum(left**2)), rel=1e-3)
+
+
+def test_a_mounting_of_which_no_row_is_left_has_no_zero_and_the_others_have(making: ModuleType, tmp_path: Path) -> None:
+    table = Table(making)
+    pool = CandidateSet.of(table.problem(tmp_path, table.cage("on the table"), "each"), 0.85)
+    fewer = pool.on(table.number != 2)
+    found = {c.term.parameters[0][0]: c.term for c in angle_zeros(fewer, ())}["t_u"]
+    off = np.array([s.value for s in found.shape]) - (np.array(ZEROS[1:]) - ZEROS[0])
+    assert np.abs(np.sin(np.delete(off, 1) / 2)).max() < 0.05
 
 
 def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(

@@ -40,7 +40,7 @@ KINDS = {
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.saturation:NEIGHBOUR_READINGS",
-        "data.outliers:WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
+        "data.outliers:WINDOW LONGEST_OUTLIER WIDE_WINDOW",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS LONGEST_LAG",
     ),

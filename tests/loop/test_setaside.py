@@ -125,6 +125,16 @@ def test_the_milder_rows_in_the_middle_of_a_burst_are_set_aside_with_it(begins: 
     assert np.flatnonzero(hampel_outliers(residual, segment)).tolist() == list(range(begins, begins + 9))
 
 
+@pytest.mark.parametrize("rows", [3, 10, 12])
+def test_a_burst_may_be_as_long_as_leaves_most_of_a_row_s_neighbours_good(rows: int) -> None:
+    """Twelve rows: eleven of the twenty-four neighbours of each are wild."""
+    residual = np.random.default_rng(7).normal(size=(600, 3))
+    residual[200 : 200 + rows] = np.random.default_rng(8).choice([-1, 1], (rows, 3)) * (60.0 + np.arange(rows)[:, None])
+    residual[200 : 200 + rows : 2] *= -1
+    aside = hampel_outliers(residual, np.zeros(600, dtype=np.intp))
+    assert np.flatnonzero(aside).tolist() == list(range(200, 200 + rows))
+
+
 def test_a_level_that_holds_beside_a_burst_is_a_process() -> None:
     draw = np.random.default_rng(5)
     residual = draw.normal(size=(600, 3))

@@ -139,9 +139,9 @@ def _few_directions(made: Array) -> tuple[Array, Array]:
     flat = np.moveaxis(made, 0, 2).reshape(m * q, nodes * p)
     length = np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
     left, size, right = np.linalg.svd(flat / length, full_matrices=False)
-    kept = size**2 > SAME * size[0] ** 2
-    columns = (size[kept, None] * right[kept]) * length
-    return left[:, kept].reshape(m, q, -1), np.moveaxis(columns.reshape(-1, nodes, p), 1, 0)
+    kept = size**2 > SAME * size.max(initial=0.0) ** 2  # none, where no row of a mounting is left
+    columns, r = (size[kept, None] * right[: len(size)][kept]) * length, int(kept.sum())
+    return left[:, kept].reshape(m, q, r), np.moveaxis(columns.reshape(r, nodes, p), 1, 0)
 
 
 def _weights(zeros: Array) -> Array:

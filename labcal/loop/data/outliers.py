@@ -14,7 +14,7 @@ Mask = NDArray[np.bool_]
 WINDOW = 4  # neighbours on either side
 LONGEST_OUTLIER = WINDOW // 2  # rows in a row: of more the median of the neighbours is no measure
 WIDE_WINDOW = 12  # neighbours on either side of a burst
-LONGEST_BURST = 10  # rows in a row: less than half of the wide window's
+LONGEST_BURST = WIDE_WINDOW  # rows in a row: of more, half of a row's neighbours would be wild
 
 
 def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
