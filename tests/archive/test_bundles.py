@@ -31,6 +31,34 @@ def test_half_a_file_of_before_is_made_whole(tmp_path: Path) -> None:
     assert get(str(tmp_path), digest) == b"samples"
 
 
+def test_a_damaged_object_of_the_same_size_is_made_whole_elsewhere_too() -> None:
+    fsspec = pytest.importorskip("fsspec", reason="bundles elsewhere than in a folder need fsspec")
+    place = "memory://labcal/damaged"
+    digest = put(place, b"samples")
+    [path] = fsspec.filesystem("memory").glob("/labcal/damaged/*/*.zip")
+    fsspec.filesystem("memory").pipe_file(path, b"SAMPLES")
+    put(place, b"samples")
+    assert get(place, digest) == b"samples"
+
+
+def test_an_error_of_the_other_side_s_own_is_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    """S3 without a connection or credentials raises what is no OSError."""
+    fsspec = pytest.importorskip("fsspec", reason="bundles elsewhere than in a folder need fsspec")
+
+    class NoCredentialsError(Exception): ...
+
+    def refuse(*_: object, **__: object) -> None:
+        raise NoCredentialsError("Unable to locate credentials")
+
+    digest = sha256(b"samples").hexdigest()
+    for method in ("exists", "cat_file"):
+        monkeypatch.setattr(type(fsspec.filesystem("memory")), method, refuse)
+    with pytest.raises(InputError, match="cannot be kept or read there: Unable to locate credentials"):
+        put("memory://labcal/bundles", b"samples")
+    with pytest.raises(InputError, match="cannot be kept or read there: Unable to locate credentials"):
+        get("memory://labcal/bundles", digest)
+
+
 def test_a_folder_that_is_none_is_one_sentence(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="bundles cannot be kept or read there"):

@@ -10,6 +10,7 @@ from test_choose import looked_at, told_by_the_loop
 from test_path import calibration
 
 from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
+from labcal.gui.pages import certificate
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.loop_words import MEANS, said_plainly
 from labcal.gui.window import chosen_theme
@@ -84,6 +85,17 @@ def test_where_nobody_has_a_key_one_is_made_first_and_no_passphrase_stays(still,
     still.open_page("History")
     assert (page.passphrase.text(), page.again.text()) == ("", "")
     page.signer.setCurrentText("")
+
+
+def test_from_the_first_letter_of_a_passphrase_the_window_leaves_no_core_dump(still, qtbot, monkeypatch):
+    still.open_page("Certificate")
+    page, kept = still.page("Certificate"), []
+    monkeypatch.setattr(certificate, "kept_private", lambda: kept.append(True))
+    for entry in (page.passphrase, page.again):
+        kept.clear()
+        qtbot.keyClicks(entry, "a")
+        assert kept
+        entry.clear()
 
 
 def test_which_calibration_is_chosen_is_whole_in_its_tip(still):

@@ -44,6 +44,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.stated_fields import StatedFields
+from labcal.system.private_memory import kept_private
 
 R = TypeVar("R")
 
@@ -166,6 +167,7 @@ class CertificatePage(QWidget):
         for entry in (self.passphrase, self.again):
             entry.setAccessibleName(entry.placeholderText())
             entry.setEchoMode(QLineEdit.EchoMode.Password)
+            entry.textEdited.connect(lambda _: kept_private())  # no core dump holds what is typed
             entry.textChanged.connect(self._enable)
         self.sign = button(
             self.tr("Sign"), self.tr("Sign these exact bytes. A signed file can no longer be changed."), primary=True
