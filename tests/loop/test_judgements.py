@@ -208,7 +208,8 @@ def test_a_field_that_spreads_by_two_per_mille_stands_still(spread_nT: float, st
     field = 5e4 * np.array([0.0, 0.0, 1.0]) + spread_nT * np.where(np.arange(rows) % 2, 1, -1)[:, None] * [1, 0, 0]
     scene = SimpleNamespace(field_nT=field, segment=np.zeros(rows, dtype=np.intp), channels={}, mode=None)
     noise = np.random.default_rng(1).normal(0, 20.0, (rows, 3))
-    found = static_noise(SimpleNamespace(scene=scene, y=noise))  # type: ignore[arg-type]
+    at_rest: Any = SimpleNamespace(scene=scene, y=noise)
+    found = static_noise(at_rest)
     assert found == (pytest.approx(20.0, rel=5 / np.sqrt(2 * 3 * rows)) if still else None)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 from short_preflight import SHORT
@@ -29,9 +30,8 @@ class Hands:
 
     def __init__(self, lab: Bench, wrong: int, then: str = "remount") -> None:
         self.lab, self.wrong, self.then, self.asked = lab, wrong, then, list[str]()
-        operator = lab.simulated_operator
-        assert operator is not None
-        self._do, operator.do = operator.do, self.do  # type: ignore[method-assign]
+        operator: Any = lab.simulated_operator
+        self._do, operator.do = operator.do, self.do
 
     def do(self, prompt: Prompt) -> None:
         if "body_from_cage" in prompt.drawing and self.wrong > 0:

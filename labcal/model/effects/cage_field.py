@@ -117,7 +117,7 @@ def _zeros(run: Run) -> tuple[Shape, ...]:
     It does where each segment states its attitude at zero.
     """
     turning, numbers = [s for s in run.segments if s.kind == "rotation"], list(mountings(run))
-    if all(s.body_from_cage is not None for s in turning) or numbers[-1:] > [MOST_MOUNTINGS]:
+    if all(s.body_from_cage is not None for s in turning) or max(numbers, default=0) > MOST_MOUNTINGS:
         return ()
     return tuple(_zero(number) for number in numbers[1:])
 
