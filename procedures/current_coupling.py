@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Blocks, Plan, Procedure, Work, dut_nT, measured, rest, switch_mode
+from labcal.bench.steps import Blocks, Plan, Procedure, Work, dut_nT, measured, rest
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError
 from labcal.record.stream import Event, Prompt
@@ -45,8 +45,7 @@ def current_coupling(
     matrix: dict[str, list[float]] = {}
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)
-        yield from set_up(bench, "z", 5.0, "Every load is switched in turn, the others stay off.")
-        yield from switch_mode(bench, mode)
+        yield from set_up(bench, "z", 5.0, "Every load is switched in turn, the others stay off.", mode)
         for load in chosen:
             yield from _switched(bench, load, False)
         for load in chosen:

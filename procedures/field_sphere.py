@@ -26,7 +26,6 @@ from labcal.bench.steps import (
     note,
     record,
     rest,
-    switch_mode,
 )
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
@@ -86,8 +85,9 @@ def field_sphere(
     plan = Plan((("sphere", len(fields) * each_s), *((("verify", verify * each_s),) if verify else ())))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, axis, 5.0, f"The field goes to {max(magnitudes_nT) / 1000:g} µT in all directions.")
-        yield from switch_mode(bench, mode)
+        yield from set_up(
+            bench, axis, 5.0, f"The field goes to {max(magnitudes_nT) / 1000:g} µT in all directions.", mode
+        )
         yield note(bench, _where_from(bench))
         yield plan.begin(bench, "sphere")
         seen = yield from _visited(bench, fields, dwell_s, attitude(bench, axis), mode)

@@ -13,7 +13,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.stated import as_positions
-from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, note, rest, switch_mode
+from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, note, rest
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.geometry import unit
@@ -54,8 +54,7 @@ def linearity(
     plan = Plan((("field steps", len(ladder) * (dwell_s + 1.0)),))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, axis, 10.0, f"The field steps up to ±{field_nT / 1000:g} µT.")
-        yield from switch_mode(bench, mode)
+        yield from set_up(bench, axis, 10.0, f"The field steps up to ±{field_nT / 1000:g} µT.", mode)
         yield plan.begin(bench, "field steps")
         fields, readings = list[Array](), list[Array]()
         for number, fraction in enumerate(ladder):

@@ -25,11 +25,11 @@ from labcal.bench.steps import (
     attempt,
     coils_off,
     energise,
+    hands_off,
     measure_ambient,
     measured,
     mount,
     not_used,
-    ready,
     record,
     switch_mode,
     to_angle,
@@ -70,6 +70,7 @@ class PreflightPlan:
     closure_nT: float
     u_mounting_deg: float
     estimate: RunningEstimate
+    kept: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
 
     def at_rate_of(self, bench: Bench) -> PreflightPlan:
         """The same at the fastest rate that is allowed, unless one was asked for."""
@@ -99,24 +100,24 @@ class PreflightPlan:
             for field_nT in self.fields_nT:
                 yield f"{axis}{field_nT / 1000:+g}uT-{mode}", mode, field_nT
 
-    def turns_in(self, axis: str, mode: str) -> Iterator[str]:
-        """Step names of the turns about one body axis in one mode."""
-        return (name for name, of_it, _ in self.turns(axis) if of_it == mode)
-
     def plan(self) -> Plan:
-        """All steps with their lab time."""
+        """All steps with their lab time, those that are kept with none."""
         one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
         steps = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
         for axis in self.axes:
-            steps += [(f"mount-{axis}", MOUNT_S + self.dwell_s), *((name, one) for name, _, _ in self.turns(axis))]
-            steps += [(f"closure-{axis}", self.dwell_s)]
+            left = {name: one for name, _, _ in self.left(axis, self.kept)}
+            mount_s, closure_s = (MOUNT_S + self.dwell_s, self.dwell_s) if left else (0.0, 0.0)
+            steps += [(f"mount-{axis}", mount_s), *((name, left.get(name, 0.0)) for name, _, _ in self.turns(axis))]
+            steps += [(f"closure-{axis}", closure_s)]
         return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)), self.asks())
 
     def asks(self) -> frozenset[str]:
         """The steps that begin with mounting or switching; the first mounting is in the zero."""
-        mounted = {f"mount-{axis}" for axis in self.axes[1:]}
-        back = {f"closure-{axis}" for axis in self.axes if self.modes[-1] != self.modes[0]}
-        switched = {next(self.turns_in(axis, mode)) for axis in self.axes for mode in self.modes[1:]}
+        left = {axis: turns for axis in self.axes if (turns := self.left(axis, self.kept))}
+        mounted = {f"mount-{axis}" for axis in list(left)[1:]}
+        first = {axis: {mode: name for name, mode, _ in reversed(turns)} for axis, turns in left.items()}
+        switched = {name for of in first.values() for mode, name in of.items() if mode != self.modes[0]}
+        back = {f"closure-{axis}" for axis, of in first.items() if set(of) - {self.modes[0]}}
         return frozenset(mounted | back | switched | {"closing"})
 
 
@@ -157,7 +158,8 @@ def preflight(
         dwell_s, zero_s, closure_nT, u_mounting_deg, RunningEstimate(bench),
     )  # fmt: skip
     refuse_too_fast(bench, rate_deg_per_s)
-    setting, done = wanted.at_rate_of(bench), resume.done if resume else frozenset()
+    done = resume.done if resume else frozenset[str]()
+    setting = replace(wanted.at_rate_of(bench), kept=done)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         mounted = next((axis for axis in axes if setting.left(axis, done)), axes[0])
@@ -197,8 +199,8 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
     yield setting.plan().begin(bench, "zero")
     yield from _mounted(bench, axis, stood)
     yield from switch_mode(bench, setting.modes[0])
-    strongest = max(abs(b) for b in setting.fields_nT) / 1000
-    yield from ready(bench, f"The coils go to {strongest:g} µT and the platform turns. Hands off?")
+    yield from _all_hands_off(bench, setting)
+    yield from to_angle(bench, 0.0)
     spots = yield from _zero_and_first_position(bench, setting, "zero")
     if resume is None or not setting.turned(resume.done):
         return First(tuple(spot.excess for spot in spots), spots)
@@ -211,11 +213,9 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
 def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
     """The DUT mounted along `axis`: by a person now, or as it `stood` before the interruption where it still does."""
     if axis == stood:
-        up = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
-        text = f"{up} Hands off then: the platform turns to angle 0."
+        text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
         drawing = {"body_from_cage": attitude(bench, axis).tolist()}
         if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":
-            yield from to_angle(bench, 0.0)
             return
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
 
@@ -255,11 +255,13 @@ def _mount_or_redo(bench: Bench, setting: PreflightPlan, key: str, axis: str, la
 def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]) -> Work[None]:
     """Every turn about one body axis, with the first position before and after."""
     plan, mode_now, seen = setting.plan(), setting.modes[0], list[Turned]()
+    yield from _all_hands_off(bench, setting)
     before = yield from _first_position(bench, setting)
     for name, mode, field_nT in setting.left(axis, done):
         yield plan.begin(bench, name)
         if mode != mode_now:
             yield from switch_mode(bench, mode_now := mode)
+            yield from _all_hands_off(bench, setting)
         work = partial(_one_turn, bench, setting, axis, f"{axis}.again" if done else axis, name, mode, field_nT)
         blocks = yield from attempt(bench, name, work)
         seen += [look_at_turn(bench, AXES[axis], blocks)] if blocks else []
@@ -270,6 +272,7 @@ def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]
     yield plan.begin(bench, f"closure-{axis}")
     if mode_now != setting.modes[0]:
         yield from switch_mode(bench, setting.modes[0])
+        yield from _all_hands_off(bench, setting)
     after = yield from _first_position(bench, setting)
     moved = after.moved_from(before, attitude(bench, axis))
     u, mode = float(np.hypot(before.u, after.u)), setting.modes[0]
@@ -297,6 +300,7 @@ def _closing(bench: Bench, setting: PreflightPlan, first: First, last: str) -> W
     yield setting.plan().begin(bench, "closing")
     axis = setting.axes[0]
     yield from _mount_or_redo(bench, setting, f"mount-{axis}-again", axis, last)
+    yield from _all_hands_off(bench, setting)
     spots, mode = (yield from _zero_and_first_position(bench, setting, "closing")), setting.modes[0]
     for number, (name, spot) in enumerate(zip(POSITIONS, spots, strict=True)):
         moved, u_nT = abs(spot.excess - first.excess_nT[number]), float(np.sqrt(2) * spot.u)
@@ -324,6 +328,11 @@ def _zero_and_first_position(bench: Bench, setting: PreflightPlan, name: str) ->
     for what, spot in zip(POSITIONS, spots, strict=True):
         yield from measured(bench, f"{name}: {what}", spot.excess, spot.u, "nT")
     return spots[0], spots[1]
+
+
+def _all_hands_off(bench: Bench, setting: PreflightPlan) -> Work[None]:
+    strongest = max(abs(b) for b in setting.fields_nT) / 1000
+    yield from hands_off(bench, f"The coils go to {strongest:g} µT and the platform turns.")
 
 
 def _first_position(bench: Bench, setting: PreflightPlan) -> Work[Position]:

@@ -9,7 +9,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, inclined_field, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, rotate_once
-from labcal.bench.steps import Plan, Procedure, coils_off, energise, switch_mode
+from labcal.bench.steps import Plan, Procedure, coils_off, energise
 
 NEEDS, LASTS_MIN = "the DUT on a platform with a motor", 7
 
@@ -35,8 +35,9 @@ def rate_sweep(
     plan = Plan(tuple((turn.name, turn.seconds()) for turn in turns))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.")
-        yield from switch_mode(bench, mode)
+        yield from set_up(
+            bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
+        )
         yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for turn in turns:
             yield plan.begin(bench, turn.name)

@@ -9,7 +9,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, inclined_field, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
-from labcal.bench.steps import Procedure, coils_off, energise, measured, switch_mode
+from labcal.bench.steps import Procedure, coils_off, energise, measured
 
 NEEDS, LASTS_MIN = "the DUT on the platform", 2
 
@@ -35,8 +35,9 @@ def rotate_axis(
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield from measured(bench, "rotation rate", rate, 0.0, "deg/s")
-        yield from set_up(bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.")
-        yield from switch_mode(bench, mode)
+        yield from set_up(
+            bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
+        )
         yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for turn in range(turns):
             name = f"{axis}-{magnitude_nT / 1000:g}uT" + (f"-{turn + 1}" if turns > 1 else "")

@@ -9,9 +9,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import attitude, set_up
+from labcal.bench.mounting import attitude, how_to_mount
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Blocks, Plan, Procedure, coils_off, dut_nT, energise, measured, rest, switch_mode
+from labcal.bench.steps import (
+    Blocks,
+    Plan,
+    Procedure,
+    coils_off,
+    dut_nT,
+    energise,
+    measure_ambient,
+    measured,
+    mount,
+    ready,
+    rest,
+    switch_mode,
+)
 from labcal.bench.streams.samples import Samples, samples, thinned
 from labcal.errors import InputError
 from labcal.record.stream import Prompt
@@ -41,9 +54,11 @@ def temperature_drift(
     at_zero, kept = attitude(bench, "z"), {field: Blocks() for field in fields_nT}
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, "z", 10.0, "The field is set again and again while the DUT warms and cools.")
+        yield from mount(bench, "mount-z", at_zero, how_to_mount("z"))
         yield from switch_mode(bench, mode)
         yield Prompt(bench.clock.now(), "warm", "Warm the DUT within its limits, then let it cool.", acts=True)
+        yield from ready(bench, "The field is set again and again while the DUT warms and cools. Hands off?")
+        yield from measure_ambient(bench, 10.0)
         for number, (step, _) in enumerate(plan.steps):
             yield plan.begin(bench, step)
             for field_nT in fields_nT:

@@ -26,7 +26,6 @@ from labcal.bench.steps import (
     note,
     record,
     recorded,
-    switch_mode,
     turn,
 )
 from labcal.bench.streams.samples import samples
@@ -81,8 +80,7 @@ def verify(
     found: list[list[Block]] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, axis, 10.0, f"The field goes to {magnitude_nT / 1000:g} µT, the platform turns.")
-        yield from switch_mode(bench, mode)
+        yield from set_up(bench, axis, 10.0, f"The field goes to {magnitude_nT / 1000:g} µT, the platform turns.", mode)
         for (step, _), angle, field_nT in zip(plan.steps, angles, fields, strict=True):
             yield plan.begin(bench, step)
             yield from turn(bench, float(angle), rate_deg_per_s)

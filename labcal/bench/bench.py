@@ -109,6 +109,8 @@ class Bench:
         self._heard_s: dict[str, float] = {}  # what is polled, by name
         self._look = RestPoll(self._at_rest_only(), self._ask_again)
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
+        self.hands_near = True  # as far as is known: nothing is energised or turned before somebody denies it
+        self.homed = False  # the platform, by whoever has this bench now
 
     def state(self) -> LabState:
         """The lab as it was last read, each part with its time on the bench's clock."""
@@ -203,6 +205,7 @@ class Bench:
 
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
+        self.hands_near = True
         asked = set(prompt.drawing)
         elsewhere = asked <= {"angle_deg", "mode"} if asked else prompt.key == "ready"
         if prompt.acts and not elsewhere:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.steps import Work, measure_ambient, mount, ready
+from labcal.bench.steps import Work, measure_ambient, mount, ready, switch_mode
 from labcal.geometry import rotate, shortest_rotation, unit
 from labcal.record.vector import Vector
 
@@ -43,8 +43,10 @@ def inclined_field(bench: Bench, magnitude_nT: float, inclination_deg: float, az
     return np.asarray(magnitude_nT * (np.cos(tilt) * axis + np.sin(tilt) * sideways))
 
 
-def set_up(bench: Bench, axis: str, zero_s: float, question: str) -> Work[None]:
-    """How most procedures begin: mount, measure the ambient field with the coils off, ask before energising."""
+def set_up(bench: Bench, axis: str, zero_s: float, question: str, mode: str | None = None) -> Work[None]:
+    """How most procedures begin: mount, the DUT's power mode, hands off, the ambient field with the coils off."""
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
-    yield from measure_ambient(bench, zero_s)
+    if mode is not None:
+        yield from switch_mode(bench, mode)
     yield from ready(bench, f"{question} Hands off?")
+    yield from measure_ambient(bench, zero_s)

@@ -109,6 +109,8 @@ def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
     limit = bench.config.dut.limits.rate_deg_per_s
     if limit is not None and rate_deg_per_s > limit:
         raise InputError(f"{rate_deg_per_s:g} deg/s is beyond the DUT's limit of {limit:g} deg/s; nothing was moved.")
+    if abs(to_deg - bench.platform.angle_deg()) > AT_REST_DEG:
+        yield from hands_off(bench, f"The platform turns to {to_deg:g}°.")
     seconds = abs(to_deg - bench.platform.angle_deg()) / rate_deg_per_s
     bench.platform.move_to(to_deg, rate_deg_per_s)
     kept = yield from record(bench, seconds)
@@ -126,6 +128,7 @@ def turn_by_hand(bench: Bench, to_deg: float) -> Work[None]:
     text += f" No faster than {limit:g} deg/s." if limit else ""
     answer = yield Prompt(bench.clock.now(), f"turn-{to_deg:g}", text, (), acts=True, drawing=drawing)
     bench.by_hand.confirm(answer or "")
+    bench.hands_near = False  # as the question asks
 
 
 def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
@@ -134,7 +137,10 @@ def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
         if bench.platform.moving() or abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:
             yield from turn_by_hand(bench, angle_deg)
         return
+    if not bench.homed:
+        yield from hands_off(bench, f"The platform looks for its zero and turns to {angle_deg:g}°.")
     bench.platform.home()
+    bench.homed = True
     while bench.platform.moving():
         yield from record(bench, TICK_S)
     fastest = min(bench.platform.max_rate_deg_per_s, bench.config.dut.limits.rate_deg_per_s or np.inf, 30.0)
@@ -206,6 +212,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
             if answer == "stop":
                 raise
+            bench.hands_near = answer != "retry"  # "Hands off: try again"
             if answer == "skip":
                 reason = yield Prompt(bench.clock.now(), f"skip-{name}", f"Why is {name} skipped?", ())
                 yield Event(bench.clock.now(), "skip", f"{name} skipped: {reason}", {"step": name, "reason": reason})
@@ -215,6 +222,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
 def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:
     """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record; as `Cage.set_field`."""
     b = [float(v) for v in np.asarray(b_nT)]
+    yield from hands_off(bench, f"The field goes to {np.linalg.norm(b) / 1000:g} µT.")
     bench.cage.set_field(b, confirm_signs=confirm_signs)
     yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
 
@@ -222,6 +230,8 @@ def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Wo
 def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:
     """Bring the coil currents to `i_A` (3,), and say so in the record; as `Cage.set_currents`."""
     i = [float(v) for v in np.asarray(i_A)]
+    if any(i):
+        yield from hands_off(bench, f"The coils go to {max(map(abs, i)):.2g} A.")
     bench.cage.set_currents(i, confirm_signs=confirm_signs)
     yield _set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
 
@@ -281,8 +291,18 @@ def switch_mode(bench: Bench, mode: str) -> Work[None]:
 
 
 def ready(bench: Bench, text: str) -> Work[None]:
-    """Ask before the first energising: hands off, and a person says so."""
+    """Ask whether all hands are off; whoever says so stands back until the next question."""
     yield Prompt(bench.clock.now(), "ready", text, acts=True)
+    bench.hands_near = False
+
+
+def hands_off(bench: Bench, what: str) -> Work[None]:
+    """Before anything is energised or turned: `ready`, unless nobody was asked for anything since it was answered.
+
+    `what` is about to happen. Every question may bring hands to the lab, for a person mounts, switches, puts right.
+    """
+    if bench.hands_near:
+        yield from ready(bench, f"{what} Hands off?")
 
 
 def measured(

@@ -187,6 +187,7 @@ class Drive:
         self.bench.cage.zero()
         currents = self.bench.cage.currents_A().tolist()
         self._keep(read_back(self.bench, "pause", "paused, ", current_A=currents))
+        self.bench.hands_near = True
         with self._person_awaited():
             while self.control.paused():
                 self._check()

@@ -47,6 +47,8 @@ class ProcedureTrial:
     items: list[Item] = field(default_factory=list)
     left_A: float = 0.0  # the largest true current as the procedure itself was over, before the runner zeroes anything
     raised: bool = False
+    energised: bool = False  # as the last item was kept
+    hands_near: list[tuple[str, Item]] = field(default_factory=list)  # what began before anybody said "hands off"
 
     def run(self) -> Ending:
         """Drive it to its end."""
@@ -60,8 +62,16 @@ class ProcedureTrial:
 
     def _notice(self, item: Item) -> None:
         self.items.append(item)
+        self._watch_hands(item)
         if len(self.items) - 1 == self.at:
             self.happens(self)
+
+    def _watch_hands(self, item: Item) -> None:
+        before, self.energised = self.energised, largest_A(self.bench) > ZERO_A
+        if self.bench.hands_near and self.energised and not before:
+            self.hands_near.append(("energises", item))
+        if self.bench.hands_near and turns(self.bench):
+            self.hands_near.append(("turns the platform", item))
 
     def _witnessed(self, procedure: Procedure) -> Procedure:
         try:
@@ -75,6 +85,12 @@ def largest_A(bench: Bench) -> float:
     lab: Any = bench.simulated_operator
     now = [bench.clock.now()]
     return max(abs(float(coil.at(now)[0])) for coil in lab._lab.coils.values())
+
+
+def turns(bench: Bench) -> bool:
+    """Whether the platform truly turns."""
+    lab: Any = bench.simulated_operator
+    return bool(lab._lab.platform.moving(bench.clock.now()))
 
 
 def stop(trial: ProcedureTrial) -> None:
@@ -121,9 +137,10 @@ def check_procedure(
 ) -> None:
     """Run a procedure (its name, file or function) with the settings `given`, then leave it at `moments` of its items.
 
-    It must finish, keep a record that can be read, ask a person before it energises, and have the coils at zero when it
-    is over, by its own undo: at its end and after a stop, an abort, Ctrl-C and an exception at each moment. `bench` is
-    a bench file with emulated links, the simulated bench where it is not stated. Raises AssertionError.
+    It must finish, keep a record that can be read, hear "hands off" before it energises or turns anything, and have
+    the coils at zero when it is over, by its own undo: at its end and after a stop, an abort, Ctrl-C and an exception
+    at each moment. `bench` is a bench file with emulated links, the simulated bench where it is not stated.
+    Raises AssertionError.
     """
     trial = ProcedureTrial(_found(procedure), given or {}, bench or simulated_bench(), answer)
     check_words(trial.found)
@@ -167,14 +184,13 @@ def check_record(trial: ProcedureTrial) -> None:
 
 
 def check_normal_end(trial: ProcedureTrial) -> list[Item]:
-    """It leaves zero at its end and asked before it energised; what it yielded."""
+    """It leaves zero at its end, and nothing began under somebody's hands; what it yielded."""
     ending = trial.run()
     require(ending.status == "finished", f"{trial.found.name} ends as {ending.status!r} when it is run a second time.")
     _at_zero(trial, "at its end")
-    energised = next((n for n, item in enumerate(trial.items) if _energises(item)), len(trial.items))
-    asked = any(isinstance(item, Prompt) and item.acts for item in trial.items[:energised])
-    text = f"{trial.found.name} energises before it has asked: yield from ready(bench, 'The coils go on. Hands off?')."
-    require(asked or energised == len(trial.items), text)
+    for does, item in trial.hands_near[:1]:
+        asks = "hands off: yield from ready(bench, 'The coils go on. Hands off?') after the last question before that."
+        require(False, f"{trial.found.name} {does} at {_named(item)} where nobody has said {asks}")
     return trial.items
 
 

@@ -31,6 +31,7 @@ from labcal.fit.scalar.centered import centered
 from labcal.fit.vector.ml import ml
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.record.stream import Prompt
 from labcal.testing import check_driver, check_estimator, check_procedure
 from labcal.testing.drivers import DriverCase, stages, streams
 from labcal.testing.drivers.rig import installed
@@ -254,10 +255,22 @@ def goes_on(bench: Bench) -> Procedure:
 
 
 def asks_nobody(bench: Bench) -> Procedure:
-    """Energises at once."""
+    """Energises at once, by the cage itself."""
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)
-        yield from energise(bench, (0.0, 0.0, 20_000.0))
+        bench.cage.set_field((0.0, 0.0, 20_000.0), confirm_signs=False)
+        yield from record(bench, 1.0)
+
+
+def turns_under_hands(bench: Bench) -> Procedure:
+    """Asks for something more after hands off, and turns."""
+    yield from ready(bench, "The platform turns. Hands off?")
+    yield Prompt(bench.clock.now(), "cover", "Put the cover on.", acts=True)
+    bench.platform.home()
+    while bench.platform.moving():
+        yield from record(bench, 0.5)
+    bench.platform.move_to(90.0, 10.0)
+    yield from record(bench, 1.0)
 
 
 def never_zero(bench: Bench) -> Procedure:
@@ -272,7 +285,8 @@ def never_zero(bench: Bench) -> Procedure:
         (leaves_it_on, r"leaves 0\.\d+ A in a coil after a stop at .*: with ExitStack"),
         (undoes_exceptions_alone, r"leaves 0\.\d+ A in a coil after (a stop|Ctrl-C) at"),
         (goes_on, r"ends as 'finished' after an exception at .*: let what it does not know pass"),
-        (asks_nobody, r"energises before it has asked: yield from ready"),
+        (asks_nobody, r"asks-nobody energises at .* where nobody has said hands off: yield from ready"),
+        (turns_under_hands, r"turns-under-hands turns the platform at .* where nobody has said hands off"),
     ],
 )
 def test_a_procedure_that_breaks_a_promise(procedure: Callable[..., Procedure], says: str) -> None:

@@ -92,6 +92,6 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
         qtbot.waitUntil(lambda: study.look is not None and bool(study.methods) and not study.busy, timeout=patience)
         qtbot.mouseClick(fit.fit, Qt.MouseButton.LeftButton)
         qtbot.waitUntil(lambda: "ml" in study.fits, timeout=patience)
-        assert study.fits["ml"]["fit"]["ok"]
+        assert study.fits["ml"].fit.ok
     finally:
         window.leave()

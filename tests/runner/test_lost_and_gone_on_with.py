@@ -85,7 +85,7 @@ def events(kind: str) -> list[str]:
 
 @pytest.mark.parametrize("name", ["reference", "dut", "stage", "supply_x"])
 def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(bench_file: BenchFile, name: str) -> None:
-    bench, steps = bench_file(), list[str]()
+    bench, steps = bench_file(), list[Step]()
     lost = begun(bench, "preflight", pulled(name), TWO_FIELDS, SECOND)
     assert (lost.status, lost.resumable) == ("interrupted", True)
     with pytest.raises(InstrumentError, match=name):  # exit code 3, as before
@@ -94,9 +94,10 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     assert [name in said for said in events(FAULT)] == [True]
     with Store.open() as store:
         assert store.status("R") == "interrupted"
-    there = session.resume("R", bench, seed=2, on_item=lambda i: steps.append(i.name) if isinstance(i, Step) else None)
+    there = session.resume("R", bench, seed=2, on_item=lambda i: steps.append(i) if isinstance(i, Step) else None)
     assert (there.status, there.fault) == ("finished", None)
-    assert steps == ["zero", "axes-check", "sync-check", "mount-z", SECOND, "closure-z", "closing"]
+    assert steps[0].left_s == pytest.approx(sum(step.step_s for step in steps))  # nothing of what is kept
+    assert [step.name for step in steps] == ["zero", "axes-check", "sync-check", "mount-z", SECOND, "closure-z", "closing"]
     run = session.load_run("R")
     first, *_, last = (one for n, one in enumerate(run.segments) if len(run.rows(n)) > 150)
     assert (first.id, first.mounting, last.mounting) == ("z+20uT-nominal", "z", "z.again")

@@ -73,7 +73,7 @@ def test_mounted_again_the_run_begins_anew_and_both_checks_stay_in_the_record(be
         hands = Hands(lab, 1)
         ended = run_procedure(lab, find("preflight"), SHORT, store=store, answer=hands.answer, run_id="R")
     assert (ended.status, ended.fault, ended.failed) == ("finished", None, ())
-    assert hands.asked[:5] == ["mount-z", "mode-nominal", "ready", "opening-failed", "mount-z"]
+    assert hands.asked[:6] == ["ready", "mount-z", "mode-nominal", "ready", "opening-failed", "mount-z"]
     assert of_axes() == ["FAIL", "PASS"]
     assert [i.name for i in kept() if isinstance(i, Step)][:5] == ["zero", "axes-check"] * 2 + ["sync-check"]
 

@@ -40,7 +40,7 @@ def test_yes_on_a_real_bench_refuses_before_anything_is_energised(bench_file: Be
 
 def test_an_answer_stands_in_the_record_and_one_that_is_none_of_the_choices_is_refused(bench_file: BenchFile) -> None:
     outcome = session.run("rotate-axis", bench_file(), answer=lambda prompt: "perhaps")
-    assert "'perhaps' is no answer to 'mount-z': expected done" in outcome.status
+    assert "'perhaps' is no answer to 'ready': expected done" in outcome.status
     outcome = session.run("rotate-axis", bench_file(), {"rate_deg_per_s": "20", "zero_s": "2"})
     with Store.open() as store:
         answers = {

@@ -326,7 +326,7 @@ class Live(QWidget):
         self.steps.show_steps(run.steps(), self._theme)
         if run.step is not None:
             self.progress.setMaximum(run.step.total)
-            self.progress.setValue(run.step.total if run.status == "finished" else run.step.number - 1)
+            self.progress.setValue(run.step.total if run.status == "finished" else run.steps_done())
 
     def draw(self) -> None:
         """Draw what has come since the last frame."""
@@ -387,5 +387,7 @@ class Live(QWidget):
             self.left.setText(translated("stopped" if stopped else run.status.partition(":")[0]))
         else:
             self.left.setText(
-                self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, format_duration(left))
+                self.tr("step {0} of {1} · {2} left").format(
+                    min(run.steps_done() + 1, run.step.total), run.step.total, format_duration(left)
+                )
             )

@@ -853,7 +853,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -970,6 +970,22 @@
     </message>
     <message>
         <source>The field goes to {0} µT in six directions. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -853,8 +853,8 @@
         <translation>um 180° um seine Achse {0} gedreht</translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
-        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung? Dann Hände weg: der Tisch dreht auf den Winkel 0.</translation>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
+        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung?</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -971,6 +971,22 @@
     <message>
         <source>The field goes to {0} µT in six directions. Hands off?</source>
         <translation>Das Feld geht auf {0} µT in sechs Richtungen. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} A. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°. Hands off?</source>
+        <translation>Der Tisch dreht auf {0}°. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation>Der Tisch sucht seine Null und dreht auf {0}°. Hände weg?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>

@@ -853,8 +853,8 @@
         <translation>tourné de 180° autour de son {0}</translation>
     </message>
     <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the platform turns to angle 0.</source>
-        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ? Alors ne touchez à rien : le plateau tourne à lla plate-forme tourne à l&apos;angle 0apos;angle 0.</translation>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
+        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ?</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -971,6 +971,22 @@
     <message>
         <source>The field goes to {0} µT in six directions. Hands off?</source>
         <translation>Le champ va à {0} µT dans six directions. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT. Hands off?</source>
+        <translation>Le champ va à {0} µT. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A. Hands off?</source>
+        <translation>Les bobines vont à {0} A. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°. Hands off?</source>
+        <translation>La plate-forme tourne à {0}°. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation>La plate-forme cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>

@@ -70,11 +70,7 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "as it always stands"),
     QT_TRANSLATE_NOOP("Data", "turned by 180° about its own {0}"),
     QT_TRANSLATE_NOOP("Data", "turned by 180° about its {0}"),
-    QT_TRANSLATE_NOOP(
-        "Data",
-        "Is the DUT still mounted with body {0} up, exactly as it was when the run broke off? Hands off then: the "
-        "platform turns to angle 0.",
-    ),
+    QT_TRANSLATE_NOOP("Data", "Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?"),
     QT_TRANSLATE_NOOP("Data", "Why is axis {0} redone? What was measured stays in the record, marked as not used."),
     QT_TRANSLATE_NOOP("Data", "Why is {0} skipped?"),
     QT_TRANSLATE_NOOP("Data", "Switch the DUT to power mode {0}."),
@@ -116,6 +112,10 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "The field is set again and again while the DUT warms and cools. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT in all directions. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT in six directions. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The coils go to {0} A. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The platform turns to {0}°. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The platform looks for its zero and turns to {0}°. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, the platform turns. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT and stays. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, later with the DUT turning in it. Hands off?"),

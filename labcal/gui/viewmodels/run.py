@@ -33,6 +33,7 @@ from labcal.gui.ipc.wire import MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
+from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of
 from labcal.record.stream import (
     FAULT,
     NOT_USED,
@@ -47,7 +48,6 @@ from labcal.record.stream import (
 )
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
-Mark = Literal["done", "now", "next", "skipped", "broken"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
@@ -248,17 +248,16 @@ class RunViewModel(QObject):
         at = self.names.index(self.step.name) if self.step.name in self.names else len(self.names)
         over = self.state == "ended"
         here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
-        marks: list[Mark] = ["done" if n < at else here if n == at else "next" for n in range(len(self.names))]
-        for n in range(at + 1, len(self.names)):  # turns that a run which is gone on with does not repeat
-            marks[n] = "done" if any(m.startswith(f"{self.names[n]}:") for m in self.measurements) else "next"
-        return [(n, "skipped" if n in self.left_out(at) else mark) for n, mark in zip(self.names, marks, strict=True)]
+        marks = marks_of(self.names, at, here, self.measurements, self.skipped)
+        return list(zip(self.names, marks, strict=True))
 
-    def left_out(self, at: int | None = None) -> list[str]:
-        """Steps before number `at` that were skipped, or broken off and not repeated, in their order."""
-        return [n for n in self.names[:at] if n in self.skipped or self._is_missing(n)]
+    def steps_done(self) -> int:
+        """How many steps are over: done, kept from before an interruption, or left out."""
+        return sum(mark in ("done", "skipped") for _, mark in self.steps())
 
-    def _is_missing(self, step: str) -> bool:  # a closure that was broken off: what it is of is mounted no more
-        return step.startswith("closure-") and step.replace("-", " ", 1) not in self.measurements
+    def left_out(self) -> list[str]:
+        """Steps that were skipped, or broken off and not repeated, in their order."""
+        return left_out(self.names, self.measurements, self.skipped)
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""

@@ -1,0 +1,42 @@
+"""The steps of a run and how far each is: done, going on, to come, left out or broken off."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import Literal
+
+Mark = Literal["done", "now", "next", "skipped", "broken"]
+
+
+def marks_of(
+    names: Sequence[str], at: int, here: Mark, measured: Collection[str], skipped: Collection[str]
+) -> list[Mark]:
+    """A mark for each of the steps `names`, of which number `at` is reached and stands as `here` says.
+
+    `measured`: names of what was measured. A step that comes later and is kept from before an interruption is done.
+    """
+    out = left_out(names[:at], measured, skipped)
+    before: list[Mark] = ["skipped" if name in out else "done" for name in names[:at]]
+    later: list[Mark] = ["done" if _is_kept(name, names, measured) else "next" for name in names[at + 1 :]]
+    return [*before, *([here] if at < len(names) else []), *later]
+
+
+def left_out(names: Sequence[str], measured: Collection[str], skipped: Collection[str]) -> list[str]:
+    """Which of the steps `names`, that are past, were skipped, or broken off and not repeated, in their order."""
+    return [name for name in names if name in skipped or _is_missing(name, measured)]
+
+
+def _is_missing(step: str, measured: Collection[str]) -> bool:
+    """A closure that was broken off: what it is of is mounted no more."""
+    return step.startswith("closure-") and step.replace("-", " ", 1) not in measured
+
+
+def _is_kept(step: str, names: Sequence[str], measured: Collection[str]) -> bool:
+    """Turns are not repeated, nor what mounts and closes an axis of which every turn is kept."""
+    kind, _, axis = step.partition("-")
+    if axis and kind == "closure":
+        return not _is_missing(step, measured)
+    if axis and kind == "mount":
+        turns = [name for name in names if name.startswith((f"{axis}+", f"{axis}-"))]
+        return bool(turns) and all(_is_kept(name, names, measured) for name in turns)
+    return any(name.startswith(f"{step}:") for name in measured)
