@@ -87,7 +87,6 @@ NO_CLAIM = {
     "Each coil goes to ±{} µT, then the field rotates. Hands off?": ASKED,
     "current at zero {}": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
-    "The coils go to {} µT and the platform turns. Hands off?": ASKED,
     "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
     "`labcal bench off` sets zero and reads it back. Then start the run again.": HELP,
     "taking the coils to zero: ordered, not read back yet …": REFUSED,
