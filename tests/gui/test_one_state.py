@@ -202,8 +202,12 @@ def of_the_run(seen, run):
         yield f"{waiting!r} while the run is {run.state}"
     if live.middle.currentWidget() is live.prompt and run.state != "asking":
         yield f"a question stands while the run is {run.state}"
-    if seen.zero.startswith("✕") and run.state == "running" and (not headline.startswith("✕") or live.until.text()):
-        yield f"{headline!r} and {live.until.text()!r} beside {seen.zero!r}"
+    if (
+        seen.zero.startswith("✕")
+        and run.state == "running"
+        and (not headline.startswith("✕") or live.time_left.until.text())
+    ):
+        yield f"{headline!r} and {live.time_left.until.text()!r} beside {seen.zero!r}"
     if seen.zero.startswith("✕") and not run.alive and seen.window.next.text() != "Next: See to the coils":
         yield f"{seen.window.next.text()!r} beside {seen.zero!r}"
     if run.state in ("paused", "stopping", "starting", "ended") and "Hands off" in headline:

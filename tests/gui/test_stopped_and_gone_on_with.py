@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 from test_path import RUN
 
 from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import Answer, ListRuns, ResumeRun, RunProcedure
+from labcal.gui.ipc.messages import Answer, ListRuns, Rehearse, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record.stream import FAULT, Measurement, Prompt, Step
@@ -47,7 +47,29 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "■ STOPPED"
-    assert "go on with it on the Start page" in verdict.next
+    assert verdict.next.endswith("Go on begins after the last finished step.")
+
+
+def test_it_is_gone_on_with_where_it_was_stopped_by_the_one_blue_button(running, qtbot):
+    worker, live = running.app_state.bench_worker, running.page("Run").live
+    running.app_state.resumable = frozenset({"preflight"})
+    worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
+    assert [one.objectName() for one in (live.go_on, live.close_run)] == ["primary", ""]
+    qtbot.mouseClick(live.go_on, Qt.MouseButton.LeftButton)
+    assert [one.command.run for one in worker.asked if isinstance(one.command, ResumeRun)] == ["r1"]
+    running.app_state.resumable = frozenset()  # no procedure that can be gone on with
+    worker.answer(ResumeRun, Ended("r1", "interrupted", STOPPED))
+    assert (live.go_on.isVisible(), live.close_run.objectName()) == (False, "primary")
+
+
+def test_what_is_left_of_simulated_time_is_called_that(running):
+    run, live = running.app_state.run, running.page("Run").live
+    run.virtual_time = False
+    live.draw()
+    assert live.time_left.left.text() == "step 1 of 2 · 01:00 left"
+    run.virtual_time, run.order = True, replace(run.order, pace="100 times")
+    live.draw()
+    assert live.time_left.left.text() == "step 1 of 2 · 01:00 of simulated time left"
 
 
 def test_a_run_that_nobody_stopped_says_why_it_was_left_and_not_that_it_was_stopped(running):
@@ -63,7 +85,7 @@ def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gon
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "▲ INTERRUPTED"
-    assert "Mend what is said above, then go on with it on the Start page" in verdict.next
+    assert verdict.next.endswith("Mend what is said above, then Go on.")
     assert running.page("Run").live.fault.text.text() == "stage: the link was lost."
 
 
@@ -74,7 +96,7 @@ def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, wo
     asked.failed(Fault(kind, "stage: the link was lost."))
     run = still.app_state.run
     assert run_verdict(run).word == word
-    assert ("go on with it on the Start page" in run_verdict(run).next) == (kind == "instrument")
+    assert run_verdict(run).next.endswith("then Go on.") == (kind == "instrument")
     assert run.message.startswith("Run r1: ")
 
 
@@ -140,7 +162,7 @@ def test_who_goes_on_sees_which_turns_are_kept_and_what_was_broken_off_for_good(
 
     step(1)
     assert [mark for _, mark in run.steps()] == ["now", "done", "done", "next", "next", "next"]
-    assert (run.steps_done(), running.page("Run").live.progress.value()) == (2, 2)
+    assert (run.steps_done(), running.page("Run").live.time_left.progress.value()) == (2, 2)
     step(5)
     assert [mark for _, mark in run.steps()] == ["done", "done", "done", "skipped", "now", "next"]
     step(6)
@@ -181,7 +203,10 @@ def test_how_long_a_procedure_takes_is_said_of_its_own_settings_alone(still):
     choose = still.page("Run").choose
     assert "min of measuring" in choose.needs.text()
     choose.form.set_text("magnitudes_nT", "20000")
-    assert "min of measuring" not in choose.needs.text()
+    assert "The plan says how long this takes" in choose.needs.text()
+    choose.rehearse()
+    still.app_state.bench_worker.answer(Rehearse, ("preflight", "12 min"))
+    assert (choose.plan.text(), "The plan says" in choose.needs.text()) == ("12 min", False)  # it is there
 
 
 def test_who_goes_to_another_page_by_keyboard_does_not_land_in_the_serial(still, qtbot):

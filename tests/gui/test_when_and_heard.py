@@ -90,13 +90,13 @@ def test_the_run_page_says_both_and_neither_while_somebody_is_asked(still):
     worker, live = still.app_state.bench_worker, still.page("Run").live
     worker.items.emit((PLAN.begin(BENCH, "x"),))
     live.draw()
-    needed, done = live.until.text().splitlines()
+    needed, done = live.time_left.until.text().splitlines()
     assert needed.startswith("You are needed at ")
     assert needed.endswith(": mount\N{NON-BREAKING HYPHEN}y")
     assert done.startswith("Done at about ")
     worker.items.emit((Prompt(101.0, "m", "Mount it."),))
     live.draw()
-    assert live.until.text() == ""
+    assert live.time_left.until.text() == ""
 
 
 @pytest.fixture
@@ -158,9 +158,9 @@ def test_of_what_takes_longer_than_planned_nothing_is_promised(still, monkeypatc
     step = Step(0.0, 1, 1, "sphere", 60.0, ("sphere",), 60.0)
     still.app_state.bench_worker.items.emit((step,))
     live.draw()
-    assert (live.headline.text(), live.until.text()[:13]) == ("Hands off · 60 s · sphere", "Done at about")
+    assert (live.headline.text(), live.time_left.until.text()[:13]) == ("Hands off · 60 s · sphere", "Done at about")
     late = Block("angle", "stage", ("angle_deg",), np.array([61.0]), np.zeros((1, 1)))
     still.app_state.bench_worker.items.emit((late,))
     live.draw()
-    assert (live.headline.text(), live.until.text()) == ("Hands off · sphere", "")
+    assert (live.headline.text(), live.time_left.until.text()) == ("Hands off · sphere", "")
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))

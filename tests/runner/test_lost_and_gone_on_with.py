@@ -97,7 +97,8 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     there = session.resume("R", bench, seed=2, on_item=lambda i: steps.append(i) if isinstance(i, Step) else None)
     assert (there.status, there.fault) == ("finished", None)
     assert steps[0].left_s == pytest.approx(sum(step.step_s for step in steps))  # nothing of what is kept
-    assert [step.name for step in steps] == ["zero", "axes-check", "sync-check", "mount-z", SECOND, "closure-z", "closing"]
+    names = [step.name for step in steps]
+    assert names == ["zero", "axes-check", "sync-check", "mount-z", SECOND, "closure-z", "closing"]
     run = session.load_run("R")
     first, *_, last = (one for n, one in enumerate(run.segments) if len(run.rows(n)) > 150)
     assert (first.id, first.mounting, last.mounting) == ("z+20uT-nominal", "z", "z.again")

@@ -273,7 +273,7 @@ class Choose(QWidget):
         self.objection.setText(objection)
         self.objection.setVisible(bool(objection))
         if self._needs_of is not None:
-            self.needs.setText(needs_text(self._needs_of, plannable=not objection))
+            self.needs.setText(needs_text(self._needs_of, plannable=not objection and self._planned is None))
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         rehearsing = self._rehearsed is not None and not self._app_state.run.alive
         with focus_kept_in(self, self.give_up, self.show_plan):

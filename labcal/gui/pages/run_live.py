@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import datetime
-
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QApplication,
@@ -23,7 +21,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import alarm_of
-from labcal.gui.viewmodels.number_format import FIGURE_SPACE, clock_time, format_duration, step_title
+from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
@@ -34,6 +32,7 @@ from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
 from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.step_list import StepList
+from labcal.gui.widgets.time_left import TimeLeft
 from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
@@ -41,7 +40,6 @@ HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
 PICTURES = "*.jpg *.jpeg *.png *.webp"
-UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
 class Live(QWidget):
@@ -96,16 +94,13 @@ class Live(QWidget):
         self.title = label("", "title", wrap=True)
         self.whose = label("", wrap=True)
         self.whose.setAccessibleName(self.tr("Whose run this is"))
-        self.progress = QProgressBar()
-        self.progress.setTextVisible(False)
-        self.left, self.until = label("", "caption", wrap=True), label("", wrap=True)
-        self.until.setAccessibleName(self.tr("When it is done, and when you are needed"))
+        self.time_left = TimeLeft(self._run)
         self.steps = StepList()
         self.note = QLineEdit()
         self.note.setPlaceholderText(self.tr("Note"))
         self.note.setToolTip(self.tr('Put a remark with its time into the record, and Enter: "lift moved"'))
         self.note.returnPressed.connect(self._note)
-        for widget in (self.title, self.whose, self.progress, self.left, self.until):
+        for widget in (self.title, self.whose, self.time_left):
             card.body.addWidget(widget)
         self.photo = button(self.tr("Photo …"), self.tr("Put a photograph into the record, with the note as its words"))
         self.photo.clicked.connect(self._photo)
@@ -127,10 +122,12 @@ class Live(QWidget):
         self.stop.clicked.connect(self._run.stop)
         self.close_run = button(self.tr("Close"), self.tr("Back to the procedures; the run is in the History"))
         self.close_run.clicked.connect(self.put_away)
+        self.go_on = button(self.tr("Go on"), self.tr("After the last finished step of this run"), primary=True)
+        self.go_on.clicked.connect(self._resume)
         self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
         self.fit.clicked.connect(self._fit)
         row = QHBoxLayout()
-        for widget in (self.pause, self.stop, self.close_run, self.fit):
+        for widget in (self.pause, self.stop, self.close_run, self.go_on, self.fit):
             row.addWidget(widget)
         return row
 
@@ -216,6 +213,10 @@ class Live(QWidget):
         self._app_state.request(KeepPhoto(path), lambda kept: self._run.note(text, **kept))
         self.note.clear()
 
+    def _resume(self) -> None:
+        if self._run.order is not None:
+            self._app_state.resume(self._run.run_id, self._run.order.procedure, self._run.order.dut)
+
     def _pause_or_go_on(self) -> None:
         self._run.go_on() if self._run.state == "paused" else self._run.pause()
 
@@ -240,17 +241,24 @@ class Live(QWidget):
         turned = bool(run.names or run.locus)  # else there is no turn to show, and nothing to fit
         self._details = self._details and ended
         decided = ended and not self._details  # the verdict has the whole place
+        again = (
+            ended
+            and run.status == "interrupted"
+            and run.order is not None
+            and run.order.procedure in self._app_state.resumable
+        )
         with deferred_layout(self, *self._holders):
             for widget, shown in (
                 (self.pause, not ended),
                 (self.stop, not ended),
                 (self.close_run, ended),
+                (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
                 (self.lights, turned and not decided),
-                *((widget, turned) for widget in (self.progress, self.steps, self.turn, self.loci)),
+                *((widget, turned) for widget in (self.time_left.progress, self.steps, self.turn, self.loci)),
             ):
                 widget.setVisible(shown)
-        set_primary(self.close_run, not (turned and run.status == "finished"))
+        set_primary(self.close_run, not again and not (turned and run.status == "finished"))
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.note.setEnabled(run.alive)
         self.photo.setEnabled(run.alive)
@@ -282,7 +290,7 @@ class Live(QWidget):
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
         goes_on = self.tr(
-            "Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew."
+            "Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew."
         )
         return self.fault.text.setText(goes_on if self._run.status == "interrupted" else kept)
 
@@ -322,16 +330,13 @@ class Live(QWidget):
         self._asked = prompt
 
     def _show_steps(self) -> None:
-        run = self._run
-        self.steps.show_steps(run.steps(), self._theme)
-        if run.step is not None:
-            self.progress.setMaximum(run.step.total)
-            self.progress.setValue(run.step.total if run.status == "finished" else run.steps_done())
+        self.steps.show_steps(self._run.steps(), self._theme)
+        self.time_left.show_steps()
 
     def draw(self) -> None:
         """Draw what has come since the last frame."""
         run = self._run
-        self._show_left()
+        self.time_left.show_now(self._app_state.lab.state.now.coil_words)
         self.headline.set_text(self._now())
         self.coverage.setValue(round(100 * run.coverage()))
         self.covered.setText(
@@ -361,33 +366,3 @@ class Live(QWidget):
         left = run.step_left_s()
         wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised
         return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)
-
-    def _until(self) -> str:
-        """When it is done and when a person is needed before that, by the clock on the wall; "" while one is."""
-        run, now = self._run, datetime.now()
-        done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
-        if not done_s or alarm_of(self._app_state.lab.state.now.coil_words):
-            return ""
-        done = self.tr("Done at about {0}").format(clock_time(now, done_s))
-        if needed_s is None or run.step is None:
-            return done
-        needed = self.tr("You are needed at {0}: {1}").format(
-            clock_time(now, needed_s), step_title(run.step.needed_for).replace("-", UNBROKEN)
-        )
-        return f"{needed}\n{done}"
-
-    def _show_left(self) -> None:
-        run, left = self._run, self._run.left_s()
-        self.until.setText(words := self._until())
-        self.until.setVisible(bool(words))
-        if run.step is None:
-            self.left.setText(run.message if run.state == "starting" else "")
-        elif left is None:
-            stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
-            self.left.setText(translated("stopped" if stopped else run.status.partition(":")[0]))
-        else:
-            self.left.setText(
-                self.tr("step {0} of {1} · {2} left").format(
-                    min(run.steps_done() + 1, run.step.total), run.step.total, format_duration(left)
-                )
-            )

@@ -5387,7 +5387,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>After the last finished step of this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5408,10 +5416,6 @@
     </message>
     <message>
         <source>Whose run this is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When it is done, and when you are needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5459,10 +5463,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Starting</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5472,18 +5472,6 @@
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Done at about {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You are needed at {0}: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>step {0} of {1} · {2} left</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6423,6 +6411,29 @@
     <name>Table</name>
     <message>
         <source>in a table: its chosen rows to the clipboard, or all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TimeLeft</name>
+    <message>
+        <source>When it is done, and when you are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} of simulated time left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done at about {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are needed at {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7393,11 +7404,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: go on with it on the Start page.</source>
+        <source>Nothing that was measured is lost: Go on begins after the last finished step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
+        <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

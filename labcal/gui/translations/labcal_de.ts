@@ -5367,10 +5367,6 @@
         <translation>Wessen Messung das ist</translation>
     </message>
     <message>
-        <source>When it is done, and when you are needed</source>
-        <translation>Wann es fertig ist, und wann Sie gebraucht werden</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
@@ -5411,6 +5407,10 @@
         <translation>Zurück zu den Prozeduren; die Messung steht im Verlauf</translation>
     </message>
     <message>
+        <source>After the last finished step of this run</source>
+        <translation>Nach dem letzten fertigen Schritt dieser Messung</translation>
+    </message>
+    <message>
         <source>Fit</source>
         <translation>Fit</translation>
     </message>
@@ -5439,16 +5439,16 @@
         <translation>Foto</translation>
     </message>
     <message>
+        <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
+        <translation>Nichts Gemessenes ist verloren: Weiter beginnt nach dem letzten fertigen Schritt. Oder Ablegen und neu beginnen.</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weiter</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
-    </message>
-    <message>
-        <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
-        <translation>Nichts Gemessenes ist verloren: Auf der Startseite geht es weiter. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
@@ -5473,18 +5473,6 @@
     <message>
         <source>Hands off</source>
         <translation>Hände weg</translation>
-    </message>
-    <message>
-        <source>Done at about {0}</source>
-        <translation>Fertig gegen {0}</translation>
-    </message>
-    <message>
-        <source>You are needed at {0}: {1}</source>
-        <translation>Sie werden um {0} gebraucht: {1}</translation>
-    </message>
-    <message>
-        <source>step {0} of {1} · {2} left</source>
-        <translation>Schritt {0} von {1} · noch {2}</translation>
     </message>
 </context>
 <context>
@@ -6424,6 +6412,29 @@
     <message>
         <source>in a table: its chosen rows to the clipboard, or all</source>
         <translation>in einer Tabelle: ihre gewählten Zeilen in die Zwischenablage, oder alle</translation>
+    </message>
+</context>
+<context>
+    <name>TimeLeft</name>
+    <message>
+        <source>When it is done, and when you are needed</source>
+        <translation>Wann es fertig ist, und wann Sie gebraucht werden</translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} left</source>
+        <translation>Schritt {0} von {1} · noch {2}</translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} of simulated time left</source>
+        <translation>Schritt {0} von {1} · noch {2} simulierte Zeit</translation>
+    </message>
+    <message>
+        <source>Done at about {0}</source>
+        <translation>Fertig gegen {0}</translation>
+    </message>
+    <message>
+        <source>You are needed at {0}: {1}</source>
+        <translation>Sie werden um {0} gebraucht: {1}</translation>
     </message>
 </context>
 <context>
@@ -7393,12 +7404,12 @@
         <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: go on with it on the Start page.</source>
-        <translation>Nichts Gemessenes ist verloren: auf der Seite Start fortsetzen.</translation>
+        <source>Nothing that was measured is lost: Go on begins after the last finished step.</source>
+        <translation>Nichts Gemessenes ist verloren: Weiter beginnt nach dem letzten fertigen Schritt.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
-        <translation>Nichts Gemessenes ist verloren. Oben Genanntes beheben, dann auf der Seite Start fortsetzen.</translation>
+        <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>
+        <translation>Nichts Gemessenes ist verloren. Oben Genanntes beheben, dann Weiter.</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>

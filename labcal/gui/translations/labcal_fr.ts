@@ -5367,10 +5367,6 @@
         <translation>À qui est cette mesure</translation>
     </message>
     <message>
-        <source>When it is done, and when you are needed</source>
-        <translation>Quand ce sera fini, et quand on a besoin de vous</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>
@@ -5411,6 +5407,10 @@
         <translation>Retour aux procédures ; la mesure est dans l&apos;Historique</translation>
     </message>
     <message>
+        <source>After the last finished step of this run</source>
+        <translation>Après la dernière étape terminée de cette mesure</translation>
+    </message>
+    <message>
         <source>Fit</source>
         <translation>Fit</translation>
     </message>
@@ -5439,16 +5439,16 @@
         <translation>photo</translation>
     </message>
     <message>
+        <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
+        <translation>Rien de mesuré n&apos;est perdu : Continuer reprend après la dernière étape terminée. Ou Fermer, et recommencer.</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Continuer</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
-    </message>
-    <message>
-        <source>Nothing that was measured is lost: the Start page goes on with it. Or Close, and begin anew.</source>
-        <translation>Rien de mesuré n&apos;est perdu : la page Accueil reprend. Ou Fermer, et recommencer.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
@@ -5473,18 +5473,6 @@
     <message>
         <source>Hands off</source>
         <translation>Mains loin</translation>
-    </message>
-    <message>
-        <source>Done at about {0}</source>
-        <translation>Fini vers {0}</translation>
-    </message>
-    <message>
-        <source>You are needed at {0}: {1}</source>
-        <translation>On a besoin de vous à {0} : {1}</translation>
-    </message>
-    <message>
-        <source>step {0} of {1} · {2} left</source>
-        <translation>étape {0} de {1} · reste {2}</translation>
     </message>
 </context>
 <context>
@@ -6424,6 +6412,29 @@
     <message>
         <source>in a table: its chosen rows to the clipboard, or all</source>
         <translation>dans une table : ses lignes choisies au presse-papiers, ou toutes</translation>
+    </message>
+</context>
+<context>
+    <name>TimeLeft</name>
+    <message>
+        <source>When it is done, and when you are needed</source>
+        <translation>Quand ce sera fini, et quand on a besoin de vous</translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} left</source>
+        <translation>étape {0} de {1} · reste {2}</translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} of simulated time left</source>
+        <translation>étape {0} de {1} · reste {2} de temps simulé</translation>
+    </message>
+    <message>
+        <source>Done at about {0}</source>
+        <translation>Fini vers {0}</translation>
+    </message>
+    <message>
+        <source>You are needed at {0}: {1}</source>
+        <translation>On a besoin de vous à {0} : {1}</translation>
     </message>
 </context>
 <context>
@@ -7393,12 +7404,12 @@
         <translation>Le mesuré est gardé. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: go on with it on the Start page.</source>
-        <translation>Rien de mesuré n&apos;est perdu : reprenez à la page Accueil.</translation>
+        <source>Nothing that was measured is lost: Go on begins after the last finished step.</source>
+        <translation>Rien de mesuré n&apos;est perdu : Continuer reprend après la dernière étape terminée.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page.</source>
-        <translation>Rien de mesuré n&apos;est perdu. Réparez ce qui est dit plus haut, puis reprenez à la page Accueil.</translation>
+        <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>
+        <translation>Rien de mesuré n&apos;est perdu. Réparez ce qui est dit plus haut, puis Continuer.</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>

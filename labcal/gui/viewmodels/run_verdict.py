@@ -23,10 +23,10 @@ NEXT = {
     "FAIL": QT_TRANSLATE_NOOP("Words", "Look at what was measured, mend the cause, and measure again."),
     "": QT_TRANSLATE_NOOP("Words", "Nothing of it had a limit: look at what was measured."),
     "stopped": QT_TRANSLATE_NOOP("Words", "What was measured is kept. To measure again: Close, then Begin."),
-    "interrupted": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost: go on with it on the Start page."),
-    "lost": QT_TRANSLATE_NOOP(
-        "Words", "Nothing that was measured is lost. Mend what is said above, then go on with it on the Start page."
+    "interrupted": QT_TRANSLATE_NOOP(
+        "Words", "Nothing that was measured is lost: Go on begins after the last finished step."
     ),
+    "lost": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost. Mend what is said above, then Go on."),
     "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
 }
 TEXTS = (

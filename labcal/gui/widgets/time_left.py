@@ -1,0 +1,72 @@
+"""How far a run is: a bar, the step, the lab time that is left, and when a person is needed by the wall clock."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
+
+from labcal.gui.ipc.simulated_clock import SPEEDS
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import alarm_of
+from labcal.gui.viewmodels.number_format import clock_time, format_duration, step_title
+from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.widgets.common import label
+
+UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
+
+
+class TimeLeft(QWidget):
+    """Shows `run`; nothing is promised while a person is asked, or where the coils are not as they should be."""
+
+    def __init__(self, run: RunViewModel) -> None:
+        super().__init__()
+        self._run = run
+        self.progress = QProgressBar()
+        self.progress.setTextVisible(False)
+        self.left, self.until = label("", "caption", wrap=True), label("", wrap=True)
+        self.until.setAccessibleName(self.tr("When it is done, and when you are needed"))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(GRID)
+        for widget in (self.progress, self.left, self.until):
+            column.addWidget(widget)
+
+    def show_steps(self) -> None:
+        """The bar: what is over of all steps."""
+        run = self._run
+        if run.step is not None:
+            self.progress.setMaximum(run.step.total)
+            self.progress.setValue(run.step.total if run.status == "finished" else run.steps_done())
+
+    def show_now(self, coil_words: str) -> None:
+        """The words, beside what is said of the coils."""
+        self.until.setText(words := self._until(coil_words))
+        self.until.setVisible(bool(words))
+        self.left.setText(self._left())
+
+    def _left(self) -> str:
+        run, left_s = self._run, self._run.left_s()
+        if run.step is None:
+            return run.message if run.state == "starting" else ""
+        if left_s is None:
+            stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
+            return translated("stopped" if stopped else run.status.partition(":")[0])
+        at, total, left = min(run.steps_done() + 1, run.step.total), run.step.total, format_duration(left_s)
+        if not run.virtual_time or run.order is None or SPEEDS.get(run.order.pace) == 1.0:
+            return self.tr("step {0} of {1} · {2} left").format(at, total, left)
+        return self.tr("step {0} of {1} · {2} of simulated time left").format(at, total, left)
+
+    def _until(self, coil_words: str) -> str:
+        run, now = self._run, datetime.now()
+        done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
+        if not done_s or alarm_of(coil_words):
+            return ""
+        done = self.tr("Done at about {0}").format(clock_time(now, done_s))
+        if needed_s is None or run.step is None:
+            return done
+        needed = self.tr("You are needed at {0}: {1}").format(
+            clock_time(now, needed_s), step_title(run.step.needed_for).replace("-", UNBROKEN)
+        )
+        return f"{needed}\n{done}"
