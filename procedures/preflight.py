@@ -17,6 +17,7 @@ from labcal.bench.parameters import Limits
 from labcal.bench.position import Position, position
 from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, refuse_unseen, rotate_once
 from labcal.bench.steps import (
+    AT_REST_DEG,
     Blocks,
     Plan,
     Procedure,
@@ -283,9 +284,12 @@ def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]
 def _one_turn(
     bench: Bench, setting: PreflightPlan, axis: str, mounting: str, name: str, mode: str, field_nT: float
 ) -> Work[Blocks]:
-    """One turn there or back, so that no cable is wound up."""
+    """One turn there or back, so that no cable is wound up; from where it begins, where one was broken off."""
+    begins_deg = 360.0 if bench.platform.angle_deg() > 180 else 0.0
+    if abs(bench.platform.angle_deg() - begins_deg) > AT_REST_DEG:
+        yield from to_angle(bench, begins_deg)
     yield from energise(bench, inclined_field(bench, field_nT, setting.inclination_deg))
-    to_deg = 0.0 if bench.platform.angle_deg() > 180 else 360.0
+    to_deg = 360.0 - begins_deg
     rotation = Rotation(
         name, AXES[axis], mode, setting.rate_deg_per_s, to_deg, mounting, setting.step_deg, setting.dwell_s,
         setting.u_mounting_deg, setting.u_time_s,

@@ -17,7 +17,7 @@ from labcal.bench.coils.at_zero import AtZero, words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
-from labcal.bench.coils.state import CoilReading, Heard, LabState
+from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
 from labcal.bench.driver_kit.identities import refuse_one_at_two_links, the_same
 from labcal.bench.driver_kit.roles import (
@@ -111,6 +111,7 @@ class Bench:
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
         self.hands_near = True  # as far as is known: nothing is energised or turned before somebody denies it
         self.homed = False  # the platform, by whoever has this bench now
+        self._stands: PlatformReading | None = None  # as it was read last
 
     def state(self) -> LabState:
         """The lab as it was last read, each part with its time on the bench's clock."""
@@ -119,7 +120,7 @@ class Bench:
         heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
         field = self._listening.field.asked(self.cage.asked_nT)
-        return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard), field)
+        return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard), field, self._stands)
 
     def sentence(self) -> str:
         """What may be said of the coils now."""
@@ -242,6 +243,18 @@ class Bench:
         ordered = self._guardian is None or self._guardian.zero_is_ordered
         return words_of_slow_zero(self.cage.to_zero_since_s, ordered)
 
+    def stop_platform(self) -> str:
+        """Stop the platform, see that it stands, and say so; "" of one without a motor."""
+        if self.by_hand is not None or not isinstance(self.platform, BenchPlatform):
+            return ""
+        self._stands = self.platform.brought_to_rest(self.clock)
+        return self._stands.sentence(self.clock.now())
+
+    def still_wrong(self) -> str:
+        """What does not answer yet, in a sentence for whoever wants to begin again; "" where nothing is known."""
+        wrong = [f"{one.name} ({one.fault})" for one in self.state().instruments if one.fault]
+        return f"Still lost: {', '.join(wrong)}. Put that right first: a step begun now fails again." if wrong else ""
+
     def rest_instruments(self) -> None:
         """Every instrument to rest, after the coils; a failure of one does not skip another."""
         with ExitStack() as steps:
@@ -317,7 +330,10 @@ class Bench:
             if not self._waited_for() or fault.fault not in AWAY:
                 raise
             self._look.gone(name, fault, t)
+            self._stands = PlatformReading(fault=fault.fault)
             return
+        if self.by_hand is None:
+            self._stands = PlatformReading(angle, moving, t)
         self._look.heard(name, t)
         self._heard_s[name] = t
         if self.by_hand is None or not moving:  # hands tell no angle before they are taken off
@@ -339,6 +355,8 @@ class Bench:
         """See that an instrument still answers; its lost line is opened again."""
         if self._look.wrong(name) == "link lost":
             self.reconnect(name)
+            if name == self.platform.name:
+                self.platform.make_safe()  # it went on while nobody could hear of it
         else:
             self._instruments[name].identify()
         self._heard_s[name] = self.clock.now()

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TypeVar
 
+from labcal.bench.clock import Clock
+from labcal.bench.coils.state import PlatformReading
 from labcal.bench.config import DutLimits, PlatformConfig
 from labcal.bench.driver_kit.roles import Identity, RotationPlatform
 from labcal.errors import InstrumentError, LimitError
 
 T = TypeVar("T")
+LONGEST_S, ASK_S = 5.0, 0.1  # that a stage takes to come to rest from its fastest turn; how often it is asked
 
 
 class BenchPlatform:
@@ -65,6 +69,18 @@ class BenchPlatform:
     def make_safe(self) -> None:
         """Stop."""
         self._stage.make_safe()
+
+    def brought_to_rest(self, clock: Clock) -> PlatformReading:
+        """Stop and see that it stands, within some seconds; a lost line is not waited for, nor a turn that goes on."""
+        with suppress(InstrumentError):  # whether it stands is asked all the same
+            self._stage.make_safe()
+        until_s = clock.now() + LONGEST_S
+        try:
+            while (state := self._stage.state())[1] and clock.now() < until_s:
+                clock.wait_until(clock.now() + ASK_S)
+        except InstrumentError as fault:
+            return PlatformReading(fault=fault.fault)
+        return PlatformReading(self._sign * state[0], state[1], clock.now())
 
     def close(self) -> None:
         """Let go of the link."""

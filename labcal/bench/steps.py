@@ -206,10 +206,13 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
             said = bench.named(str(fault))
             yield Event(bench.clock.now(), FAULT, said, {"step": name, "fault": fault.fault})
             yield from coils_off(bench)
+            yield from standstill(bench)
             text = f"{name}: {said} ({bench.sentence()})"
             drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not read it
             choices = ("stop", "retry", "skip")
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
+            if answer == "retry" and (still := bench.still_wrong()):
+                answer = yield Prompt(bench.clock.now(), f"failed-{name}", still, choices, drawing={FAULT: still})
             if answer == "stop":
                 raise
             bench.hands_near = answer != "retry"  # "Hands off: try again"
@@ -240,6 +243,12 @@ def coils_off(bench: Bench) -> Work[None]:
     """All coils to zero, read back, and say so in the record."""
     bench.cage.zero()
     yield read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
+
+
+def standstill(bench: Bench) -> Work[None]:
+    """The platform stopped wherever it is, seen to stand, and that in the record."""
+    if said := bench.stop_platform():
+        yield Event(bench.clock.now(), "standstill", said)
 
 
 def read_back(bench: Bench, kind: str, before: str = "", state: LabState | None = None, **data: Any) -> Event:

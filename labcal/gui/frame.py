@@ -27,7 +27,7 @@ from labcal.gui.top_bar import TopBar
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_mark
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
 from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
@@ -74,6 +74,8 @@ class SidePanel(Surface):
         self._column.addWidget(self.coils)
         self.zero_words = label("", wrap=True)
         self._column.addWidget(self.zero_words)
+        self.platform = label("", wrap=True)
+        self._column.addWidget(self.platform)
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
@@ -114,6 +116,10 @@ class SidePanel(Surface):
         shape, mark = mark_of(now.coil_words)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
         set_state(self.zero_words, mark)
+        shape, mark = platform_mark(now.platform_words)
+        self.platform.setText(f"{shape} {in_words(now.platform_words)}".strip())
+        self.platform.setVisible(bool(now.platform_words))
+        set_state(self.platform, mark)
         self._show_lights(state)
 
     def _show_field(self, state: LabState) -> None:

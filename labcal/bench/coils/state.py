@@ -22,6 +22,7 @@ NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
 NOT_SINCE = "coils not read back since another process was asked to switch them off"
 NOT_ASKED = "no reference was asked"
+MAY_TURN = "platform NOT confirmed at a standstill"
 OPEN_THEM = "Open the outputs that can open, or switch the supplies off at their mains"
 Verdict = Literal["agrees", "disagrees", "not known"]
 Vector = tuple[float, float, float]
@@ -102,6 +103,25 @@ class FieldReading:
         return replace(self, set_nT=(x, y, z))
 
 
+@dataclass(frozen=True, slots=True)
+class PlatformReading:
+    """The platform as it was read last: None is not known. `fault` is why it could not be read since."""
+
+    angle_deg: float | None = None
+    moving: bool | None = None
+    read_s: float | None = None
+    fault: str = ""
+
+    def sentence(self, now_s: float) -> str:
+        """What may be said of it at `now_s`."""
+        if self.moving is None or self.angle_deg is None or self.read_s is None:
+            return MAY_TURN
+        if self.moving:
+            return f"platform turns, at {self.angle_deg:.0f}°"
+        age_s = now_s - self.read_s
+        return f"platform stands at {self.angle_deg:.0f}°" + ("" if age_s <= FRESH_S else f", read {ago(age_s)}")
+
+
 def ago(age_s: float) -> str:
     """In whole units that have passed: 12 s ago, 3 min ago, 2 h ago."""
     for words, unit_s in (("s ago", 1), ("min ago", 60)):
@@ -112,13 +132,21 @@ def ago(age_s: float) -> str:
 
 @dataclass(frozen=True, slots=True)
 class LabState:
-    """`guardian`: whether it lives; None where a bench needs none. The record has `field` as samples, not here."""
+    """`guardian`: whether it lives; None where a bench needs none. The record has the last two as samples, not here.
+
+    `platform` is None where nobody has read one, or it has no motor.
+    """
 
     coils: tuple[CoilReading, ...]
     reference: Witness = Witness()
     guardian: bool | None = None
     instruments: tuple[Heard, ...] = ()
     field: FieldReading = FieldReading()
+    platform: PlatformReading | None = None
+
+    def platform_sentence(self, now_s: float) -> str:
+        """What may be said of the platform at `now_s`; "" where none with a motor was read."""
+        return "" if self.platform is None else self.platform.sentence(now_s)
 
     def sentence(self, now_s: float) -> str:
         """What may be said of the coils at `now_s`, and no more than was read back."""
@@ -156,6 +184,7 @@ class LabState:
             reference=replace(self.reference, read_s=_later(self.reference.read_s, by_s)),
             instruments=tuple(replace(one, heard_s=_later(one.heard_s, by_s)) for one in self.instruments),
             field=replace(self.field, read_s=_later(self.field.read_s, by_s)),
+            platform=self.platform and replace(self.platform, read_s=_later(self.platform.read_s, by_s)),
         )
 
     def with_ends(self, ended: Iterable[AtZero]) -> LabState:
@@ -166,7 +195,7 @@ class LabState:
     def as_json(self, now_s: float) -> dict[str, Any]:
         """With ages in place of times: for the record, and for another process."""
         plain: dict[str, Any] = json.loads(json.dumps(asdict(self.shifted(-now_s))))  # lists, as whoever reads it has
-        del plain["field"]
+        del plain["field"], plain["platform"]
         return plain
 
     def _seconded(self, now_s: float) -> bool:

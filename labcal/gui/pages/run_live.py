@@ -20,7 +20,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.lab_now import alarm_of
+from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
@@ -303,7 +303,8 @@ class Live(QWidget):
             and self._run.order.dut != self._app_state.lab.state.dut_serial
         ):
             self.put_away.emit()
-        self.prompt.say_coils(self._app_state.lab.state.now.coil_words)
+        now = self._app_state.lab.state.now
+        self.prompt.say_lab(now.coil_words, now.platform_words)
         if self._run.fault is not None:
             self._say_coils_left()
 
@@ -313,8 +314,11 @@ class Live(QWidget):
         self.fault.setVisible(not self._app_state.warning_shown)
 
     def _coils_left(self) -> str:
-        """How the coils are after a run that failed."""
-        words = in_words(self._app_state.coil_words())
+        """How the coils are after a run that failed, and the platform where it may turn."""
+        words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
+        if platform_mark(now.platform_words)[1] == "bad":
+            stop = self.tr("stop it at its controller, and see it stand")
+            words = f"{words}. {in_words(now.platform_words)}: {stop}"
         if self._app_state.lab.state.now.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words

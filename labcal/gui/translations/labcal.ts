@@ -737,6 +737,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>platform NOT confirmed at a standstill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform turns, at {0}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform stands at {0}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform stands at {0}°, read {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>coils last read back from here below their zero {0}, not since</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5396,6 +5416,10 @@
     </message>
     <message>
         <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

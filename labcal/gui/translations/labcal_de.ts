@@ -737,6 +737,26 @@
         <translation>Spulen an: {0}, zurückgelesen {1}</translation>
     </message>
     <message>
+        <source>platform NOT confirmed at a standstill</source>
+        <translation>Stillstand des Tisches NICHT bestätigt</translation>
+    </message>
+    <message>
+        <source>platform turns, at {0}°</source>
+        <translation>Tisch dreht, bei {0}°</translation>
+    </message>
+    <message>
+        <source>platform stands at {0}°</source>
+        <translation>Tisch steht bei {0}°</translation>
+    </message>
+    <message>
+        <source>platform stands at {0}°, read {1}</source>
+        <translation>Tisch steht bei {0}°, gelesen {1}</translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation>Noch verloren: {0}. Erst beheben: ein jetzt begonnener Schritt scheitert wieder.</translation>
+    </message>
+    <message>
         <source>coils last read back from here below their zero {0}, not since</source>
         <translation>Spulen von hier aus zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
     </message>
@@ -5449,6 +5469,10 @@
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
+        <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>

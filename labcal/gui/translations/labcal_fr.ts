@@ -737,6 +737,26 @@
         <translation>bobines sous courant : {0}, relu {1}</translation>
     </message>
     <message>
+        <source>platform NOT confirmed at a standstill</source>
+        <translation>arrêt de la plate-forme NON confirmé</translation>
+    </message>
+    <message>
+        <source>platform turns, at {0}°</source>
+        <translation>la plate-forme tourne, à {0}°</translation>
+    </message>
+    <message>
+        <source>platform stands at {0}°</source>
+        <translation>la plate-forme est arrêtée à {0}°</translation>
+    </message>
+    <message>
+        <source>platform stands at {0}°, read {1}</source>
+        <translation>la plate-forme est arrêtée à {0}°, lue {1}</translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
+    </message>
+    <message>
         <source>coils last read back from here below their zero {0}, not since</source>
         <translation>bobines relues d&apos;ici sous leur zéro {0}, pas depuis</translation>
     </message>
@@ -5449,6 +5469,10 @@
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
+        <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>

@@ -45,6 +45,7 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    platform_words: str = ""
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
@@ -66,6 +67,7 @@ def lab_now(lab: state.LabState | None, received_s: float, roles: Mapping[str, s
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s),
         coils_at_zero=lab.at_zero(now_s),
+        platform_words=lab.platform_sentence(now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
         field_old_s=old_s(lab.field.read_s, now_s),
@@ -91,6 +93,15 @@ def mark_of(coil_words: str) -> tuple[str, str]:
         return "✓", "good"
     bad = coil_words.startswith((state.NOT_BY_REFERENCE, state.NOT_CONFIRMED))
     return ("✕", "bad") if bad else ("●", "warning")
+
+
+def platform_mark(words: str) -> tuple[str, str]:
+    """Shape and state that go with what is said of the platform: keep off where it turns, or may."""
+    if not words:
+        return "", ""
+    if words.startswith(state.MAY_TURN):
+        return "✕", "bad"
+    return ("●", "warning") if words.startswith("platform turns") else ("✓", "good" if "," not in words else "old")
 
 
 def alarm_of(coil_words: str) -> str:

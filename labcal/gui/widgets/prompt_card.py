@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL, asked_text
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, set_state
@@ -97,9 +97,9 @@ class PromptCard(Card):
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
         words.addWidget(self.text, 1)
-        self.coils = label("", "title", wrap=True)
-        self.coils.setAccessibleName(self.tr("How the coils are"))
-        words.addWidget(self.coils)
+        self.lab = label("", "title", wrap=True)
+        self.lab.setAccessibleName(self.tr("How the coils are"))
+        words.addWidget(self.lab)
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
         self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
@@ -155,11 +155,14 @@ class PromptCard(Card):
         if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
-    def say_coils(self, coil_words: str) -> None:
-        """What the coils do while a person's hands may be near them: as the side panel says it, at any moment."""
-        shape, mark = mark_of(coil_words)
-        self.coils.setText(f"{shape} {in_words(coil_words)}".strip())
-        set_state(self.coils, mark)
+    def say_lab(self, coil_words: str, platform_words: str = "") -> None:
+        """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
+        marks = {coil_words: mark_of(coil_words), platform_words: platform_mark(platform_words)}
+        self.lab.setText(
+            "\n".join(f"{shape} {in_words(words)}".strip() for words, (shape, _) in marks.items() if words)
+        )
+        states = [mark for _, mark in marks.values()]
+        set_state(self.lab, next((one for one in ("bad", "warning", "good") if one in states), ""))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
