@@ -18,6 +18,7 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "{0}: a label has a QR code: pip install 'labcal[paper]'"),
     QT_TRANSLATE_NOOP("Data", "{0}: a label ends in {1}"),
     QT_TRANSLATE_NOOP("Data", "the operator's name must be one printable line of at most {0} letters"),
+    QT_TRANSLATE_NOOP("Data", "“{0}” is no name: letters, digits, blanks, and . , ' - _ @ + & / ( ) between them"),
     QT_TRANSLATE_NOOP("Data", "{0}: a report ends in {1}"),
     QT_TRANSLATE_NOOP("Data", "a run needs the serial number of its DUT: --dut SERIAL"),
     QT_TRANSLATE_NOOP("Data", "run {0} was not interrupted: it is {1}"),

@@ -200,7 +200,6 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL; {0} has still to sign."),
     QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL: nobody approved it before it was signed."),
     QT_TRANSLATE_NOOP("Words", "Done: hand it out."),
-    QT_TRANSLATE_NOOP("Words", "“{0}” is no name: letters, digits, blanks, and . , ' - _ @ + & / ( ) between them"),
 )
 
 
