@@ -187,21 +187,22 @@ def signed(hands):
     """Approved by another person, then signed by both, each under a new key."""
     page = hands.window.page("Certificate")
     hands.until(lambda: page.list.count() == 1)
+    steps = page.steps
     for name in ("a.smith", "jdoe@lab"):
-        hands.enter(page.signer, name)
-        for entry in (page.passphrase, page.again):
-            hands.enter(entry, f"passphrase of {name}")
-        hands.press(page.new_key)
-        hands.until(lambda n=name: n in page.said.text() and page.sign.isVisible())
-    hands.enter(page.approver, "j.doe")
-    hands.press(page.approve)
-    hands.until(lambda: "is the operator" in page.fault.text.text())
-    hands.enter(page.approver, "a.smith")
-    hands.press(page.approve)
+        hands.enter(steps.key_name, name)
+        for entry in (steps.new_words, steps.again):
+            hands.enter(entry, f"sixteen reasons of {name}")
+        hands.press(steps.new_key)
+        hands.until(lambda n=name: n in page.said.text())
+    hands.enter(steps.approver, "j.doe")
+    assert "is the operator" in steps.approval.wrong.text()
+    hands.enter(steps.approver, "a.smith")
+    hands.press(steps.approve)
     hands.until(lambda: "approved by a.smith" in page.standing.text())
-    for name in ("jdoe@lab", "a.smith"):
-        hands.enter(page.signer, name)
-        hands.enter(page.passphrase, f"passphrase of {name}")
-        hands.press(page.sign)
+    for name in ("a.smith", "jdoe@lab"):
+        hands.until(lambda n=name: n in [steps.signer.itemText(row) for row in range(steps.signer.count())])
+        hands.choose(steps.signer.findText(name), steps.signer)
+        hands.enter(steps.passphrase, f"sixteen reasons of {name}")
+        hands.press(steps.sign)
         hands.until(lambda n=name: page.chosen() is not None and n in page.chosen().standing.signers)
     assert "PROVISIONAL" not in page.standing.text()

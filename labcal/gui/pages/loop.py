@@ -15,7 +15,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.loop_words import VERDICTS, said_plainly, without_evidence
+from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
@@ -39,7 +39,9 @@ def cause(effect: Cause) -> str:
 
 def candidates(loop: Loop, said: Callable[[str], str] = str) -> list[tuple[str, Cause, str]]:
     """Every cause there was: its standing, itself, and why, as it is `said`; the named ones first."""
-    found: list[tuple[str, Cause, str]] = [("accepted", effect, in_words(said(effect.why))) for effect in loop.accepted]
+    found: list[tuple[str, Cause, str]] = [
+        ("accepted", effect, in_words(as_a_drop(said(effect.why)))) for effect in loop.accepted
+    ]
     for effect in loop.accepted:
         found += [
             ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
@@ -254,15 +256,13 @@ class LoopPage(QWidget):
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
-        self.summary.setText(in_words(loop.summary))
+        beside = self.tr("Here beside the errors that the run declares of its reference and mounting; above with them.")
+        self.summary.setText(f"{in_words(loop.summary)} {beside}")
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
         floor = format_number(loop.noise_floor_nT, signed=False)
-        self.noise.setText(
-            self.tr("held-out rms of the vector; noise alone: {0} nT, {1}").format(
-                floor, translated(loop.noise_floor_source)
-            )
-        )
+        said = self.tr("before → after, held-out rms of the vector; noise alone: {0} nT, {1}")
+        self.noise.setText(said.format(floor, translated(loop.noise_floor_source)))
         self._show_unknown(loop)
         self._fill_against(loop)
         self._name_change()
@@ -375,13 +375,11 @@ class LoopPage(QWidget):
         self.change_why.setVisible(chosen is not None)
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
-        both = (one.before, one.after)
-        rms = (format_number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
-        self.change_words.setText(self.tr("all rows {0} nT").format(" → ".join(rms)))
-        tip = self.tr(
-            "Rms over all rows, before and after; the figures at the top are of rows that the fit did not see"
-        )
-        return self.change_words.setToolTip(tip)
+        self.change_words.setText("")
+        if chosen is not None:  # of all named causes it is said at the top
+            left = format_number(float(np.sqrt(np.nanmean(np.sum(one.after**2, axis=1)))), signed=False)
+            self.change_words.setText(self.tr("it alone would leave {0} nT of the rows of the fit").format(left))
+        return None
 
     def _show_change(self) -> None:
         one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentData()
@@ -389,5 +387,5 @@ class LoopPage(QWidget):
             return self.change.clear()
         before, after = one.before, one.after
         noise_nT = said.noise_floor_nT / before.shape[1] ** 0.5
-        both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
+        both = [(self.tr("as calibrated"), theme.axis_x, before), (self.tr("with it"), theme.accent, after)]
         return self.change.show_residual(name, one.against[name], both, noise_nT)

@@ -35,6 +35,12 @@ FAULTS = (  # of several that fit the first counts
         "Data", "the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made"
     ),
     QT_TRANSLATE_NOOP("Data", "the passphrase is {0}: four words are easy to keep; nothing was made"),
+    QT_TRANSLATE_NOOP("Data", "the passphrase has {0} characters and needs {1}: four words are easy to keep"),
+    QT_TRANSLATE_NOOP("Data", "the passphrase is {0}: four words are easy to keep"),
+    QT_TRANSLATE_NOOP("Data", "three signs over and over"),
+    QT_TRANSLATE_NOOP("Data", "the name of the key's own person"),
+    QT_TRANSLATE_NOOP("Data", "a common word alone"),
+    QT_TRANSLATE_NOOP("Data", "a row of the keyboard, or of the alphabet"),
     QT_TRANSLATE_NOOP("Data", "aborted by the operator"),
     QT_TRANSLATE_NOOP("Data", "stopped by the operator"),
     QT_TRANSLATE_NOOP("Data", "whoever ran this is gone"),
