@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.viewmodels.path import Next
+from labcal.gui.widgets.common import set_primary
 
 
 def begins_at(lazy_page: LazyPage) -> list[QWidget]:
@@ -15,6 +16,11 @@ def begins_at(lazy_page: LazyPage) -> list[QWidget]:
     buttons = lazy_page.findChildren(QPushButton, "primary")
     first = getattr(lazy_page.page, "begins_at", None)
     return [one for one in (*buttons, first) if one is not None and one.isVisible() and one.isEnabled()]
+
+
+def one_is_blue(following: QPushButton, lazy_page: LazyPage) -> None:
+    """Next is the blue button, but where the page in sight has one of its own."""
+    set_primary(following, not [one for one in begins_at(lazy_page) if one.objectName() == "primary"])
 
 
 def pressed_by_next(pages: Mapping[str, LazyPage], to: Next) -> QPushButton | None:

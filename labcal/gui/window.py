@@ -28,7 +28,7 @@ from labcal.gui.frame import Frame
 from labcal.gui.ipc.messages import ListPeople
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.leaving import Leaving
-from labcal.gui.next_step import begins_at, pressed_by_next, said_here
+from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_here
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
 from labcal.gui.screen import show_whole
@@ -283,6 +283,7 @@ class Window(Frame):
         to, app_state = self.app_state.path.next(), self.app_state
         here = self.page_shown() == to.page
         self.say_next(self.tr("Begin preflight") if here and to.ready else said_here(self.lazy_pages, to, here))
+        QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.lazy_pages[self.page_shown()]))
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or (to.waits and here))
 
     def _page_turned(self) -> None:

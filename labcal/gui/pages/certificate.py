@@ -143,12 +143,20 @@ class CertificatePage(QWidget):
         if one is not None:
             self.list.setToolTip(plain(self.list.currentText()))  # the whole, where there is no room for it
             self.word.setText(f"{standing_word(one.standing).upper()}  ·  {one.dut.serial}")
-            self.standing.setText(" ".join(_standing_words(one)))
+            self.standing.setText(" ".join(self._standing_words(one)))
             set_state(self.word, state_of(one.standing) if one.standing.signatures else "")
             self.views.show_calibration(one)
             ask, known = self._app_state.quick_worker.request, partial(self.views.show_changes, one.path)
             ask(ChangedSince(one.path), known, self.fault.show_fault)
         self._show_steps()
+
+    def _standing_words(self, one: CalibrationFile) -> list[str]:
+        """How it stands, who measured and who approved."""
+        draft = not one.standing.signatures
+        words = [self.tr("Draft: not signed.")] if draft else list(map(in_words, one.standing.sentences))
+        words += [in_words("SIMULATED: it describes no real sensor.")] if draft and one.simulated else []
+        approved = ", ".join(one.approvers) or self.tr("nobody yet")
+        return [*words, self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved)]
 
     def stands(self, one: CalibrationFile) -> tuple[Step, Step, Step, Step]:
         """How its steps stand."""
@@ -200,13 +208,3 @@ class CertificatePage(QWidget):
         words = " ".join([*map(in_words, said.sentences), *faults])
         self.drop.words.setText(f"{shape} {Path(said.path).name}: {words}")
         set_state(self.drop.words, state_of(said))
-
-
-def _standing_words(one: CalibrationFile) -> list[str]:
-    """How it stands, who measured and who approved."""
-    standing, nobody = one.standing, translated("nobody yet")
-    words = list(map(in_words, standing.sentences)) if standing.signatures else [translated("Draft: not signed.")]
-    if one.simulated and not standing.signatures:
-        words.append(in_words("SIMULATED: it describes no real sensor."))
-    stated = translated("Operator {0}; approved by {1}.")
-    return [*words, stated.format(one.operator or "–", ", ".join(one.approvers) or nobody)]

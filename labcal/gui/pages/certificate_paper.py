@@ -14,7 +14,6 @@ from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.messages import ApplyCalibration, Command, HandOut, WriteLabel, WriteReport
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import button, label
 from labcal.gui.widgets.fault_card import FaultCard
@@ -33,7 +32,8 @@ class Paper(StepCard):
     handed_out = Signal(object)  # the CalibrationFile whose files were copied
 
     def __init__(self, app_state: AppState, chosen: Callable[[], CalibrationFile | None], fault: FaultCard) -> None:
-        super().__init__(translated("4  Hand it out"))
+        super().__init__(" ")
+        self.heading.setText(self.tr("4  Hand it out"))
         self._app_state, self._chosen, self._fault = app_state, chosen, fault
         self.said, self.folder = label("", "caption", wrap=True), FolderButton()
         self.printer = Printer(self)

@@ -26,7 +26,7 @@ R = TypeVar("R")
 
 
 class SigningSteps(StepRow):
-    """1 Key, 2 Approve, 3 Sign, for the calibration that `chosen` gives; `done` gets what was done, and the file then."""
+    """1 Key, 2 Approve, 3 Sign, of what `chosen` gives; `done` gets what was done, and the file as it is then."""
 
     def __init__(
         self,

@@ -21,6 +21,7 @@ from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
@@ -76,7 +77,7 @@ class LoopPage(QWidget):
         self._study.progressed.connect(self._show_progress)
         self._show()
 
-    def _head(self) -> QHBoxLayout:
+    def _head(self) -> Flow:
         self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self._study.open)
         self.chooser.known.connect(self._show)
@@ -90,11 +91,7 @@ class LoopPage(QWidget):
             self.tr("To the certificate"), self.tr("The draft with the accepted effects: approve and sign it")
         )
         self.sign.clicked.connect(lambda: self._app_state.page_requested.emit("Certificate"))
-        row = QHBoxLayout()
-        row.addWidget(self.chooser, 1)
-        for widget in (self.cancel, self.close_loop, self.sign):
-            row.addWidget(widget)
-        return row
+        return Flow(self.chooser, self.cancel, self.close_loop, self.sign)
 
     def _story(self) -> QWidget:
         holder = QWidget()

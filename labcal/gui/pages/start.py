@@ -270,7 +270,8 @@ class StartPage(QWidget):
         mine = [serial == self._app_state.lab.state.dut_serial for serial, _ in self._to_go_on_with]
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first)
-        set_primary(self.calibrate, not any(mine))
+        to = self._app_state.path.next()
+        set_primary(self.calibrate, not any(mine) and to.page in ("Run", "Start"))
 
 
 def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:

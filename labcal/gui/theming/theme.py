@@ -105,7 +105,12 @@ QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { back
     selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
 QLineEdit[state="bad"] { border: 2px solid $bad; padding: 4px 7px; }
-QComboBox { combobox-popup: 0; }
+QComboBox { combobox-popup: 0; } QComboBox QAbstractItemView::item { padding: 5px 8px; }
+QDialog { background: $page; }
+QToolButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 4px; }
+QToolButton:hover, QToolButton:focus { border-color: $accent; }
+QMenu { background: $surface; border: 1px solid $line; padding: 4px; }
+QMenu::item { padding: 6px 16px; border-radius: 4px; } QMenu::item:selected { background: $accent; color: $on_accent; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }
 QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; padding: 1px; gridline-color: $line;

@@ -26,7 +26,7 @@ class Table(QTableWidget):
     def __init__(self, headings: tuple[str, ...], *stretch: int) -> None:
         super().__init__(0, len(headings))
         self._headings: tuple[str, ...] = ()
-        self._rows_shown = 0
+        self._rows_shown = self._least = 0
         self.set_headings(headings)
         self.verticalHeader().hide()
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -49,9 +49,9 @@ class Table(QTableWidget):
         copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
         described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
 
-    def show_rows(self, most: int) -> None:
-        """Be as high as the rows that there are, up to `most`."""
-        self._rows_shown = most
+    def show_rows(self, most: int, least: int = FEWEST_ROWS) -> None:
+        """Be as high as the rows that there are, up to `most`; with less room roll, down to `least`."""
+        self._rows_shown, self._least = most, least
         for changed in (self.model().rowsInserted, self.model().rowsRemoved):
             changed.connect(lambda *_: self.updateGeometry())
 
@@ -61,7 +61,7 @@ class Table(QTableWidget):
 
     def minimumSizeHint(self) -> QSize:
         """Room for a few of them."""
-        least = self._height_of(min(self._rows_shown, FEWEST_ROWS))
+        least = self._height_of(min(self._rows_shown, self._least))
         return QSize(super().minimumSizeHint().width(), least or super().minimumSizeHint().height())
 
     def _height_of(self, most: int) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QEvent, QSize
 from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
 
@@ -13,7 +13,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, Step
 from labcal.gui.widgets.common import Card, label, set_primary, set_state
 
-LETTERS = 26  # a card is at least as wide: with less room they stand below each other
+LETTERS = 28  # a card is at least as wide: with less room they stand below each other
 
 
 class StepCard(Card):
@@ -64,16 +64,17 @@ class StepRow(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._cards: tuple[QWidget, ...] = ()
+        self._cards: tuple[StepCard, ...] = ()
         self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(2 * GRID)
 
-    def hold(self, cards: Sequence[QWidget]) -> None:
+    def hold(self, cards: Sequence[StepCard]) -> None:
         """The cards, in order."""
         self._cards = tuple(cards)
         for card in cards:
             self._box.addWidget(card, 1)
+        self._turn()
 
     def minimumSizeHint(self) -> QSize:
         """As narrow as the widest card: it need not be a row."""
@@ -82,7 +83,18 @@ class StepRow(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another width."""
         super().resizeEvent(event)
-        needed = len(self._cards) * LETTERS * self._cards[0].fontMetrics().averageCharWidth()
+        self._turn()
+
+    def event(self, event: QEvent) -> bool:
+        """Letters of another size."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._turn()
+        return super().event(event)
+
+    def _turn(self) -> None:
+        if not self._cards:
+            return
+        needed = len(self._cards) * LETTERS * self._cards[0].words.fontMetrics().averageCharWidth()
         row = self.width() >= needed
         way = QBoxLayout.Direction.LeftToRight if row else QBoxLayout.Direction.TopToBottom
         if way != self._box.direction():
