@@ -31,6 +31,7 @@ from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.records import EffectRecord, Rival
 
 Cause = EffectRecord | Rival
+LEAST_PX = 150  # of a picture, and of the list: with less room the page is scrolled
 
 
 def cause(effect: Cause) -> str:
@@ -138,6 +139,7 @@ class LoopPage(QWidget):
     def _left_card(self) -> Card:
         card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
         self.left = Residuals(self._theme)
+        self.left.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.left)
         return card
 
@@ -155,6 +157,7 @@ class LoopPage(QWidget):
         self.others.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
         self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
         self.others.itemSelectionChanged.connect(self._picked)
+        self.others.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.bars)
         card.body.addWidget(self.others, 1)
         return card
@@ -165,6 +168,7 @@ class LoopPage(QWidget):
         self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=2)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
+        self.change.setMinimumHeight(LEAST_PX)
         self.change_why = label("", "caption", wrap=True)
         self.change_why.hide()
         card.body.addWidget(self.change_why)
@@ -180,6 +184,7 @@ class LoopPage(QWidget):
         card = Card(self.tr("4  Still not known"), "")
         self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
+        self.unknown.setMinimumHeight(LEAST_PX * 2 // 3)
         self.next = button(
             "",
             self.tr("Its plan is shown on the Run page before anything moves, and the run is started there"),

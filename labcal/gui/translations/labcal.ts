@@ -7540,10 +7540,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The measurement: |value| + U (k=2) is within the limit of all {0}. How good the sensor and its calibration are, Fit and Loop judge.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not measured: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7553,6 +7549,10 @@
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7540,10 +7540,6 @@
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
-        <source>The measurement: |value| + U (k=2) is within the limit of all {0}. How good the sensor and its calibration are, Fit and Loop judge.</source>
-        <translation>Die Messung: |Wert| + U (k=2) liegt bei allen {0} innerhalb der Grenze. Wie gut Sensor und Kalibrierung sind, beurteilen Fit und Ursachen.</translation>
-    </message>
-    <message>
         <source>Not measured: {0}.</source>
         <translation>Nicht gemessen: {0}.</translation>
     </message>
@@ -7554,6 +7550,10 @@
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Anpassen und den Rest erklären. Dann noch offen? Länger messen oder mit weniger Rauschen.</translation>
+    </message>
+    <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
+        <translation>BESTANDEN hat die Messung: |Wert| + U (k=2) liegt innerhalb der Grenze ({0} von {0}). Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>

@@ -7540,10 +7540,6 @@
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
     <message>
-        <source>The measurement: |value| + U (k=2) is within the limit of all {0}. How good the sensor and its calibration are, Fit and Loop judge.</source>
-        <translation>La mesure : |valeur| + U (k=2) est dans la limite pour les {0}. La qualité du capteur et de son étalonnage, Ajuster et Causes la jugent.</translation>
-    </message>
-    <message>
         <source>Not measured: {0}.</source>
         <translation>Non mesuré : {0}.</translation>
     </message>
@@ -7554,6 +7550,10 @@
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Ajustez, puis expliquez le résidu. Toujours indécis ? Mesurez plus longtemps, ou avec moins de bruit.</translation>
+    </message>
+    <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
+        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}). La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>

@@ -32,8 +32,8 @@ NEXT = {
 TEXTS = (
     QT_TRANSLATE_NOOP(
         "Words",
-        "The measurement: |value| + U (k=2) is within the limit of all {0}. "
-        "How good the sensor and its calibration are, Fit and Loop judge.",
+        "PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). "
+        "How good the calibration is, Fit and Loop judge.",
     ),
     QT_TRANSLATE_NOOP("Words", "FAIL where |value| − U (k=2) is beyond the limit: {0}."),
     QT_TRANSLATE_NOOP("Words", "MARGINAL where the limit lies within ± U (k=2): {0}."),
