@@ -44,13 +44,15 @@ def test_next_on_the_bench_page_asks_the_instruments_where_one_has_failed(still,
     assert len(still.app_state.off_worker.commands(Identify)) == 1
 
 
-def test_next_on_the_start_page_goes_on_with_the_run(still, qtbot):
+def test_next_on_the_start_page_goes_on_with_the_run(still, qtbot, patience):
     still.open_page("Start")
     broken = replace(RUN, status="interrupted")
     still.page("Start")._runs_known((broken,))
     assert still.next.text() == "Next: Go on with the run"
+    goes_on = still.page("Start").interrupted.body.itemAt(1).widget()
+    qtbot.waitUntil(goes_on.isVisible, timeout=patience)
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
-    assert [one.run_id for one in still.app_state.bench_worker.commands(ResumeRun)] == ["r1"]
+    assert [one.run for one in still.app_state.bench_worker.commands(ResumeRun)] == ["r1"]
     still.page("Start")._runs_known(())
 
 
