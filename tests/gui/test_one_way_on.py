@@ -130,8 +130,10 @@ def test_another_language_on_the_fit_page_leaves_one_choice_its_legend_and_the_l
     app_state.lab.update(message="Run r1: finished")
     shown = Shown(new_window)
     shown.speak("de")
+    lazy_page = shown.window.lazy_pages["Fit"]
+    lazy_page.build()  # in pieces, and between them what waits is drawn
+    lazy_page.page.idle_queue.finish()
     page = shown.window.page("Fit")
-    page.idle_queue.finish()
     assert page.views.against.isHidden()
     assert page.views.words.text().startswith("orange: wie gelesen")
     assert page.verdict.text().startswith("ml: ")
