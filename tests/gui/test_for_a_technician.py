@@ -13,7 +13,7 @@ from test_path import calibration
 from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
 from labcal.gui.pages import certificate_steps
 from labcal.gui.theming.theme import DARK, LIGHT
-from labcal.gui.viewmodels.loop_words import MEANS, said_plainly
+from labcal.gui.viewmodels.loop_words import MEANS, as_a_drop, said_plainly
 from labcal.gui.window import chosen_theme
 from labcal.loop.narrative import why_accepted, why_rejected
 
@@ -41,10 +41,11 @@ def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbo
     listed = [page.others.item(n).text() for n in range(4)]
     assert not [one for one in listed if "nats" in one]
     assert [one.split("\n")[1] for one in listed if "rival" not in one] == [
-        "the held-out rms falls from 9.0 to 8.0 nT", "no better than chance or a slow wander", "too little evidence"
+        "it alone takes 1.0 nT off the held-out rms", "no better than chance or a slow wander", "too little evidence"
     ]  # fmt: skip
     page.others.setCurrentRow(0)
-    assert page.change_why.text() == reasons[2]
+    assert page.change_why.text() == as_a_drop(reasons[2])
+    assert "728.0 nats" in page.change_why.text()
 
 
 def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):

@@ -99,7 +99,7 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
             "in held-out rows, the stated noise is 10.0 nT. Trace the residual.",
             "warning",
         ),
-        (11.0, None, "ml: 11.0 nT of |b| are left over; no noise is stated to compare it with.", ""),
+        (11.0, None, "ml: 11.0 nT of |b| are left over in held-out rows; no noise is stated to compare it with.", ""),
         (None, 10.0, "", ""),
     ],
 )

@@ -30,11 +30,8 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "{0}: is signed already ({1}); only a draft can be approved"),
     QT_TRANSLATE_NOOP("Data", "{0} is signed: its serial stands; another DUT needs a run of its own"),
     QT_TRANSLATE_NOOP("Data", "another person than the operator approves: --as NAME"),
-    QT_TRANSLATE_NOOP("Data", "the passphrase is empty; nothing was made"),
-    QT_TRANSLATE_NOOP(
-        "Data", "the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made"
-    ),
-    QT_TRANSLATE_NOOP("Data", "the passphrase is {0}: four words are easy to keep; nothing was made"),
+    QT_TRANSLATE_NOOP("Data", "{0}; nothing was made"),
+    QT_TRANSLATE_NOOP("Data", "the passphrase is empty"),
     QT_TRANSLATE_NOOP("Data", "the passphrase has {0} characters and needs {1}: four words are easy to keep"),
     QT_TRANSLATE_NOOP("Data", "the passphrase is {0}: four words are easy to keep"),
     QT_TRANSLATE_NOOP("Data", "three signs over and over"),

@@ -1041,18 +1041,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the passphrase is empty; nothing was made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>aborted by the operator</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1142,6 +1130,14 @@
     </message>
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}; nothing was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase is empty</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

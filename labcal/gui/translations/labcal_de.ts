@@ -1041,18 +1041,6 @@
         <translation>genehmigen muss ein anderer Mensch als der Bediener</translation>
     </message>
     <message>
-        <source>the passphrase is empty; nothing was made</source>
-        <translation>das Kennwort ist leer; nichts wurde gemacht</translation>
-    </message>
-    <message>
-        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
-        <translation>das Kennwort hat {0} Zeichen und braucht {1}: vier Wörter merkt man sich leicht; nichts wurde gemacht</translation>
-    </message>
-    <message>
-        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
-        <translation>das Kennwort ist {0}: vier Wörter merkt man sich leicht; nichts wurde gemacht</translation>
-    </message>
-    <message>
         <source>aborted by the operator</source>
         <translation>vom Bediener abgebrochen</translation>
     </message>
@@ -1143,6 +1131,14 @@
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
         <translation>»{0}« ist kein Name: Buchstaben, Ziffern, Leerzeichen, dazwischen . , &apos; - _ @ + &amp; / ( )</translation>
+    </message>
+    <message>
+        <source>{0}; nothing was made</source>
+        <translation>{0}; nichts wurde gemacht</translation>
+    </message>
+    <message>
+        <source>the passphrase is empty</source>
+        <translation>das Kennwort ist leer</translation>
     </message>
     <message>
         <source>the passphrase has {0} characters and needs {1}: four words are easy to keep</source>

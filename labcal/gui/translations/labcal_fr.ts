@@ -1041,18 +1041,6 @@
         <translation>une autre personne que l&apos;opérateur approuve</translation>
     </message>
     <message>
-        <source>the passphrase is empty; nothing was made</source>
-        <translation>la phrase secrète est vide ; rien n&apos;a été fait</translation>
-    </message>
-    <message>
-        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
-        <translation>la phrase secrète a {0} caractères et il en faut {1} : quatre mots se retiennent bien ; rien n&apos;a été fait</translation>
-    </message>
-    <message>
-        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
-        <translation>la phrase secrète est {0} : quatre mots se retiennent bien ; rien n&apos;a été fait</translation>
-    </message>
-    <message>
         <source>aborted by the operator</source>
         <translation>abandonné par l&apos;opérateur</translation>
     </message>
@@ -1143,6 +1131,14 @@
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
         <translation>« {0} » n&apos;est pas un nom : lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
+    </message>
+    <message>
+        <source>{0}; nothing was made</source>
+        <translation>{0} ; rien n&apos;a été fait</translation>
+    </message>
+    <message>
+        <source>the passphrase is empty</source>
+        <translation>la phrase de passe est vide</translation>
     </message>
     <message>
         <source>the passphrase has {0} characters and needs {1}: four words are easy to keep</source>
