@@ -159,6 +159,17 @@ def test_a_fault_squeezes_nothing_the_page_is_scrolled(page):
     assert page.table.height() > 5 * page.table.verticalHeader().defaultSectionSize()
 
 
+def test_a_fault_comes_into_sight_wherever_the_page_was_scrolled_to(page):
+    page.window().resize(1024, 700)
+    told(page, DRAFT)
+    area = page.window().lazy_pages["Certificate"].area
+    area.verticalScrollBar().setValue(area.verticalScrollBar().maximum())
+    assert page.steps.visibleRegion().isEmpty()
+    page.fault.show_fault(Fault("input", "a reason"))
+    settle()
+    assert page.fault.visibleRegion().boundingRect().height() == page.fault.height()
+
+
 def test_the_signatures_of_others_are_awaited_by_name():
     one = replace(ONE_SIGNED, standing=replace(ONE_SIGNED.standing, signatures=(SIGNATURE,)))
     words = steps(one, ("b.jones",), "J. Doe")[2].words
