@@ -74,6 +74,16 @@ def test_one_button_at_most_is_blue(still, qtbot, page, runs):
     still.app_state.path.take_calibrations(())
 
 
+def test_next_is_blue_until_the_page_has_a_blue_button_of_its_own(still, qtbot, patience):
+    still.open_page("History")
+    page = still.page("History")
+    page._runs_known((RUN,))
+    qtbot.waitUntil(lambda: blue(still) == [still.next.text()], timeout=patience)
+    page.table.selectRow(0)
+    qtbot.waitUntil(lambda: blue(still) == [page.open.text()], timeout=patience)
+    still.app_state.path.take_runs(())
+
+
 def test_a_cage_that_was_not_checked_has_a_button_that_leads_to_its_check(still, qtbot):
     page = still.page("Start")
     still.open_page("Start")

@@ -24,7 +24,7 @@ from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 
-MOST_ROWS = 24  # of the table are seen without rolling it
+MOST_ROWS = 80  # of the table are seen without rolling it
 
 
 class CertificatePage(QWidget):

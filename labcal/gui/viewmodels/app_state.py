@@ -88,9 +88,9 @@ class AppState(QObject):
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self.warning_shown = False  # the card that says so
         self._dut_stated = False  # by a person, or by the run that is gone on with
-        self._age_timer = QTimer(self, interval=AGES_MS)
-        self._age_timer.timeout.connect(self.grow_old)
-        self._age_timer.start()
+        self.age_timer = QTimer(self, interval=AGES_MS)
+        self.age_timer.timeout.connect(self.grow_old)
+        self.age_timer.start()
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._off_by_force)
         self.run.changed.connect(self._update_run)
@@ -390,7 +390,7 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self._age_timer):
+        for timer in (self.force_timer, self.age_timer):
             timer.stop()
         self.bench_worker.close(8000)
         for worker in (self.quick_worker, self.fit_worker, self.off_worker):
