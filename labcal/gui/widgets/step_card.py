@@ -20,11 +20,12 @@ class StepCard(Card):
     """Fields at the top and the button at the bottom, at one height in every card of a row; words in between."""
 
     def __init__(self, title: str, rules: str = "") -> None:
-        super().__init__(title, " ")
-        self.mark, self.words, self.wrong = self.unit, label("", wrap=True), label("", wrap=True)
+        super().__init__(title)
+        self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
         self.fields = QVBoxLayout()
         self.fields.setSpacing(GRID)
+        self.body.addWidget(self.mark)
         self.body.addLayout(self.fields)
         for part in (self.words, self.wrong, self.rules):
             self.body.addWidget(part)
