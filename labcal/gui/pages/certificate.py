@@ -17,7 +17,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
-from labcal.gui.viewmodels.signing import Step, standing_word, state_of, steps
+from labcal.gui.viewmodels.signing import SigningStep, standing_word, state_of, steps
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
@@ -158,7 +158,7 @@ class CertificatePage(QWidget):
         approved = ", ".join(one.approvers) or self.tr("nobody yet")
         return [*words, self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved)]
 
-    def stands(self, one: CalibrationFile) -> tuple[Step, Step, Step, Step]:
+    def stands(self, one: CalibrationFile) -> tuple[SigningStep, SigningStep, SigningStep, SigningStep]:
         """How its steps stand."""
         path, operator = self._app_state.path, self._app_state.lab.state.operator
         return steps(one, self.steps.keys, operator, handed_out=path.handed_out.holds(one))

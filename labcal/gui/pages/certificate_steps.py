@@ -14,7 +14,7 @@ from labcal.gui.ipc.messages import Approve, Command, NewKey, Sign
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.key_rules import approver_objection, key_objection
-from labcal.gui.viewmodels.signing import Step, awaited
+from labcal.gui.viewmodels.signing import SigningStep, awaited
 from labcal.gui.widgets.common import button, combo_box, say_wanted
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.stated_fields import StatedFields
@@ -145,12 +145,12 @@ class SigningSteps(StepRow):
     def _operator(self, one: CalibrationFile | None) -> str:
         return (one.operator if one is not None else "") or self._app_state.lab.state.operator
 
-    def show_steps(self, stands: tuple[Step, Step, Step, Step]) -> None:
+    def show_steps(self, stands: tuple[SigningStep, SigningStep, SigningStep, SigningStep]) -> None:
         """How each step stands."""
         for card, step in zip((self.key, self.approval, self.signature), stands, strict=False):
             card.show_step(step)
 
-    def begins_at(self, stands: tuple[Step, Step, Step, Step]) -> QWidget:
+    def begins_at(self, stands: tuple[SigningStep, SigningStep, SigningStep, SigningStep]) -> QWidget:
         """The field where what is to be done now begins."""
         fields = (self.key_name, self.approver, self.passphrase)
         return next((field for field, step in zip(fields, stands, strict=False) if step.mark == "now"), self.passphrase)

@@ -49,7 +49,7 @@ def awaited(one: CalibrationFile) -> list[str]:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class SigningStep:
     """A step from draft to file: `mark` is one of `MARKS`; `words` say how it stands, and why."""
 
     mark: str
@@ -58,7 +58,7 @@ class Step:
 
 def steps(
     one: CalibrationFile, keys: Sequence[str], operator: str, *, handed_out: bool = False
-) -> tuple[Step, Step, Step, Step]:
+) -> tuple[SigningStep, SigningStep, SigningStep, SigningStep]:
     """Key, approve, sign, hand out: how each stands for this file, where `keys` are who has a key here."""
     who = one.operator or operator
     others = [name for name in keys if not perhaps_one_person(name, who)]
@@ -70,55 +70,61 @@ def steps(
     )
 
 
-def _key_step(one: CalibrationFile, keys: Sequence[str], others: Sequence[str], who: str) -> Step:
+def _key_step(one: CalibrationFile, keys: Sequence[str], others: Sequence[str], who: str) -> SigningStep:
     if one.standing.signatures or one.approvers or others:
         here = translated("With a key here: {0}.").format(", ".join(keys)) if keys else ""
-        return Step("done", here or translated("Whoever signed has a key elsewhere."))
+        return SigningStep("done", here or translated("Whoever signed has a key elsewhere."))
     if not keys:
-        return Step("now", translated("Nobody has a key here. Make one for the person who approves."))
+        return SigningStep("now", translated("Nobody has a key here. Make one for the person who approves."))
     words = translated("Only {0} has a key here. Make one for who approves: another person than {1}.")
-    return Step("now", words.format(", ".join(keys), who))
+    return SigningStep("now", words.format(", ".join(keys), who))
 
 
-def _approve_step(one: CalibrationFile, others: Sequence[str], who: str) -> Step:
+def _approve_step(one: CalibrationFile, others: Sequence[str], who: str) -> SigningStep:
     if one.approvers:
-        return Step("done", translated("Approved by {0}.").format(", ".join(one.approvers)))
+        return SigningStep("done", translated("Approved by {0}.").format(", ".join(one.approvers)))
     if one.standing.signatures:
-        return Step("never", translated("Signed without an approval: nobody can be added any more."))
+        return SigningStep("never", translated("Signed without an approval: nobody can be added any more."))
     if others:
-        return Step("now", translated("Another person than {0} looks at the figures below, and approves.").format(who))
-    return Step("later", translated("First a key of another person than {0} (1).").format(who))
+        return SigningStep(
+            "now", translated("Another person than {0} looks at the figures below, and approves.").format(who)
+        )
+    return SigningStep("later", translated("First a key of another person than {0} (1).").format(who))
 
 
-def _sign_step(one: CalibrationFile, keys: Sequence[str]) -> Step:
+def _sign_step(one: CalibrationFile, keys: Sequence[str]) -> SigningStep:
     standing, waiting = one.standing, awaited(one)
     if standing.signatures and not standing.valid:
-        return Step("never", translated("Do not use it: make a new draft on the Fit page."))
+        return SigningStep("never", translated("Do not use it: make a new draft on the Fit page."))
     if waiting:
         words = translated("{0} has to sign. The operator may sign as well.")
         if standing.signatures:
             words = translated("Good to use as PROVISIONAL; {0} has still to sign.")
         elsewhere = "" if set(waiting) & set(keys) else translated("Their key is not on this computer.")
-        return Step("now", f"{words.format(', '.join(waiting))} {elsewhere}".strip())
+        return SigningStep("now", f"{words.format(', '.join(waiting))} {elsewhere}".strip())
     if standing.signatures:
-        return Step("done", translated("Signed by {0}.").format(", ".join(standing.signers)))
+        return SigningStep("done", translated("Signed by {0}.").format(", ".join(standing.signers)))
     if not keys:
-        return Step("later", translated("First a key (1)."))
-    return Step("later", translated("After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL."))
+        return SigningStep("later", translated("First a key (1)."))
+    return SigningStep(
+        "later", translated("After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.")
+    )
 
 
-def _hand_out_step(one: CalibrationFile, handed_out: bool) -> Step:
+def _hand_out_step(one: CalibrationFile, handed_out: bool) -> SigningStep:
     standing = one.standing
     if not standing.signatures:
-        return Step("later", translated("Once it is signed (3)."))
+        return SigningStep("later", translated("Once it is signed (3)."))
     if not standing.valid:
-        return Step("never", translated("Do not use it: make a new draft on the Fit page."))
+        return SigningStep("never", translated("Do not use it: make a new draft on the Fit page."))
     if standing.status in NO_LONGER:
-        return Step("never", translated(str(NO_MORE)))
+        return SigningStep("never", translated(str(NO_MORE)))
     if waiting := awaited(one):
-        return Step("later", translated("Once {0} has signed; before that as PROVISIONAL.").format(", ".join(waiting)))
+        return SigningStep(
+            "later", translated("Once {0} has signed; before that as PROVISIONAL.").format(", ".join(waiting))
+        )
     if handed_out:
-        return Step("done", translated("Handed out. Next: another DUT."))
+        return SigningStep("done", translated("Handed out. Next: another DUT."))
     if not one.approvers:
-        return Step("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
-    return Step("now", translated("As PROVISIONAL: why is said above.") if standing.provisional else "")
+        return SigningStep("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
+    return SigningStep("now", translated("As PROVISIONAL: why is said above.") if standing.provisional else "")

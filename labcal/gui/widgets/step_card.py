@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.signing import MARKS, Step
+from labcal.gui.viewmodels.signing import MARKS, SigningStep
 from labcal.gui.widgets.common import Card, label, set_primary, set_state
 
 LETTERS = 28  # a card is at least as wide: with less room they stand below each other
@@ -42,7 +42,7 @@ class StepCard(Card):
         self.button = button
         self.body.addWidget(button)
 
-    def show_step(self, step: Step) -> None:
+    def show_step(self, step: SigningStep) -> None:
         """How it stands; what is to be done now has an edge in the accent, and the blue button."""
         shape, name, state = MARKS[step.mark]
         self.mark.setText(f"{shape} {translated(str(name))}")
