@@ -143,11 +143,8 @@ class Window(Frame):
         app_state.path.changed.connect(self._show_path)
         self._show_path()
         self.stack.currentChanged.connect(self._page_turned)
-        for changed in (
-            app_state.scan_vm.changed,
-            app_state.age_timer.timeout,
-        ):  # its own button may be blue
-            changed.connect(self._show_next)
+        app_state.scan_vm.changed.connect(self._show_next)
+        app_state.age_timer.timeout.connect(self._show_next)  # the page's own button may be blue by now
         app_state.fault.connect(self._show_fault)
         app_state.fault_over.connect(self._fault_is_over)
         app_state.lab.changed.connect(self._say_coils)

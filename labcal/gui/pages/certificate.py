@@ -165,7 +165,6 @@ class CertificatePage(QWidget):
 
     def _show_steps(self) -> None:
         self.steps.check()
-        self.paper.setEnabled(self.chosen() is not None)
         if (one := self.chosen()) is not None:
             stands = self.stands(one)
             self.steps.show_steps(stands)
