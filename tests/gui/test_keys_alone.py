@@ -125,7 +125,7 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     choose = next(one for one in page.drop.children() if hasattr(one, "text") and one.text() == "Choose a file …")
     hands.name_a_file(choose, page.chosen().path)
     hands.until(lambda: page.drop.words.text().startswith("✓"))
-    assert "VALID: signed by jdoe@lab, a.smith." in page.drop.words.text()
+    assert "VALID: signed by a.smith, jdoe@lab." in page.drop.words.text()
     hands.page(7)
     history = hands.window.page("History")
     hands.until(lambda: history.table.rowCount() == 1)
