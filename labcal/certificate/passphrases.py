@@ -30,13 +30,19 @@ _READ_AS = str.maketrans("0134578@$!", "oieastbasi")  # digits and signs that ar
 
 def check_passphrase(passphrase: str, name: str) -> None:
     """Raise InputError where the passphrase for the key of `name` would be guessed among the first."""
+    if (why := objection(passphrase, name)) is not None:
+        raise InputError(f"{why}; nothing was made")
+
+
+def objection(passphrase: str, name: str) -> str | None:
+    """Why the key of `name` cannot have this passphrase; None where it can."""
     if not passphrase:
-        raise InputError("the passphrase is empty; nothing was made")
+        return "the passphrase is empty"
     if len(passphrase) < SHORTEST:
-        what = f"the passphrase has {len(passphrase)} characters and needs {SHORTEST}"
-        raise InputError(f"{what}: four words are easy to keep; nothing was made")
+        return f"the passphrase has {len(passphrase)} characters and needs {SHORTEST}: four words are easy to keep"
     if (why := _guessed(passphrase.casefold(), name.casefold())) is not None:
-        raise InputError(f"the passphrase is {why}: four words are easy to keep; nothing was made")
+        return f"the passphrase is {why}: four words are easy to keep"
+    return None
 
 
 def _guessed(plain: str, name: str) -> str | None:

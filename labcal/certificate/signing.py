@@ -27,7 +27,7 @@ from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
-from labcal.record.person import perhaps_one_person, same_person
+from labcal.record.person import check_person, perhaps_one_person, same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
 MOST_SIGNATURES = 99  # beside one file
@@ -173,6 +173,7 @@ def approve(
     look at a calibration, or it stays PROVISIONAL.
     """
     name = " ".join(name.split())
+    check_person(name)
     draft = parse_calibration(read_limited(path, LARGEST_BYTES), path)
     if signed := signature_files(path):
         raise InputError(f"is signed already ({signed[0].name}); only a draft can be approved", file=path)

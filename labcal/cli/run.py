@@ -19,6 +19,7 @@ from labcal.cli import app
 from labcal.cli.progress import Display, shown
 from labcal.cli.screen import console, say
 from labcal.errors import InputError
+from labcal.record.person import check_person
 
 if TYPE_CHECKING:
     from labcal.bench.clock import Clock
@@ -148,6 +149,7 @@ def _override(who: str | None, because: str, key: str | None) -> Override | None
         return None
     if not who.strip() or not because.strip():
         raise InputError("an override has a name and a reason: --override NAME --because TEXT")
+    check_person(who)
     return Override(who, because, key, own_passphrase(key) if key else "")
 
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QMainWindow,
+    QMenu,
     QPushButton,
     QScrollArea,
     QStackedWidget,
@@ -341,6 +342,8 @@ class Frame(QMainWindow):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""
+        if event.type() == QEvent.Type.Show and isinstance(watched, QDialog | QMenu) and not watched.styleSheet():
+            watched.setStyleSheet(self.sheet())  # a window of its own: what is styled here does not reach it
         if event.type() == QEvent.Type.Show and isinstance(watched, QDialog):
             put_off_into(watched, self.coils_off.emit)
         if not isinstance(event, QKeyEvent):

@@ -27,7 +27,8 @@ class Shown:
             return
         old.app_state.settings.setValue("language", language)
         install_translator(application, QLocale(language))
-        old.app_state.lab.update(message="")  # in the other language, and past
+        said, of_the_run = old.app_state.lab.state.message, old.app_state.run.message
+        old.app_state.lab.update(message=said if said == of_the_run else "")  # all else is in the other language
         self.window = Window(old.app_state)
         self._listen()
         self.window.setGeometry(old.geometry())

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.widgets.barcode_scanner import takes_names, takes_scans
-from labcal.gui.widgets.common import OneLine, Surface, label, plain, set_state, shrinkable
+from labcal.gui.widgets.common import OneLine, Surface, label, plain, set_state
 
 
 class TopBar(Surface):
@@ -23,7 +23,7 @@ class TopBar(Surface):
         column.setSpacing(GRID // 2)
         column.addLayout(row)
         row.setSpacing(GRID)
-        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), shrinkable(label())
+        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), OneLine()
         self.dut.setToolTip(self.tr("Serial number of the device under test: type it, or scan it at any moment"))
         self.operator.setToolTip(self.tr("Who works here now; stands in the record and in the calibration"))
         for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
     QPalette,
     QShortcut,
 )
-from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from labcal import plugin_loading
 from labcal.errors import InputError
@@ -28,6 +28,7 @@ from labcal.gui.frame import Frame
 from labcal.gui.ipc.messages import ListPeople
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.leaving import Leaving
+from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_here
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
 from labcal.gui.screen import show_whole
@@ -143,6 +144,7 @@ class Window(Frame):
         self._show_path()
         self.stack.currentChanged.connect(self._page_turned)
         app_state.scan_vm.changed.connect(self._show_next)
+        app_state.age_timer.timeout.connect(self._show_next)  # the page's own button may be blue by now
         app_state.fault.connect(self._show_fault)
         app_state.fault_over.connect(self._fault_is_over)
         app_state.lab.changed.connect(self._say_coils)
@@ -281,7 +283,8 @@ class Window(Frame):
         """Who sees already what goes on, and is not asked, has nothing to do but to wait; a scan is answered first."""
         to, app_state = self.app_state.path.next(), self.app_state
         here = self.page_shown() == to.page
-        self.say_next(self.tr("Begin preflight") if here and to.ready else to.words)
+        self.say_next(self.tr("Begin preflight") if here and to.ready else said_here(self.lazy_pages, to, here))
+        QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.lazy_pages[self.page_shown()]))
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or (to.waits and here))
 
     def _page_turned(self) -> None:
@@ -290,21 +293,18 @@ class Window(Frame):
 
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
-        to, state = self.app_state.path.next(), self.app_state.lab.state
+        to = self.app_state.path.next()
+        if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
+            return does.click()
         self.app_state.go(to)
+        state = self.app_state.lab.state
         wanted: list[QWidget] = []
         if to.page == "Start" and state.bench:
             wanted += [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
             wanted += [self.top.operator] * (not state.operator or bool(state.operator_objection))
-        for widget in [*wanted, *self._begins_at(to.page)][:1]:
+        for widget in [*wanted, *begins_at(self.lazy_pages[to.page])][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
-
-    def _begins_at(self, name: str) -> list[QWidget]:
-        """The one thing to do on a page, else where that begins; a click on Next shows it where the page is open."""
-        lazy_page = self.lazy_pages[name]
-        buttons = lazy_page.findChildren(QPushButton, "primary")
-        begins_at = getattr(lazy_page.page, "begins_at", None)
-        return [one for one in (*buttons, begins_at) if one is not None and one.isVisible() and one.isEnabled()]
+        return None
 
     def _scanned(self, text: str) -> None:
         """A serial; on the locked screen a badge."""

@@ -1,4 +1,4 @@
-"""Whether two names are one person's, however they are spelled."""
+"""What a person may be called, and whether two names are one person's, however they are spelled."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from labcal.errors import InputError
 
 LONGEST = 100
+BESIDE = " .,'’-‐·_@+&/()"  # letters and digits; each that a trust list allows is among them
 _BETWEEN = re.compile(r"[\W_]+")  # what one person writes in a name today, and leaves out tomorrow
 _TITLES = {"dr", "prof", "mr", "mrs", "ms"}
 _LOOKS_LIKE = str.maketrans(  # small letters of other scripts and digits, and what they are taken for
@@ -21,9 +22,21 @@ _WITHOUT = str.maketrans({"ø": "o", "æ": "a", "œ": "o", "ł": "l", "đ": "d"}
 
 
 def check_operator(name: str) -> None:
-    """Raise InputError where `name` is not what a person is called on one line of a certificate; none is a name too."""
+    """Raise InputError where `name` is not what a person may be called in a record; none is a name too."""
     if len(name) > LONGEST or not (name.isprintable() or not name):
         raise InputError(f"the operator's name must be one printable line of at most {LONGEST} letters")
+    check_person(name)
+
+
+def check_person(name: str) -> None:
+    """Raise InputError where `name` is a slip of the keys, and nothing that a person is called; none is a name too."""
+    if name and not (any(map(str.isalnum, name)) and all(map(_may_stand, name))):
+        raise InputError(f"“{name}” is no name: letters, digits, blanks, and . , ' - _ @ + & / ( ) between them")
+
+
+def _may_stand(letter: str) -> bool:
+    """Letters of every script, with the marks that belong to them."""
+    return letter.isalnum() or letter in BESIDE or unicodedata.category(letter).startswith("M")
 
 
 def same_person(one: str, other: str) -> bool:

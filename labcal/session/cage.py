@@ -17,7 +17,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.home import home
 from labcal.files.outputs import claim
-from labcal.record.person import perhaps_one_person
+from labcal.record.person import check_person, perhaps_one_person
 from labcal.runner.cage import approved_cage
 from labcal.session.audited import note_file, noted_cages
 from labcal.session.numbering import bench_name
@@ -41,6 +41,7 @@ def approve_cage(
     Signed by them where their key is at hand: `ask` is asked for its passphrase, once all else is well. Returns the
     signature's path too; `on_remark` gets what came of asking for a time stamp.
     """
+    check_person(name)
     [output] = claim("bench cage", out, force=force)
     signer = _approver_with_key(name)
     with Store.open() as kept:

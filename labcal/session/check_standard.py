@@ -17,6 +17,7 @@ from labcal.certificate.agent import signed
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.quality.control_chart import Chart, control_chart
+from labcal.record.person import check_person
 from labcal.session.figures import SensorFigure, figures_of_run
 from labcal.session.from_archive import runs_from_archive
 from labcal.session.sources import Source
@@ -136,6 +137,7 @@ def _statement(
     """What the person stands for, as text, and their signature of it where they have a key."""
     if not override.who.strip() or not override.because.strip():
         raise InputError("an override has a name and a reason: --override NAME --because TEXT")
+    check_person(override.who)
     about = {
         "format": "labcal-override/1", "run_id": run_id, "bench": bench, "procedure": procedure,
         "check_standard": serial, "out_of_control": dict(out), "who": override.who, "because": override.because,

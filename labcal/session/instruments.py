@@ -12,6 +12,7 @@ from labcal.bench.identify import Identified, identify_all
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
+from labcal.record.person import check_person
 
 if TYPE_CHECKING:
     from labcal.bench.find import Found
@@ -66,6 +67,7 @@ def look_again(bench: Path, clear_as: str = "") -> Looked | None:
     """Measure again where a zero of this bench is in doubt; None where none is. `clear_as`: who answers for it."""
     from labcal.bench.look_again import look_again
 
+    check_person(clear_as)
     return look_again(bench, clear_as)
 
 

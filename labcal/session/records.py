@@ -12,6 +12,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
+from labcal.record.person import check_person
 from labcal.session import raw_frames
 from labcal.session.approved import keep_approved
 from labcal.session.audited import note, note_import
@@ -44,6 +45,7 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
 
     Raises InputError once one of them is signed.
     """
+    check_person(who)
     if signed := [path.name for path in made if certificate.signature_files(path)]:
         raise InputError(f"{signed[0]} is signed: its serial stands; another DUT needs a run of its own")
     with Store.open() as store:

@@ -16,6 +16,7 @@ from labcal.cli import execute as labcal
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals as POSIX has them")
 SIMULATED = Path(__file__).resolve().parents[2] / "examples" / "simulated.toml"
+CALIBRATION = SIMULATED.parent / "short-preflight" / "calibration.json"
 LOADING = """
 import signal, sys, importlib.abc
 signal.signal(signal.SIGINT, signal.default_int_handler)  # as at a terminal: behind `nohup` it is ignored
@@ -63,6 +64,26 @@ def test_without_bench_it_is_the_one_of_this_folder(
 def test_an_operator_is_one_printable_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert labcal(["run", "ambient", "--bench", str(SIMULATED), "--operator", name]) == 2
     assert "one printable line of at most 100" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["run", "ambient", "--bench", str(SIMULATED), "--operator"],
+        ["run", "ambient", "--bench", str(SIMULATED), "--because", "it holds", "--override"],
+        ["bench", "check", str(SIMULATED), "--clear-as"],
+        ["bench", "cage", "a-run", "--out", "cage.json", "--as"],
+        ["approve", "calibration.json", "--as"],
+    ],
+)
+@pytest.mark.parametrize("typed", ["12|;", "<b>", "..."])
+def test_a_slip_of_the_keys_is_nobody_wherever_a_person_is_named(
+    words: list[str], typed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("calibration.json").write_bytes(CALIBRATION.read_bytes())
+    assert labcal([*words, typed]) == 2
+    assert f"“{typed}” is no name: letters, digits, blanks, and" in capsys.readouterr().err
 
 
 def test_a_folder_is_no_bench_file_and_its_own_name_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

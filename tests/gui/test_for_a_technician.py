@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -10,9 +11,9 @@ from test_choose import looked_at, told_by_the_loop
 from test_path import calibration
 
 from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
-from labcal.gui.pages import certificate
+from labcal.gui.pages import certificate_steps
 from labcal.gui.theming.theme import DARK, LIGHT
-from labcal.gui.viewmodels.loop_words import MEANS, said_plainly
+from labcal.gui.viewmodels.loop_words import MEANS, as_a_drop, said_plainly
 from labcal.gui.window import chosen_theme
 from labcal.loop.narrative import why_accepted, why_rejected
 
@@ -40,10 +41,11 @@ def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbo
     listed = [page.others.item(n).text() for n in range(4)]
     assert not [one for one in listed if "nats" in one]
     assert [one.split("\n")[1] for one in listed if "rival" not in one] == [
-        "the held-out rms falls from 9.0 to 8.0 nT", "no better than chance or a slow wander", "too little evidence"
+        "it alone takes 1.0 nT off the held-out rms", "no better than chance or a slow wander", "too little evidence"
     ]  # fmt: skip
     page.others.setCurrentRow(0)
-    assert page.change_why.text() == reasons[2]
+    assert page.change_why.text() == as_a_drop(reasons[2])
+    assert "728.0 nats" in page.change_why.text()
 
 
 def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):
@@ -71,27 +73,27 @@ def test_theme_and_size_are_switched_in_the_window_and_the_theme_is_kept(still, 
 def test_where_nobody_has_a_key_one_is_made_first_and_no_passphrase_stays(still, qtbot):
     still.open_page("Certificate")
     page, worker = still.page("Certificate"), still.app_state.quick_worker
-    page.signer.setCurrentText("")
+    steps = page.steps
     worker.answer(ListCalibrations, (calibration(signed=False),))
     worker.answer(ListKeys, ())
-    assert (page.new_key.isVisible(), page.new_key.isEnabled(), page.sign.isVisible()) == (True, False, False)
-    assert "Nobody has a key here: write who signs" in page.next.text()
-    page.signer.setCurrentText("jdoe@lab")
-    for entry in (page.passphrase, page.again):
+    assert (steps.new_key.isEnabled(), steps.approve.isEnabled(), steps.sign.isEnabled()) == (False, False, False)
+    steps.key_name.setText("jdoe@lab")
+    for entry in (steps.new_words, steps.again):
         entry.setText("a long passphrase")
-    qtbot.mouseClick(page.new_key, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(steps.new_key, Qt.MouseButton.LeftButton)
     assert worker.commands(NewKey) == [NewKey("jdoe@lab", "a long passphrase")]
-    page.passphrase.setText("a long passphrase")
+    steps.passphrase.setText("a long passphrase")
     still.open_page("History")
-    assert (page.passphrase.text(), page.again.text()) == ("", "")
-    page.signer.setCurrentText("")
+    assert [one.text() for one in (steps.passphrase, steps.new_words, steps.again)] == ["", "", ""]
+    steps.key_name.clear()
 
 
 def test_from_the_first_letter_of_a_passphrase_the_window_leaves_no_core_dump(still, qtbot, monkeypatch):
     still.open_page("Certificate")
     page, kept = still.page("Certificate"), []
-    monkeypatch.setattr(certificate, "kept_private", lambda: kept.append(True))
-    for entry in (page.passphrase, page.again):
+    monkeypatch.setattr(certificate_steps, "kept_private", lambda: kept.append(True))
+    for entry in (page.steps.passphrase, page.steps.new_words, page.steps.again):
+        entry.setEnabled(True)
         kept.clear()
         qtbot.keyClicks(entry, "a")
         assert kept
@@ -102,6 +104,7 @@ def test_which_calibration_is_chosen_is_whole_in_its_tip(still):
     still.open_page("Certificate")
     one = replace(calibration(), run_id="20261123T150524-95b0")
     still.app_state.quick_worker.answer(ListCalibrations, (one,))
-    heading = still.page("Certificate").heading
-    assert heading.text() == heading.toolTip() == "EM-07  ·  20261123T150524-95b0"
+    chooser = still.page("Certificate").list
+    assert chooser.toolTip() == chooser.currentText()
+    assert Path(one.path).stem in chooser.toolTip()
     still.app_state.path.take_calibrations(())

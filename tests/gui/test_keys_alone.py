@@ -125,7 +125,7 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     choose = next(one for one in page.drop.children() if hasattr(one, "text") and one.text() == "Choose a file …")
     hands.name_a_file(choose, page.chosen().path)
     hands.until(lambda: page.drop.words.text().startswith("✓"))
-    assert "VALID: signed by jdoe@lab, a.smith." in page.drop.words.text()
+    assert "VALID: signed by a.smith, jdoe@lab." in page.drop.words.text()
     hands.page(7)
     history = hands.window.page("History")
     hands.until(lambda: history.table.rowCount() == 1)
@@ -187,21 +187,22 @@ def signed(hands):
     """Approved by another person, then signed by both, each under a new key."""
     page = hands.window.page("Certificate")
     hands.until(lambda: page.list.count() == 1)
+    steps = page.steps
     for name in ("a.smith", "jdoe@lab"):
-        hands.enter(page.signer, name)
-        for entry in (page.passphrase, page.again):
-            hands.enter(entry, f"passphrase of {name}")
-        hands.press(page.new_key)
-        hands.until(lambda n=name: n in page.said.text() and page.sign.isVisible())
-    hands.enter(page.approver, "j.doe")
-    hands.press(page.approve)
-    hands.until(lambda: "is the operator" in page.fault.text.text())
-    hands.enter(page.approver, "a.smith")
-    hands.press(page.approve)
+        hands.enter(steps.key_name, name)
+        for entry in (steps.new_words, steps.again):
+            hands.enter(entry, f"sixteen reasons of {name}")
+        hands.press(steps.new_key)
+        hands.until(lambda n=name: n in page.said.text())
+    hands.enter(steps.approver, "j.doe")
+    assert "is the operator" in steps.approval.wrong.text()
+    hands.enter(steps.approver, "a.smith")
+    hands.press(steps.approve)
     hands.until(lambda: "approved by a.smith" in page.standing.text())
-    for name in ("jdoe@lab", "a.smith"):
-        hands.enter(page.signer, name)
-        hands.enter(page.passphrase, f"passphrase of {name}")
-        hands.press(page.sign)
+    for name in ("a.smith", "jdoe@lab"):
+        hands.until(lambda n=name: n in [steps.signer.itemText(row) for row in range(steps.signer.count())])
+        hands.choose(steps.signer.findText(name), steps.signer)
+        hands.enter(steps.passphrase, f"sixteen reasons of {name}")
+        hands.press(steps.sign)
         hands.until(lambda n=name: page.chosen() is not None and n in page.chosen().standing.signers)
     assert "PROVISIONAL" not in page.standing.text()

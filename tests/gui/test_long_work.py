@@ -87,17 +87,19 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
         (
             11.0,
             10.0,
-            "ml: ✓ Good in size: 11.0 nT of |b| are left over, no more than the stated noise, 10.0 nT. "
+            "ml: ✓ The calibration is good in size: 11.0 nT of |b| are left over in held-out rows, "
+            "no more than the stated noise, 10.0 nT. "
             "What is left of the direction, the loop judges.",
             "good",
         ),
         (
             11.6,
             10.0,
-            "ml: ▲ Not good yet: 11.6 nT of |b| are left over, the stated noise is 10.0 nT. Trace the residual.",
+            "ml: ▲ The calibration is not good yet, however well it was measured: 11.6 nT of |b| are left over "
+            "in held-out rows, the stated noise is 10.0 nT. Trace the residual.",
             "warning",
         ),
-        (11.0, None, "ml: 11.0 nT of |b| are left over; no noise is stated to compare it with.", ""),
+        (11.0, None, "ml: 11.0 nT of |b| are left over in held-out rows; no noise is stated to compare it with.", ""),
         (None, 10.0, "", ""),
     ],
 )

@@ -115,7 +115,7 @@ def test_the_loop_tells_its_story_and_leaves_a_draft(qtbot, fitted):
     page, loop = fitted.page("Loop"), study.loop
     assert page.story.isVisible()
     assert loop.verdict.upper().replace("-", " ") in page.verdict.text().replace("-", " ")
-    assert page.summary.text() == loop.summary
+    assert page.summary.text().startswith(loop.summary)
     assert "→" in page.before_after.text()
     assert Path(loop.draft).is_file()
 
@@ -131,7 +131,7 @@ def test_a_cause_that_was_not_named_is_picked_and_its_change_is_drawn(qtbot, tra
     qtbot.waitUntil(lambda: name in study.causes or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
     assert name in page.change_heading.text()
-    assert "→" in page.change_words.text()
+    assert page.change_words.text().startswith("it alone would leave ")
     assert page.change_why.text().startswith(why)
     page.others.clearSelection()
     assert page.change_heading.text() == "3  What it changes"

@@ -7,7 +7,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from labcal.gui.ipc.answers import CalibrationFile, Ended, FitFigures, Fitted, RunLine, Signature, Standing
-from labcal.gui.ipc.messages import CloseLoop, FitRun, ListCalibrations, ListKeys, ListRuns, ReadBench, RunProcedure
+from labcal.gui.ipc.messages import (
+    CloseLoop,
+    FitRun,
+    HandOut,
+    ListCalibrations,
+    ListKeys,
+    ListRuns,
+    ReadBench,
+    RunProcedure,
+)
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.start import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
@@ -39,7 +48,8 @@ HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, 
     "failed": ((replace(RUN, status="failed: dut is silent"),), (), "✕○○○", "Calibrate EM-07", "Run"),
     "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with the run", "Start"),
     "drafted": ((RUN,), (calibration(signed=False),), "✓✓○○", "Trace the residual", "Loop"),
-    "traced": ((DONE,), (calibration(signed=False),), "✓✓✓○", "Sign", "Certificate"),
+    "traced": ((DONE,), (calibration(signed=False),), "✓✓✓○", "Approve and sign", "Certificate"),
+    "approved": ((DONE,), (replace(calibration(signed=False), approvers=("a.smith",)),), "✓✓✓○", "Sign", "Certificate"),
     "ambiguous": (
         (replace(RUN, verdict="ambiguous"),),
         (calibration(signed=False),),
@@ -112,6 +122,49 @@ def test_a_run_that_goes_on_is_now(still, path):
     assert (marks(still), still.next.text()) == ("●○○○", "Next: See the run")
     still.app_state.bench_worker.items.emit((Prompt(1.0, "ready", "Hands off?", acts=True),))
     assert still.next.text() == "Next: Answer the question"
+
+
+def test_a_second_run_of_a_dut_keeps_no_tick_of_the_first(still, path):
+    path.take_runs((DONE,))
+    path.take_calibrations((calibration(),))
+    assert marks(still) == "✓✓✓✓"
+    still.app_state.run.start(RunProcedure("axes-check", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert marks(still) == "●✓✓✓"  # it calibrates nothing
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r8", "finished"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert marks(still) == "●○○○"
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r9", "finished"))
+    assert marks(still) == "✓○○○"  # before the store's list has come as well
+    path.take_runs((replace(RUN, run_id="r9"), DONE))
+    assert (marks(still), still.next.text()) == ("✓○○○", "Next: Fit the run")
+
+
+def test_after_a_file_has_left_the_lab_the_next_dut_begins_with_open_steps(new_window, qtbot, tmp_path):
+    path, page = new_window.app_state.path, new_window.page("Certificate")
+    new_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    path.take_runs((DONE,))
+    new_window.open_page("Certificate")
+    new_window.app_state.quick_worker.answer(ListCalibrations, (calibration(),))
+    assert new_window.next.text() == "Next: Hand it out"
+    page.paper.hand_out(str(tmp_path))
+    new_window.app_state.quick_worker.answer(HandOut, str(tmp_path))
+    assert new_window.next.text() == "Next: The next DUT"
+    assert new_window.message.text() == "EM-07 is handed out."
+    assert page.stands(page.chosen())[-1].mark == "done"
+    qtbot.mouseClick(new_window.next, Qt.MouseButton.LeftButton)
+    assert (new_window.page_shown(), new_window.top.dut.text(), new_window.message.text()) == ("Start", "", "")
+    assert new_window.top.dut.hasFocus()
+    assert (marks(new_window), new_window.next.text()) == ("○○○○", "Next: Say which DUT")
+    new_window.app_state.set_identity(dut="EM-07")  # the same once more: its path begins anew
+    assert (marks(new_window), new_window.next.text()) == ("○○○○", "Next: Calibrate EM-07")
+
+
+def test_what_was_handed_out_before_a_second_signature_is_handed_out_again(still, path):
+    one = calibration()
+    path.handed_out.add(one)
+    assert path.handed_out.holds(one)
+    twice = replace(one, standing=replace(one.standing, signatures=(SIGNATURE, SIGNATURE)))
+    assert not path.handed_out.holds(twice)
 
 
 @pytest.mark.parametrize(
@@ -237,7 +290,7 @@ def test_next_points_at_the_one_thing_to_do_where_the_page_stands_already(still,
     still.app_state.quick_worker.answer(ListCalibrations, (calibration(signed=False),))
     still.app_state.quick_worker.answer(ListKeys, ("jdoe@lab",))
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
-    assert (still.page_shown(), page.passphrase.hasFocus()) == ("Certificate", True)
+    assert (still.page_shown(), page.steps.key_name.hasFocus()) == ("Certificate", True)  # nobody may approve
 
 
 def test_who_sees_the_run_and_is_not_asked_has_nothing_to_click_on(still, path):

@@ -108,7 +108,7 @@ def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot, p
     still.open_page("Certificate")
     page = still.page("Certificate")
     secret = QLineEdit(page)
-    secret.setEchoMode(page.passphrase.echoMode())
+    secret.setEchoMode(page.steps.passphrase.echoMode())
     secret.show()
     secret.setFocus()
     qtbot.waitUntil(secret.hasFocus, timeout=patience)

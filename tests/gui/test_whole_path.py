@@ -59,15 +59,17 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
         click(window.page("Loop").sign)
         page = window.page("Certificate")
         qtbot.waitUntil(lambda: page.list.count() == 1, timeout=patience)
-        assert "PROVISIONAL" in page.next.text()
-        page.signer.setCurrentText("jdoe@lab")
-        assert "has no key here" in page.next.text()
-        page.passphrase.setText("a long passphrase")
-        page.again.setText("a long passphrase")
-        click(page.new_key)
-        click(page.sign)
+        steps = page.steps
+        assert "Nobody has a key here" in steps.key.words.text()
+        steps.key_name.setText("jdoe@lab")
+        for entry in (steps.new_words, steps.again):
+            entry.setText("a long passphrase")
+        click(steps.new_key)
+        qtbot.waitUntil(lambda: "Sign alone: it is valid, and PROV" in steps.signature.words.text(), timeout=patience)
+        steps.passphrase.setText("a long passphrase")
+        click(steps.sign)
         qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=patience)
-        assert "Good to use as PROVISIONAL" in page.next.text()
+        assert page.paper.words.text() == "As PROVISIONAL: nobody approved it before it was signed."
         page.verify(page.chosen().path)
         qtbot.waitUntil(lambda: page.drop.words.text().startswith("▲"), timeout=patience)
     finally:

@@ -23,18 +23,22 @@ from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
-from labcal.gui.widgets.common import Card, button, label, set_primary, shrinkable
+from labcal.gui.widgets.common import Card, button, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Table
 
 READINGS_MS = 500
+MOST_ROWS = 12  # of the table would like to be seen
 ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
 HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
 
 
 class BenchPage(QWidget):
     """The bench file's instruments, checked at a click; the cage with the field of now."""
+
+    shows_only = True  # where there is no room for it the page is scrolled, and nothing in it is squeezed
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
@@ -81,8 +85,8 @@ class BenchPage(QWidget):
         return holder
 
     def _instruments_card(self) -> Card:
-        card = Card(self.tr("Instruments"), "")
-        self.heading = card.heading
+        card = Card(self.tr("Instruments"), " ")
+        self.heading, self.file = card.heading, card.unit
         self.check = button(
             self.tr("Check all"),
             self.tr("Ask every instrument who it is. Nothing is energised or moved."),
@@ -105,22 +109,15 @@ class BenchPage(QWidget):
             self.tr("New …"), self.tr("Ask who answers on this computer's lines, and write a draft of a bench file")
         )
         self.make.clicked.connect(self._make)
-        self.file = shrinkable(label("", "caption"))
-        above, row = QHBoxLayout(), QHBoxLayout()
-        above.addWidget(self.file, 1)
-        for widget in (self.edit, self.make):
-            above.addWidget(widget)
-        row.addStretch()
-        for widget in (simulated, self.choose, self.reconnect, self.check):
-            row.addWidget(widget)
+        row = Flow(simulated, self.choose, self.make, self.edit, self.reconnect, self.check)
         self.table = Table(HEADINGS, 3)
+        self.table.show_rows(MOST_ROWS, MOST_ROWS)
         for column in ("last reading", "state"):  # beside the name, where a narrow window shows them too
             header, at = self.table.horizontalHeader(), HEADINGS.index(column)
             header.moveSection(header.visualIndex(at), 2)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
-        card.body.addLayout(above)
         card.body.addLayout(row)
         return card
 

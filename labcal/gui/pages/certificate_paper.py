@@ -7,7 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QVBoxLayout
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.messages import ApplyCalibration, Command, HandOut, WriteLabel, WriteReport
@@ -18,17 +19,21 @@ from labcal.gui.widgets.common import button, label
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
 from labcal.gui.widgets.printer import Printer
+from labcal.gui.widgets.step_card import StepCard
 
 R = TypeVar("R")
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 LABELS = "PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"
 
 
-class Paper(QWidget):
+class Paper(StepCard):
     """Buttons for the calibration that `chosen` gives, and a line that says what came of it; faults go to `fault`."""
 
+    handed_out = Signal(object)  # the CalibrationFile whose files were copied
+
     def __init__(self, app_state: AppState, chosen: Callable[[], CalibrationFile | None], fault: FaultCard) -> None:
-        super().__init__()
+        super().__init__(" ")
+        self.heading.setText(self.tr("4  Hand it out"))
         self._app_state, self._chosen, self._fault = app_state, chosen, fault
         self.said, self.folder = label("", "caption", wrap=True), FolderButton()
         self.printer = Printer(self)
@@ -46,16 +51,16 @@ class Paper(QWidget):
             self.tr("Apply to readings …"), self.tr("Add the field, its uncertainty and flags to a .csv of readings")
         )
         self.apply.clicked.connect(self._apply)
-        where, row, both = QHBoxLayout(), QHBoxLayout(), QVBoxLayout(self)
-        both.setContentsMargins(0, 0, 0, 0)
-        both.setSpacing(GRID)
-        where.addWidget(self.said, 1)
-        where.addWidget(self.folder)
-        row.addStretch()
-        for widget in (self.apply, self.export, self.report):
-            row.addWidget(widget)
-        both.addLayout(where)
-        both.addLayout(row)
+        row, words = QHBoxLayout(), QVBoxLayout()
+        self.words.setMinimumWidth(20 * GRID)
+        for part in (self.words, self.said):
+            words.addWidget(part)
+        words.addStretch()
+        row.addLayout(words, 1)
+        for widget in (self.folder, self.apply, self.report, self.export):
+            row.addWidget(widget, 0, Qt.AlignmentFlag.AlignTop)
+        self.body.insertLayout(1, row)
+        self.button = self.export
 
     def _menu(self) -> QMenu:
         menu = QMenu(self)
@@ -125,6 +130,7 @@ class Paper(QWidget):
 
             def said(_: object) -> str:
                 self.folder.show_folder(folder)
+                self.handed_out.emit(one)
                 return words
 
             self._send(HandOut(one.path, folder), said)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import sqrt
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import FitFigures, Fitted, Matrix
 from labcal.gui.theming.theme import GRID, Theme
@@ -17,6 +17,7 @@ from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.fit_views import FitViews
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
@@ -25,11 +26,14 @@ from labcal.gui.widgets.work_bar import WorkBar
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
 GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
+LEAST_ROWS = 8  # of the table are always seen: how good, and where zero is
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
 
 class FitPage(QWidget):
     """Shows `app_state.study_vm`."""
+
+    shows_only = True  # where there is no room for it the page is scrolled, and nothing in it is squeezed
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
@@ -47,13 +51,8 @@ class FitPage(QWidget):
         column.addWidget(self.fault)
         self.views = FitViews(theme)
         self.views.filter_wanted.connect(self._show_growth)
-        halves = QSplitter(Qt.Orientation.Vertical)
-        halves.setHandleWidth(2 * GRID)
-        halves.setChildrenCollapsible(False)
-        halves.addWidget(self._table_card())
-        halves.addWidget(self.views)
-        halves.setSizes([320, 420])
-        column.addWidget(halves, 1)
+        column.addWidget(self._table_card(), 2)
+        column.addWidget(self.views, 3)
         self.idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         self._show()
@@ -67,7 +66,7 @@ class FitPage(QWidget):
         self._theme = theme
         self._show()
 
-    def _head(self) -> QHBoxLayout:
+    def _head(self) -> Flow:
         self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self.open_run)
         self.chooser.known.connect(self._show)
@@ -81,18 +80,15 @@ class FitPage(QWidget):
         self.draft.clicked.connect(self._draft)
         self.trace = button(self.tr("Trace the residual"), self.tr("Find what causes what is left over: the Loop page"))
         self.trace.clicked.connect(self._trace)
-        row = QHBoxLayout()
-        row.setSpacing(GRID)
-        row.addWidget(self.chooser, 1)
-        for widget in (self.cancel, self.fit, self.all, self.draft, self.trace):
-            row.addWidget(widget)
-        return row
+        return Flow(self.chooser, self.cancel, self.fit, self.all, self.draft, self.trace)
 
     def _table_card(self) -> Card:
-        card = Card(self.tr("Methods side by side"), self.tr("value ± U, k=2; choose a column to see its pictures"))
+        card = Card(self.tr("Methods side by side"), self.tr("value ± U, k=2"))
         self.empty = label("", "ask", wrap=True)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.table = Table((self.tr("parameter"),))
+        self.table.show_rows(LEAST_ROWS, LEAST_ROWS)
+        self.table.setToolTip(self.tr("Choose a column to see its pictures"))
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
@@ -148,7 +144,7 @@ class FitPage(QWidget):
         self.draft.setEnabled(study.best() is not None and not refused)
         self.trace.setEnabled(ready)
         set_primary(self.fit, "ml" not in study.fits)
-        set_primary(self.trace, "ml" in study.fits)
+        set_primary(self.trace, "ml" in study.fits and study.loop is None)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
         self.idle_queue.add(self._show_fits, self._show_pictures)

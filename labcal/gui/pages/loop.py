@@ -15,12 +15,13 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.loop_words import VERDICTS, said_plainly, without_evidence
+from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
@@ -30,6 +31,7 @@ from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.records import EffectRecord, Rival
 
 Cause = EffectRecord | Rival
+LEAST_PX = 150  # of a picture, and of the list: with less room the page is scrolled
 
 
 def cause(effect: Cause) -> str:
@@ -39,7 +41,9 @@ def cause(effect: Cause) -> str:
 
 def candidates(loop: Loop, said: Callable[[str], str] = str) -> list[tuple[str, Cause, str]]:
     """Every cause there was: its standing, itself, and why, as it is `said`; the named ones first."""
-    found: list[tuple[str, Cause, str]] = [("accepted", effect, in_words(said(effect.why))) for effect in loop.accepted]
+    found: list[tuple[str, Cause, str]] = [
+        ("accepted", effect, in_words(as_a_drop(said(effect.why)))) for effect in loop.accepted
+    ]
     for effect in loop.accepted:
         found += [
             ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
@@ -74,7 +78,7 @@ class LoopPage(QWidget):
         self._study.progressed.connect(self._show_progress)
         self._show()
 
-    def _head(self) -> QHBoxLayout:
+    def _head(self) -> Flow:
         self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self._study.open)
         self.chooser.known.connect(self._show)
@@ -88,11 +92,7 @@ class LoopPage(QWidget):
             self.tr("To the certificate"), self.tr("The draft with the accepted effects: approve and sign it")
         )
         self.sign.clicked.connect(lambda: self._app_state.page_requested.emit("Certificate"))
-        row = QHBoxLayout()
-        row.addWidget(self.chooser, 1)
-        for widget in (self.cancel, self.close_loop, self.sign):
-            row.addWidget(widget)
-        return row
+        return Flow(self.chooser, self.cancel, self.close_loop, self.sign)
 
     def _story(self) -> QWidget:
         holder = QWidget()
@@ -139,6 +139,7 @@ class LoopPage(QWidget):
     def _left_card(self) -> Card:
         card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
         self.left = Residuals(self._theme)
+        self.left.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.left)
         return card
 
@@ -156,6 +157,7 @@ class LoopPage(QWidget):
         self.others.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
         self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
         self.others.itemSelectionChanged.connect(self._picked)
+        self.others.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.bars)
         card.body.addWidget(self.others, 1)
         return card
@@ -166,6 +168,7 @@ class LoopPage(QWidget):
         self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=2)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
+        self.change.setMinimumHeight(LEAST_PX)
         self.change_why = label("", "caption", wrap=True)
         self.change_why.hide()
         card.body.addWidget(self.change_why)
@@ -181,6 +184,7 @@ class LoopPage(QWidget):
         card = Card(self.tr("4  Still not known"), "")
         self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
+        self.unknown.setMinimumHeight(LEAST_PX * 2 // 3)
         self.next = button(
             "",
             self.tr("Its plan is shown on the Run page before anything moves, and the run is started there"),
@@ -254,15 +258,13 @@ class LoopPage(QWidget):
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
-        self.summary.setText(in_words(loop.summary))
+        beside = self.tr("Here beside the errors that the run declares of its reference and mounting; above with them.")
+        self.summary.setText(f"{in_words(loop.summary)} {beside}")
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
         floor = format_number(loop.noise_floor_nT, signed=False)
-        self.noise.setText(
-            self.tr("held-out rms of the vector; noise alone: {0} nT, {1}").format(
-                floor, translated(loop.noise_floor_source)
-            )
-        )
+        said = self.tr("before → after, held-out rms of the vector; noise alone: {0} nT, {1}")
+        self.noise.setText(said.format(floor, translated(loop.noise_floor_source)))
         self._show_unknown(loop)
         self._fill_against(loop)
         self._name_change()
@@ -375,13 +377,11 @@ class LoopPage(QWidget):
         self.change_why.setVisible(chosen is not None)
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
-        both = (one.before, one.after)
-        rms = (format_number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
-        self.change_words.setText(self.tr("all rows {0} nT").format(" → ".join(rms)))
-        tip = self.tr(
-            "Rms over all rows, before and after; the figures at the top are of rows that the fit did not see"
-        )
-        return self.change_words.setToolTip(tip)
+        self.change_words.setText("")
+        if chosen is not None:  # of all named causes it is said at the top
+            left = format_number(float(np.sqrt(np.nanmean(np.sum(one.after**2, axis=1)))), signed=False)
+            self.change_words.setText(self.tr("it alone would leave {0} nT of the rows of the fit").format(left))
+        return None
 
     def _show_change(self) -> None:
         one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentData()
@@ -389,5 +389,5 @@ class LoopPage(QWidget):
             return self.change.clear()
         before, after = one.before, one.after
         noise_nT = said.noise_floor_nT / before.shape[1] ** 0.5
-        both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
+        both = [(self.tr("as calibrated"), theme.axis_x, before), (self.tr("with it"), theme.accent, after)]
         return self.change.show_residual(name, one.against[name], both, noise_nT)

@@ -46,6 +46,8 @@ class StartPage(QWidget):
         grid = QGridLayout()
         grid.setSpacing(2 * GRID)
         self.facts: dict[str, tuple[QLabel, QLabel]] = {}
+        self.check_cage = button(self.tr("Check the cage"), self.tr("The procedure cage-calibration, on the Run page"))
+        self.check_cage.clicked.connect(lambda: self._app_state.open_procedure("cage-calibration"))
         titles = {
             "closing": self.tr("Last closing check"),
             "reference": self.tr("Reference sensor"),
@@ -110,11 +112,15 @@ class StartPage(QWidget):
         self.facts[key] = word, detail
         card.body.addWidget(word)
         card.body.addWidget(detail)
+        if key == "cage":
+            card.body.addWidget(self.check_cage, 0, Qt.AlignmentFlag.AlignLeft)
         card.body.addStretch()
         return card
 
     def _say(self, key: str, word: str, detail: str, state: str = "") -> None:
         shown, beside = self.facts[key]
+        if key == "cage":
+            self.check_cage.setVisible(state == "warning")
         shown.setText(word)
         set_state(shown, state)
         beside.setText(detail)
@@ -140,6 +146,7 @@ class StartPage(QWidget):
                 widget.setEnabled(not self._app_state.run.alive and not self._app_state.scan_vm.asks)
             for widget in (self.simulated, self.open):
                 widget.setVisible(not known)
+            self.check_cage.setEnabled(self.calibrate.isEnabled())
 
     def _not_ready(self) -> str:
         """What the lab itself has against a run, as the side panel shows it; "" where nothing."""
@@ -263,7 +270,8 @@ class StartPage(QWidget):
         mine = [serial == self._app_state.lab.state.dut_serial for serial, _ in self._to_go_on_with]
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first)
-        set_primary(self.calibrate, not any(mine))
+        to = self._app_state.path.next()
+        set_primary(self.calibrate, not any(mine) and to.page in ("Run", "Start"))
 
 
 def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:

@@ -88,6 +88,7 @@ QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padd
                    letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
+QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="now"] { color: $accent; font-weight: 600; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
 QPushButton:disabled { color: $muted; background: $page; }
@@ -104,7 +105,12 @@ QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { back
     selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
 QLineEdit[state="bad"] { border: 2px solid $bad; padding: 4px 7px; }
-QComboBox { combobox-popup: 0; }
+QComboBox { combobox-popup: 0; } QComboBox QAbstractItemView::item { padding: 5px 8px; }
+QDialog { background: $page; }
+QToolButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 4px; }
+QToolButton:hover, QToolButton:focus { border-color: $accent; }
+QMenu { background: $surface; border: 1px solid $line; padding: 4px; }
+QMenu::item { padding: 6px 16px; border-radius: 4px; } QMenu::item:selected { background: $accent; color: $on_accent; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }
 QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; padding: 1px; gridline-color: $line;
@@ -125,6 +131,10 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QComboBox::drop-down { border: 0; width: 24px; }
 QComboBox::down-arrow { image: none; width: 0; height: 0;
     border-left: 5px solid $sunken; border-right: 5px solid $sunken; border-top: 6px solid $muted; }
+QTabBar { background: transparent; }
+QTabBar::tab { background: transparent; color: $muted; border: 0; border-bottom: 2px solid $line; padding: 6px 14px; }
+QTabBar::tab:selected { color: $text; border-bottom-color: $accent; font-weight: 600; }
+QTabBar::tab:hover { color: $text; } QTabBar:focus { border: 2px solid $accent; border-radius: 4px; }
 QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }
 QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }
 QPlainTextEdit:focus { border: 2px solid $accent; padding: 4px 7px; }

@@ -304,11 +304,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured</source>
+        <source>The bench file stated no specification when the run was measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with</source>
+        <source>There is no earlier calibration of this DUT to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -342,10 +342,6 @@
 <context>
     <name>CertificatePage</name>
     <message>
-        <source>Calibrations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Calibrations, the newest first</source>
         <translation type="unfinished"></translation>
     </message>
@@ -362,7 +358,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Chosen calibration</source>
+        <source>Figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is handed out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -370,71 +370,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Who approves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Approve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write this name into the draft. After the first signature nobody can be added.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Who signs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whose key; a name without a key here can be given a new one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asked each time, never kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A new key&apos;s passphrase is typed twice: nothing can bring it back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sign</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sign these exact bytes. A signed file can no longer be changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Make a key for this name under this passphrase, and trust it in this lab</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Draft: not signed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -442,27 +378,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Once more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Operator {0}; approved by {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The two passphrases differ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} has no key here: type a passphrase twice, and New key makes one under it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} To sign as {1}, type the passphrase.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} has a key now, under this passphrase.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1161,18 +1077,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the passphrase is empty; nothing was made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>aborted by the operator</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1258,6 +1162,42 @@
     </message>
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}; nothing was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase is {0}: four words are easy to keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three signs over and over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the key&apos;s own person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a common word alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row of the keyboard, or of the alphabet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3066,6 +3006,14 @@
     </message>
     <message>
         <source>the held-out rms falls from {0} to {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it alone takes {0} nT off the held-out rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5030,10 +4978,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>value ± U, k=2; choose a column to see its pictures</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Whether the fit is good</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5043,6 +4987,14 @@
     </message>
     <message>
         <source>parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value ± U, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a column to see its pictures</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5579,10 +5531,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5663,6 +5611,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>as calibrated</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5691,19 +5647,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>all rows {0} nT</source>
+        <source>it alone would leave {0} nT of the rows of the fit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rms over all rows, before and after; the figures at the top are of rows that the fit did not see</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>after</source>
+        <source>with it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5738,6 +5686,10 @@
     </message>
     <message>
         <source>Hand out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4  Hand it out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5911,11 +5863,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Approve and sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Make a new draft</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The second signature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next DUT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6201,6 +6161,117 @@
     </message>
 </context>
 <context>
+    <name>SigningSteps</name>
+    <message>
+        <source>1  Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the new key; asked at each signature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed twice: nothing can bring it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name that this person signs under</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a key for this name, and trust it in this lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  Approve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No passphrase: an approval is a name in the draft. It binds once this person has signed (3). After the first signature nobody can be added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who approves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another person than the operator, by the name that they sign under</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write this name into the draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3  Sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These exact bytes: a signed file can no longer be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who signs, of those who have a key here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of this person&apos;s key; asked each time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign the file as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has a key now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approved by {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed by {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Standing</name>
     <message>
         <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
@@ -6291,6 +6362,14 @@
     </message>
     <message>
         <source>▲ Interrupted: to be gone on with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The procedure cage-calibration, on the Run page</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6393,7 +6472,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Until</source>
+        <source>Until 2027-11-21</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7232,15 +7311,55 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <source>Their key is not on this computer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
+        <source>Signed by {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <source>First a key (1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once it is signed (3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once {0} has signed; before that as PROVISIONAL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed out. Next: another DUT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As PROVISIONAL: nobody approved it before it was signed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As PROVISIONAL: why is said above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No key can bear “{0}”: letters, digits and . _ @ + - alone, as in ada.smith</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has a key here already, as {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two passphrases differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is the operator, {1}: another person approves.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7304,6 +7423,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>With a key here: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever signed has a key elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has a key here. Make one for the person who approves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {0} has a key here. Make one for who approves: another person than {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approved by {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed without an approval: nobody can be added any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another person than {0} looks at the figures below, and approves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First a key of another person than {0} (1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Do not use it: make a new draft on the Fit page.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7312,15 +7463,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} has to sign. The operator may sign as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Good to use as PROVISIONAL: nobody approved it before it was signed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Done: hand it out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7452,7 +7599,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7500,19 +7647,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to do now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>
+        <source>▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

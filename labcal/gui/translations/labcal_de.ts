@@ -304,12 +304,12 @@
         <translation>Vorgefunden, hinterlassen</translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured</source>
-        <translation>Die Bench-Datei gab keine Spezifikation an, als gemessen wurde</translation>
+        <source>The bench file stated no specification when the run was measured.</source>
+        <translation>Die Messplatzdatei nannte bei der Messung keine Spezifikation.</translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with</source>
-        <translation>Es gibt keine frühere Kalibrierung dieses Prüflings zum Vergleich</translation>
+        <source>There is no earlier calibration of this DUT to compare it with.</source>
+        <translation>Es gibt keine frühere Kalibrierung dieses Prüflings zum Vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -342,10 +342,6 @@
 <context>
     <name>CertificatePage</name>
     <message>
-        <source>Calibrations</source>
-        <translation>Dateien</translation>
-    </message>
-    <message>
         <source>Calibrations, the newest first</source>
         <translation>Kalibrierungen, die neueste zuerst</translation>
     </message>
@@ -362,76 +358,12 @@
         <translation>Eine Kalibrierung schätzen</translation>
     </message>
     <message>
-        <source>Chosen calibration</source>
-        <translation>Gewählte Kalibrierung</translation>
+        <source>{0} is handed out.</source>
+        <translation>{0} ist ausgegeben.</translation>
     </message>
     <message>
         <source>U: k=2</source>
         <translation>U: k=2</translation>
-    </message>
-    <message>
-        <source>Who approves</source>
-        <translation>Wer genehmigt</translation>
-    </message>
-    <message>
-        <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
-        <translation>Eine andere Person als der Bediener, mit dem Namen, unter dem sie unterschreibt; vor der ersten Unterschrift</translation>
-    </message>
-    <message>
-        <source>Approve</source>
-        <translation>Genehmigen</translation>
-    </message>
-    <message>
-        <source>Write this name into the draft. After the first signature nobody can be added.</source>
-        <translation>Diesen Namen in den Entwurf schreiben. Nach der ersten Unterschrift kommt niemand mehr dazu.</translation>
-    </message>
-    <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>Who signs</source>
-        <translation>Wer unterschreibt</translation>
-    </message>
-    <message>
-        <source>Whose key; a name without a key here can be given a new one</source>
-        <translation>Wessen Schlüssel; ein Name ohne Schlüssel kann hier einen neuen bekommen</translation>
-    </message>
-    <message>
-        <source>Passphrase</source>
-        <translation>Kennwort</translation>
-    </message>
-    <message>
-        <source>Asked each time, never kept</source>
-        <translation>Kennwort: jedes Mal gefragt, nie gespeichert</translation>
-    </message>
-    <message>
-        <source>Once more</source>
-        <translation>Nochmal</translation>
-    </message>
-    <message>
-        <source>A new key&apos;s passphrase is typed twice: nothing can bring it back</source>
-        <translation>Das Kennwort eines neuen Schlüssels wird zweimal getippt: nichts bringt es zurück</translation>
-    </message>
-    <message>
-        <source>Sign</source>
-        <translation>Signieren</translation>
-    </message>
-    <message>
-        <source>Sign these exact bytes. A signed file can no longer be changed.</source>
-        <translation>Genau diese Bytes unterschreiben. Eine unterschriebene Datei ist nicht mehr zu ändern.</translation>
-    </message>
-    <message>
-        <source>New key</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>Make a key for this name under this passphrase, and trust it in this lab</source>
-        <translation>Für diesen Namen einen Schlüssel mit diesem Kennwort machen und ihm in diesem Labor vertrauen</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
     </message>
     <message>
         <source>nobody yet</source>
@@ -442,28 +374,12 @@
         <translation>Entwurf: nicht unterschrieben.</translation>
     </message>
     <message>
+        <source>Figures</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
         <source>Operator {0}; approved by {1}.</source>
         <translation>Bediener {0}; genehmigt von {1}.</translation>
-    </message>
-    <message>
-        <source>The two passphrases differ.</source>
-        <translation>Die beiden Kennwörter sind verschieden.</translation>
-    </message>
-    <message>
-        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
-        <translation>{0} Hier hat niemand einen Schlüssel: Namen schreiben, zweimal ein Kennwort, dann „Neu“.</translation>
-    </message>
-    <message>
-        <source>{0} has no key here: type a passphrase twice, and New key makes one under it.</source>
-        <translation>{0} hat hier keinen Schlüssel: zweimal ein Kennwort tippen, „Neu“ macht einen damit.</translation>
-    </message>
-    <message>
-        <source>{0} To sign as {1}, type the passphrase.</source>
-        <translation>{0} Um als {1} zu unterschreiben, das Kennwort eingeben.</translation>
-    </message>
-    <message>
-        <source>{0} has a key now, under this passphrase.</source>
-        <translation>{0} hat jetzt einen Schlüssel mit diesem Kennwort.</translation>
     </message>
 </context>
 <context>
@@ -1161,18 +1077,6 @@
         <translation>genehmigen muss ein anderer Mensch als der Bediener</translation>
     </message>
     <message>
-        <source>the passphrase is empty; nothing was made</source>
-        <translation>das Kennwort ist leer; nichts wurde gemacht</translation>
-    </message>
-    <message>
-        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
-        <translation>das Kennwort hat {0} Zeichen und braucht {1}: vier Wörter merkt man sich leicht; nichts wurde gemacht</translation>
-    </message>
-    <message>
-        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
-        <translation>das Kennwort ist {0}: vier Wörter merkt man sich leicht; nichts wurde gemacht</translation>
-    </message>
-    <message>
         <source>aborted by the operator</source>
         <translation>vom Bediener abgebrochen</translation>
     </message>
@@ -1259,6 +1163,42 @@
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
         <translation>der Name der Bedienperson muss eine druckbare Zeile von höchstens {0} Zeichen sein</translation>
+    </message>
+    <message>
+        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation>»{0}« ist kein Name: Buchstaben, Ziffern, Leerzeichen, dazwischen . , &apos; - _ @ + &amp; / ( )</translation>
+    </message>
+    <message>
+        <source>{0}; nothing was made</source>
+        <translation>{0}; nichts wurde gemacht</translation>
+    </message>
+    <message>
+        <source>the passphrase is empty</source>
+        <translation>das Kennwort ist leer</translation>
+    </message>
+    <message>
+        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep</source>
+        <translation>das Kennwort hat {0} Zeichen und braucht {1}: vier Wörter sind leicht zu merken</translation>
+    </message>
+    <message>
+        <source>the passphrase is {0}: four words are easy to keep</source>
+        <translation>das Kennwort ist {0}: vier Wörter sind leicht zu merken</translation>
+    </message>
+    <message>
+        <source>three signs over and over</source>
+        <translation>drei Zeichen immer wieder</translation>
+    </message>
+    <message>
+        <source>the name of the key&apos;s own person</source>
+        <translation>der Name der Person selbst</translation>
+    </message>
+    <message>
+        <source>a common word alone</source>
+        <translation>ein gewöhnliches Wort allein</translation>
+    </message>
+    <message>
+        <source>a row of the keyboard, or of the alphabet</source>
+        <translation>eine Reihe der Tastatur oder des Alphabets</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -3067,6 +3007,14 @@
     <message>
         <source>the held-out rms falls from {0} to {1} nT</source>
         <translation>die zurückgehaltene rms fällt von {0} auf {1} nT</translation>
+    </message>
+    <message>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
+        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms</translation>
+    </message>
+    <message>
+        <source>it alone takes {0} nT off the held-out rms</source>
+        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms</translation>
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
@@ -5030,12 +4978,16 @@
         <translation>Verfahren nebeneinander</translation>
     </message>
     <message>
-        <source>value ± U, k=2; choose a column to see its pictures</source>
-        <translation>Wert ± U, k=2; eine Spalte wählen zeigt ihre Bilder</translation>
+        <source>value ± U, k=2</source>
+        <translation>Wert ± U, k=2</translation>
     </message>
     <message>
         <source>parameter</source>
         <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Choose a column to see its pictures</source>
+        <translation>Eine Spalte wählen zeigt ihre Bilder</translation>
     </message>
     <message>
         <source>Whether the fit is good</source>
@@ -5619,10 +5571,6 @@
         <translation>Sein Plan steht auf der Seite Messen, bevor sich etwas bewegt; dort wird der Lauf gestartet</translation>
     </message>
     <message>
-        <source>held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation>zurückgehaltene rms des Vektors; Rauschen allein: {0} nT, {1}</translation>
-    </message>
-    <message>
         <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
         <translation>Diese Messung ist von {0}; der Prüfling oben ist {1}. {0} auf den Messplatz stellen und scannen.</translation>
     </message>
@@ -5641,6 +5589,14 @@
     <message>
         <source>tracing … {0}</source>
         <translation>sucht … {0}</translation>
+    </message>
+    <message>
+        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
+        <translation>Hier neben den Fehlern, die die Messung von Referenz und Einbau angibt; oben mit ihnen.</translation>
+    </message>
+    <message>
+        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
+        <translation>vorher → nachher, zurückgehaltene rms des Vektors; Rauschen allein: {0} nT, {1}</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -5691,20 +5647,12 @@
         <translation>rechnet …</translation>
     </message>
     <message>
-        <source>all rows {0} nT</source>
-        <translation>alle Zeilen {0} nT</translation>
+        <source>it alone would leave {0} nT of the rows of the fit</source>
+        <translation>sie allein ließe {0} nT in den Zeilen des Fits</translation>
     </message>
     <message>
-        <source>Rms over all rows, before and after; the figures at the top are of rows that the fit did not see</source>
-        <translation>Rms über alle Zeilen, vorher und nachher; die Zahlen oben sind von Zeilen, die die Anpassung nicht sah</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>vorher</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>nachher</translation>
+        <source>with it</source>
+        <translation>mit ihr</translation>
     </message>
 </context>
 <context>
@@ -5739,6 +5687,10 @@
     <message>
         <source>Hand out</source>
         <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>4  Hand it out</source>
+        <translation>4  Ausgeben</translation>
     </message>
     <message>
         <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
@@ -5911,12 +5863,20 @@
         <translation>Sehen, was offen ist</translation>
     </message>
     <message>
+        <source>Approve and sign</source>
+        <translation>Genehmigen und signieren</translation>
+    </message>
+    <message>
         <source>Make a new draft</source>
         <translation>Neuen Entwurf machen</translation>
     </message>
     <message>
         <source>The second signature</source>
         <translation>Die zweite Signatur</translation>
+    </message>
+    <message>
+        <source>The next DUT</source>
+        <translation>Der nächste Prüfling</translation>
     </message>
     <message>
         <source>Hand it out</source>
@@ -6201,6 +6161,117 @@
     </message>
 </context>
 <context>
+    <name>SigningSteps</name>
+    <message>
+        <source>1  Key</source>
+        <translation>1  Schlüssel</translation>
+    </message>
+    <message>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
+        <translation>Name: Buchstaben, Ziffern und . _ @ + - ohne Leerzeichen, wie ada.smith. Kennwort: zehn Zeichen oder mehr, kein gewöhnliches Wort allein, keine Tastenreihe, nicht der Name. Vier Wörter sind leicht zu merken. Es wird hier nie aufbewahrt, und nichts bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>Whose key</source>
+        <translation>Wessen Schlüssel</translation>
+    </message>
+    <message>
+        <source>New passphrase</source>
+        <translation>Neues Kennwort</translation>
+    </message>
+    <message>
+        <source>Of the new key; asked at each signature</source>
+        <translation>Des neuen Schlüssels; wird bei jeder Unterschrift gefragt</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Nochmal</translation>
+    </message>
+    <message>
+        <source>Typed twice: nothing can bring it back</source>
+        <translation>Zweimal eingeben: nichts bringt es zurück</translation>
+    </message>
+    <message>
+        <source>The name that this person signs under</source>
+        <translation>Der Name, unter dem diese Person unterschreibt</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neuer Schlüssel</translation>
+    </message>
+    <message>
+        <source>Make a key for this name, and trust it in this lab</source>
+        <translation>Einen Schlüssel für diesen Namen machen, dem dieses Labor traut</translation>
+    </message>
+    <message>
+        <source>2  Approve</source>
+        <translation>2  Genehmigen</translation>
+    </message>
+    <message>
+        <source>No passphrase: an approval is a name in the draft. It binds once this person has signed (3). After the first signature nobody can be added.</source>
+        <translation>Kein Kennwort: Eine Genehmigung ist ein Name im Entwurf. Sie bindet, sobald diese Person unterschrieben hat (3). Nach der ersten Unterschrift kommt niemand mehr dazu.</translation>
+    </message>
+    <message>
+        <source>Who approves</source>
+        <translation>Wer genehmigt</translation>
+    </message>
+    <message>
+        <source>Another person than the operator, by the name that they sign under</source>
+        <translation>Ein anderer Mensch als der Bediener, unter dem Namen, mit dem er unterschreibt</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Genehmigen</translation>
+    </message>
+    <message>
+        <source>Write this name into the draft</source>
+        <translation>Diesen Namen in den Entwurf schreiben</translation>
+    </message>
+    <message>
+        <source>3  Sign</source>
+        <translation>3  Signieren</translation>
+    </message>
+    <message>
+        <source>These exact bytes: a signed file can no longer be changed.</source>
+        <translation>Genau diese Bytes: Eine signierte Datei lässt sich nicht mehr ändern.</translation>
+    </message>
+    <message>
+        <source>Who signs, of those who have a key here</source>
+        <translation>Wer unterschreibt, von denen mit einem Schlüssel hier</translation>
+    </message>
+    <message>
+        <source>Who signs</source>
+        <translation>Wer unterschreibt</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Kennwort</translation>
+    </message>
+    <message>
+        <source>Of this person&apos;s key; asked each time</source>
+        <translation>Des Schlüssels dieser Person; wird jedes Mal gefragt</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signieren</translation>
+    </message>
+    <message>
+        <source>Sign the file as it is</source>
+        <translation>Die Datei signieren, wie sie ist</translation>
+    </message>
+    <message>
+        <source>{0} has a key now.</source>
+        <translation>{0} hat jetzt einen Schlüssel.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}.</source>
+        <translation>Genehmigt von {0}.</translation>
+    </message>
+    <message>
+        <source>Signed by {0}.</source>
+        <translation>Signiert von {0}.</translation>
+    </message>
+</context>
+<context>
     <name>Standing</name>
     <message>
         <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
@@ -6220,6 +6291,14 @@
     <message>
         <source>▲ Interrupted: to be gone on with</source>
         <translation>▲ Unterbrochen: fortzusetzen</translation>
+    </message>
+    <message>
+        <source>Check the cage</source>
+        <translation>Käfig prüfen</translation>
+    </message>
+    <message>
+        <source>The procedure cage-calibration, on the Run page</source>
+        <translation>Die Prozedur cage-calibration auf der Seite Messen</translation>
     </message>
     <message>
         <source>Last closing check</source>
@@ -6385,8 +6464,8 @@
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Until</source>
-        <translation>Bis</translation>
+        <source>Until 2027-11-21</source>
+        <translation>Bis 2027-11-21</translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
@@ -7292,36 +7371,104 @@
         <translation>tut es etwa so gut wie {0}</translation>
     </message>
     <message>
+        <source>With a key here: {0}.</source>
+        <translation>Mit Schlüssel hier: {0}.</translation>
+    </message>
+    <message>
+        <source>Whoever signed has a key elsewhere.</source>
+        <translation>Wer unterschrieb, hat anderswo einen Schlüssel.</translation>
+    </message>
+    <message>
+        <source>Nobody has a key here. Make one for the person who approves.</source>
+        <translation>Niemand hat hier einen Schlüssel. Einen für die Person machen, die genehmigt.</translation>
+    </message>
+    <message>
+        <source>Only {0} has a key here. Make one for who approves: another person than {1}.</source>
+        <translation>Nur {0} hat hier einen Schlüssel. Einen für die Person machen, die genehmigt: nicht {1}.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}.</source>
+        <translation>Genehmigt von {0}.</translation>
+    </message>
+    <message>
+        <source>Signed without an approval: nobody can be added any more.</source>
+        <translation>Ohne Genehmigung signiert: Niemand kommt mehr dazu.</translation>
+    </message>
+    <message>
+        <source>Another person than {0} looks at the figures below, and approves.</source>
+        <translation>Ein anderer Mensch als {0} sieht die Werte unten an und genehmigt.</translation>
+    </message>
+    <message>
+        <source>First a key of another person than {0} (1).</source>
+        <translation>Zuerst ein Schlüssel eines anderen Menschen als {0} (1).</translation>
+    </message>
+    <message>
         <source>Do not use it: make a new draft on the Fit page.</source>
         <translation>Nicht verwenden: auf der Seite Fit einen neuen Entwurf machen.</translation>
     </message>
     <message>
-        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
-        <translation>Eine andere Person als {0} genehmigt und unterschreibt; hat sie keinen Schlüssel, macht der Knopf Neu unten einen. Niemand da? Allein unterschreiben: dann VORLÄUFIG.</translation>
+        <source>Their key is not on this computer.</source>
+        <translation>Ihr Schlüssel ist nicht auf diesem Rechner.</translation>
     </message>
     <message>
-        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
-        <translation>Genehmigt von {0}; diese Person muss jetzt unterschreiben. Der Bediener darf es auch.</translation>
+        <source>Signed by {0}.</source>
+        <translation>Signiert von {0}.</translation>
     </message>
     <message>
-        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
-        <translation>»{0}« ist kein Name: Buchstaben, Ziffern, Leerzeichen, dazwischen . , &apos; - _ @ + &amp; / ( )</translation>
+        <source>First a key (1).</source>
+        <translation>Zuerst ein Schlüssel (1).</translation>
+    </message>
+    <message>
+        <source>After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.</source>
+        <translation>Nach der Genehmigung (2). Niemand da? Allein signieren: gültig und VORLÄUFIG.</translation>
+    </message>
+    <message>
+        <source>Once it is signed (3).</source>
+        <translation>Sobald sie signiert ist (3).</translation>
+    </message>
+    <message>
+        <source>Once {0} has signed; before that as PROVISIONAL.</source>
+        <translation>Sobald {0} signiert hat; vorher als VORLÄUFIG.</translation>
+    </message>
+    <message>
+        <source>Handed out. Next: another DUT.</source>
+        <translation>Ausgegeben. Als Nächstes: ein anderer Prüfling.</translation>
+    </message>
+    <message>
+        <source>As PROVISIONAL: nobody approved it before it was signed.</source>
+        <translation>Als VORLÄUFIG: Niemand hat sie vor der Unterschrift genehmigt.</translation>
+    </message>
+    <message>
+        <source>As PROVISIONAL: why is said above.</source>
+        <translation>Als VORLÄUFIG: warum, steht oben.</translation>
+    </message>
+    <message>
+        <source>No key can bear “{0}”: letters, digits and . _ @ + - alone, as in ada.smith</source>
+        <translation>Kein Schlüssel kann »{0}« heißen: nur Buchstaben, Ziffern und . _ @ + -, wie ada.smith</translation>
+    </message>
+    <message>
+        <source>{0} has a key here already, as {1}.</source>
+        <translation>{0} hat hier schon einen Schlüssel, als {1}.</translation>
+    </message>
+    <message>
+        <source>The two passphrases differ.</source>
+        <translation>Die beiden Kennwörter sind verschieden.</translation>
+    </message>
+    <message>
+        <source>{0} is the operator, {1}: another person approves.</source>
+        <translation>{0} ist der Bediener, {1}: Ein anderer Mensch genehmigt.</translation>
     </message>
     <message>
         <source>the operator</source>
         <translation>der Bediener</translation>
     </message>
     <message>
+        <source>{0} has to sign. The operator may sign as well.</source>
+        <translation>{0} muss unterschreiben. Der Bediener darf es auch.</translation>
+    </message>
+    <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
         <translation>Als VORLÄUFIG brauchbar; {0} muss noch unterschreiben.</translation>
-    </message>
-    <message>
-        <source>Good to use as PROVISIONAL: nobody approved it before it was signed.</source>
-        <translation>Als VORLÄUFIG brauchbar: Niemand hat es vor der Unterschrift genehmigt.</translation>
-    </message>
-    <message>
-        <source>Done: hand it out.</source>
-        <translation>Fertig: ausgeben.</translation>
     </message>
     <message>
         <source>heard before</source>
@@ -7452,8 +7599,8 @@
         <translation>Anpassen und den Rest erklären. Dann noch offen? Länger messen oder mit weniger Rauschen.</translation>
     </message>
     <message>
-        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
-        <translation>BESTANDEN, wo |Wert| + U (k=2) in der Grenze liegt ({0} von {0}).</translation>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
+        <translation>BESTANDEN hat die Messung: |Wert| + U (k=2) liegt innerhalb der Grenze ({0} von {0}). Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -7500,20 +7647,32 @@
         <translation>✓ freigegeben</translation>
     </message>
     <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>to do now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>not any more</source>
+        <translation>nicht mehr</translation>
+    </message>
+    <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
-        <source>✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Im Betrag gut: {0} nT von |b| bleiben übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt »Rest erklären«.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Noch nicht gut: {0} nT von |b| bleiben übrig, das angegebene Rauschen ist {1} nT. Weiter mit »Rest erklären«.</translation>
+        <source>▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Die Kalibrierung ist noch nicht gut, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen angegeben, mit dem das verglichen werden könnte.</translation>
+        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
+        <translation>{0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
     </message>
     <message>
         <source>This run states no specification to judge it by.</source>

@@ -304,12 +304,12 @@
         <translation>Avant, après</translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured</source>
-        <translation>Le fichier du banc n&apos;indiquait aucune spécification lors de la mesure</translation>
+        <source>The bench file stated no specification when the run was measured.</source>
+        <translation>Le fichier du banc ne donnait pas de spécification lors de la mesure.</translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with</source>
-        <translation>Il n&apos;y a pas d&apos;étalonnage antérieur de ce DUT à comparer</translation>
+        <source>There is no earlier calibration of this DUT to compare it with.</source>
+        <translation>Il n&apos;y a pas d&apos;étalonnage antérieur de ce DUT pour comparer.</translation>
     </message>
 </context>
 <context>
@@ -342,10 +342,6 @@
 <context>
     <name>CertificatePage</name>
     <message>
-        <source>Calibrations</source>
-        <translation>Fichiers</translation>
-    </message>
-    <message>
         <source>Calibrations, the newest first</source>
         <translation>Étalonnages, le plus récent d&apos;abord</translation>
     </message>
@@ -362,76 +358,12 @@
         <translation>Estimer un étalonnage</translation>
     </message>
     <message>
-        <source>Chosen calibration</source>
-        <translation>Étalonnage choisi</translation>
+        <source>{0} is handed out.</source>
+        <translation>{0} est remis.</translation>
     </message>
     <message>
         <source>U: k=2</source>
         <translation>U : k=2</translation>
-    </message>
-    <message>
-        <source>Who approves</source>
-        <translation>Qui approuve</translation>
-    </message>
-    <message>
-        <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
-        <translation>Une autre personne que l&apos;opérateur, sous le nom qu&apos;elle signe ; écrit avant toute signature</translation>
-    </message>
-    <message>
-        <source>Approve</source>
-        <translation>Approuver</translation>
-    </message>
-    <message>
-        <source>Write this name into the draft. After the first signature nobody can be added.</source>
-        <translation>Écrire ce nom dans le projet. Après la première signature, personne ne peut être ajouté.</translation>
-    </message>
-    <message>
-        <source>1</source>
-        <translation>1</translation>
-    </message>
-    <message>
-        <source>Who signs</source>
-        <translation>Qui signe</translation>
-    </message>
-    <message>
-        <source>Whose key; a name without a key here can be given a new one</source>
-        <translation>À qui est la clé ; un nom sans clé ici peut en recevoir une</translation>
-    </message>
-    <message>
-        <source>Passphrase</source>
-        <translation>Phrase</translation>
-    </message>
-    <message>
-        <source>Asked each time, never kept</source>
-        <translation>Phrase de passe : demandée chaque fois, jamais gardée</translation>
-    </message>
-    <message>
-        <source>Once more</source>
-        <translation>Encore une fois</translation>
-    </message>
-    <message>
-        <source>A new key&apos;s passphrase is typed twice: nothing can bring it back</source>
-        <translation>La phrase d&apos;une nouvelle clé se tape deux fois : rien ne peut la retrouver</translation>
-    </message>
-    <message>
-        <source>Sign</source>
-        <translation>Signer</translation>
-    </message>
-    <message>
-        <source>Sign these exact bytes. A signed file can no longer be changed.</source>
-        <translation>Signer exactement ces octets. Un fichier signé ne peut plus être changé.</translation>
-    </message>
-    <message>
-        <source>New key</source>
-        <translation>Créer clé</translation>
-    </message>
-    <message>
-        <source>Make a key for this name under this passphrase, and trust it in this lab</source>
-        <translation>Créer une clé à ce nom sous cette phrase, et lui faire confiance dans ce laboratoire</translation>
-    </message>
-    <message>
-        <source>2</source>
-        <translation>2</translation>
     </message>
     <message>
         <source>nobody yet</source>
@@ -442,28 +374,12 @@
         <translation>Projet : non signé.</translation>
     </message>
     <message>
+        <source>Figures</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
         <source>Operator {0}; approved by {1}.</source>
         <translation>Opérateur {0} ; approuvé par {1}.</translation>
-    </message>
-    <message>
-        <source>The two passphrases differ.</source>
-        <translation>Les deux phrases de passe diffèrent.</translation>
-    </message>
-    <message>
-        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
-        <translation>{0} Personne n&apos;a de clé ici : écrivez qui signe, deux fois une phrase de passe, puis Créer clé.</translation>
-    </message>
-    <message>
-        <source>{0} has no key here: type a passphrase twice, and New key makes one under it.</source>
-        <translation>{0} n&apos;a pas de clé ici : tapez deux fois une phrase de passe, Créer clé en fait une.</translation>
-    </message>
-    <message>
-        <source>{0} To sign as {1}, type the passphrase.</source>
-        <translation>{0} Pour signer comme {1}, tapez la phrase de passe.</translation>
-    </message>
-    <message>
-        <source>{0} has a key now, under this passphrase.</source>
-        <translation>{0} a maintenant une clé, sous cette phrase de passe.</translation>
     </message>
 </context>
 <context>
@@ -1161,18 +1077,6 @@
         <translation>une autre personne que l&apos;opérateur approuve</translation>
     </message>
     <message>
-        <source>the passphrase is empty; nothing was made</source>
-        <translation>la phrase secrète est vide ; rien n&apos;a été fait</translation>
-    </message>
-    <message>
-        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made</source>
-        <translation>la phrase secrète a {0} caractères et il en faut {1} : quatre mots se retiennent bien ; rien n&apos;a été fait</translation>
-    </message>
-    <message>
-        <source>the passphrase is {0}: four words are easy to keep; nothing was made</source>
-        <translation>la phrase secrète est {0} : quatre mots se retiennent bien ; rien n&apos;a été fait</translation>
-    </message>
-    <message>
         <source>aborted by the operator</source>
         <translation>abandonné par l&apos;opérateur</translation>
     </message>
@@ -1259,6 +1163,42 @@
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
         <translation>le nom de l&apos;opérateur doit être une ligne imprimable d&apos;au plus {0} lettres</translation>
+    </message>
+    <message>
+        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation>« {0} » n&apos;est pas un nom : lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
+    </message>
+    <message>
+        <source>{0}; nothing was made</source>
+        <translation>{0} ; rien n&apos;a été fait</translation>
+    </message>
+    <message>
+        <source>the passphrase is empty</source>
+        <translation>la phrase de passe est vide</translation>
+    </message>
+    <message>
+        <source>the passphrase has {0} characters and needs {1}: four words are easy to keep</source>
+        <translation>la phrase de passe a {0} caractères, il en faut {1} : quatre mots se retiennent bien</translation>
+    </message>
+    <message>
+        <source>the passphrase is {0}: four words are easy to keep</source>
+        <translation>la phrase de passe est {0} : quatre mots se retiennent bien</translation>
+    </message>
+    <message>
+        <source>three signs over and over</source>
+        <translation>trois signes répétés</translation>
+    </message>
+    <message>
+        <source>the name of the key&apos;s own person</source>
+        <translation>le nom de la personne elle-même</translation>
+    </message>
+    <message>
+        <source>a common word alone</source>
+        <translation>un mot courant seul</translation>
+    </message>
+    <message>
+        <source>a row of the keyboard, or of the alphabet</source>
+        <translation>une rangée du clavier ou de l&apos;alphabet</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -3067,6 +3007,14 @@
     <message>
         <source>the held-out rms falls from {0} to {1} nT</source>
         <translation>le rms mis de côté tombe de {0} à {1} nT</translation>
+    </message>
+    <message>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
+        <translation>avec les autres de {0}, elle seule ôte {1} nT du rms mis de côté</translation>
+    </message>
+    <message>
+        <source>it alone takes {0} nT off the held-out rms</source>
+        <translation>elle seule ôte {0} nT du rms mis de côté</translation>
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
@@ -5030,12 +4978,16 @@
         <translation>Méthodes côte à côte</translation>
     </message>
     <message>
-        <source>value ± U, k=2; choose a column to see its pictures</source>
-        <translation>valeur ± U, k=2 ; choisissez une colonne pour voir ses images</translation>
+        <source>value ± U, k=2</source>
+        <translation>valeur ± U, k=2</translation>
     </message>
     <message>
         <source>parameter</source>
         <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>Choose a column to see its pictures</source>
+        <translation>Choisir une colonne montre ses images</translation>
     </message>
     <message>
         <source>Whether the fit is good</source>
@@ -5619,10 +5571,6 @@
         <translation>Son plan est montré à la page Mesure avant tout mouvement ; c&apos;est là qu&apos;on démarre</translation>
     </message>
     <message>
-        <source>held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation>rms du vecteur, mis de côté ; bruit seul : {0} nT, {1}</translation>
-    </message>
-    <message>
         <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
         <translation>Cette mesure est de {0} ; le DUT en haut est {1}. Mettez {0} sur le banc, et lisez son code.</translation>
     </message>
@@ -5641,6 +5589,14 @@
     <message>
         <source>tracing … {0}</source>
         <translation>recherche … {0}</translation>
+    </message>
+    <message>
+        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
+        <translation>Ici à part les erreurs que la mesure déclare de sa référence et du montage ; en haut avec elles.</translation>
+    </message>
+    <message>
+        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
+        <translation>avant → après, rms mis de côté du vecteur ; bruit seul : {0} nT, {1}</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -5691,20 +5647,12 @@
         <translation>calcul …</translation>
     </message>
     <message>
-        <source>all rows {0} nT</source>
-        <translation>toutes les lignes {0} nT</translation>
+        <source>it alone would leave {0} nT of the rows of the fit</source>
+        <translation>elle seule laisserait {0} nT des lignes ajustées</translation>
     </message>
     <message>
-        <source>Rms over all rows, before and after; the figures at the top are of rows that the fit did not see</source>
-        <translation>Rms sur toutes les lignes, avant et après ; les chiffres du haut sont de lignes que l&apos;ajustement n&apos;a pas vues</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>avant</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>après</translation>
+        <source>with it</source>
+        <translation>avec elle</translation>
     </message>
 </context>
 <context>
@@ -5739,6 +5687,10 @@
     <message>
         <source>Hand out</source>
         <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>4  Hand it out</source>
+        <translation>4  Remettre</translation>
     </message>
     <message>
         <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
@@ -5911,12 +5863,20 @@
         <translation>Voir ce qui reste inconnu</translation>
     </message>
     <message>
+        <source>Approve and sign</source>
+        <translation>Approuver et signer</translation>
+    </message>
+    <message>
         <source>Make a new draft</source>
         <translation>Faire un nouveau projet</translation>
     </message>
     <message>
         <source>The second signature</source>
         <translation>La seconde signature</translation>
+    </message>
+    <message>
+        <source>The next DUT</source>
+        <translation>Le DUT suivant</translation>
     </message>
     <message>
         <source>Hand it out</source>
@@ -6201,6 +6161,117 @@
     </message>
 </context>
 <context>
+    <name>SigningSteps</name>
+    <message>
+        <source>1  Key</source>
+        <translation>1  Clé</translation>
+    </message>
+    <message>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
+        <translation>Nom : lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe : dix caractères ou plus, pas un mot courant seul, pas une rangée de touches, pas le nom. Quatre mots se retiennent bien. Elle n&apos;est jamais gardée ici, et rien ne la ramène.</translation>
+    </message>
+    <message>
+        <source>Whose key</source>
+        <translation>Clé de qui</translation>
+    </message>
+    <message>
+        <source>New passphrase</source>
+        <translation>Nouvelle phrase</translation>
+    </message>
+    <message>
+        <source>Of the new key; asked at each signature</source>
+        <translation>De la nouvelle clé ; demandée à chaque signature</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Encore une fois</translation>
+    </message>
+    <message>
+        <source>Typed twice: nothing can bring it back</source>
+        <translation>Tapée deux fois : rien ne peut la ramener</translation>
+    </message>
+    <message>
+        <source>The name that this person signs under</source>
+        <translation>Le nom sous lequel cette personne signe</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nouvelle clé</translation>
+    </message>
+    <message>
+        <source>Make a key for this name, and trust it in this lab</source>
+        <translation>Créer une clé pour ce nom, à laquelle ce laboratoire se fie</translation>
+    </message>
+    <message>
+        <source>2  Approve</source>
+        <translation>2  Approuver</translation>
+    </message>
+    <message>
+        <source>No passphrase: an approval is a name in the draft. It binds once this person has signed (3). After the first signature nobody can be added.</source>
+        <translation>Pas de phrase de passe : une approbation est un nom dans le projet. Elle engage quand cette personne a signé (3). Après la première signature, personne ne s&apos;ajoute.</translation>
+    </message>
+    <message>
+        <source>Who approves</source>
+        <translation>Qui approuve</translation>
+    </message>
+    <message>
+        <source>Another person than the operator, by the name that they sign under</source>
+        <translation>Une autre personne que l&apos;opérateur, par le nom sous lequel elle signe</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Approuver</translation>
+    </message>
+    <message>
+        <source>Write this name into the draft</source>
+        <translation>Écrire ce nom dans le projet</translation>
+    </message>
+    <message>
+        <source>3  Sign</source>
+        <translation>3  Signer</translation>
+    </message>
+    <message>
+        <source>These exact bytes: a signed file can no longer be changed.</source>
+        <translation>Ces octets exactement : un fichier signé ne peut plus être changé.</translation>
+    </message>
+    <message>
+        <source>Who signs, of those who have a key here</source>
+        <translation>Qui signe, parmi ceux qui ont une clé ici</translation>
+    </message>
+    <message>
+        <source>Who signs</source>
+        <translation>Qui signe</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Phrase de passe</translation>
+    </message>
+    <message>
+        <source>Of this person&apos;s key; asked each time</source>
+        <translation>De la clé de cette personne ; demandée chaque fois</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signer</translation>
+    </message>
+    <message>
+        <source>Sign the file as it is</source>
+        <translation>Signer le fichier tel qu&apos;il est</translation>
+    </message>
+    <message>
+        <source>{0} has a key now.</source>
+        <translation>{0} a maintenant une clé.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}.</source>
+        <translation>Approuvé par {0}.</translation>
+    </message>
+    <message>
+        <source>Signed by {0}.</source>
+        <translation>Signé par {0}.</translation>
+    </message>
+</context>
+<context>
     <name>Standing</name>
     <message>
         <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
@@ -6220,6 +6291,14 @@
     <message>
         <source>▲ Interrupted: to be gone on with</source>
         <translation>▲ Interrompues : à reprendre</translation>
+    </message>
+    <message>
+        <source>Check the cage</source>
+        <translation>Vérifier la cage</translation>
+    </message>
+    <message>
+        <source>The procedure cage-calibration, on the Run page</source>
+        <translation>La procédure cage-calibration, à la page Mesure</translation>
     </message>
     <message>
         <source>Last closing check</source>
@@ -6385,8 +6464,8 @@
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Until</source>
-        <translation>Jusqu’au</translation>
+        <source>Until 2027-11-21</source>
+        <translation>Jusqu&apos;au 2027-11-21</translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
@@ -7292,36 +7371,104 @@
         <translation>fait à peu près aussi bien que {0}</translation>
     </message>
     <message>
+        <source>With a key here: {0}.</source>
+        <translation>Avec une clé ici : {0}.</translation>
+    </message>
+    <message>
+        <source>Whoever signed has a key elsewhere.</source>
+        <translation>Qui a signé a une clé ailleurs.</translation>
+    </message>
+    <message>
+        <source>Nobody has a key here. Make one for the person who approves.</source>
+        <translation>Personne n&apos;a de clé ici. Créez-en une pour la personne qui approuve.</translation>
+    </message>
+    <message>
+        <source>Only {0} has a key here. Make one for who approves: another person than {1}.</source>
+        <translation>Seul {0} a une clé ici. Créez-en une pour qui approuve : une autre personne que {1}.</translation>
+    </message>
+    <message>
+        <source>Approved by {0}.</source>
+        <translation>Approuvé par {0}.</translation>
+    </message>
+    <message>
+        <source>Signed without an approval: nobody can be added any more.</source>
+        <translation>Signé sans approbation : personne ne s&apos;ajoute plus.</translation>
+    </message>
+    <message>
+        <source>Another person than {0} looks at the figures below, and approves.</source>
+        <translation>Une autre personne que {0} regarde les valeurs ci-dessous, et approuve.</translation>
+    </message>
+    <message>
+        <source>First a key of another person than {0} (1).</source>
+        <translation>D&apos;abord la clé d&apos;une autre personne que {0} (1).</translation>
+    </message>
+    <message>
         <source>Do not use it: make a new draft on the Fit page.</source>
         <translation>Ne l&apos;utilisez pas : refaites un projet à la page Ajuster.</translation>
     </message>
     <message>
-        <source>Another person than {0} approves, and signs; without a key, New key below makes one. Nobody there? Sign alone: it is PROVISIONAL.</source>
-        <translation>Une autre personne que {0} approuve et signe ; sans clé, « Créer clé » ci-dessous en fait une. Personne ? Signez seul : c&apos;est PROVISOIRE.</translation>
+        <source>Their key is not on this computer.</source>
+        <translation>Leur clé n&apos;est pas sur cet ordinateur.</translation>
     </message>
     <message>
-        <source>Approved by {0}, who has to sign now. The operator may sign as well.</source>
-        <translation>Approuvé par {0}, qui doit signer maintenant. L&apos;opérateur peut signer aussi.</translation>
+        <source>Signed by {0}.</source>
+        <translation>Signé par {0}.</translation>
     </message>
     <message>
-        <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
-        <translation>« {0} » n&apos;est pas un nom : lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
+        <source>First a key (1).</source>
+        <translation>D&apos;abord une clé (1).</translation>
+    </message>
+    <message>
+        <source>After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.</source>
+        <translation>Après l&apos;approbation (2). Personne ? Signez seul : c&apos;est valide, et PROVISOIRE.</translation>
+    </message>
+    <message>
+        <source>Once it is signed (3).</source>
+        <translation>Quand il est signé (3).</translation>
+    </message>
+    <message>
+        <source>Once {0} has signed; before that as PROVISIONAL.</source>
+        <translation>Quand {0} a signé ; avant, comme PROVISOIRE.</translation>
+    </message>
+    <message>
+        <source>Handed out. Next: another DUT.</source>
+        <translation>Remis. Ensuite : un autre DUT.</translation>
+    </message>
+    <message>
+        <source>As PROVISIONAL: nobody approved it before it was signed.</source>
+        <translation>Comme PROVISOIRE : personne ne l&apos;a approuvé avant la signature.</translation>
+    </message>
+    <message>
+        <source>As PROVISIONAL: why is said above.</source>
+        <translation>Comme PROVISOIRE : la raison est plus haut.</translation>
+    </message>
+    <message>
+        <source>No key can bear “{0}”: letters, digits and . _ @ + - alone, as in ada.smith</source>
+        <translation>Aucune clé ne peut porter « {0} » : seulement lettres, chiffres et . _ @ + -, comme ada.smith</translation>
+    </message>
+    <message>
+        <source>{0} has a key here already, as {1}.</source>
+        <translation>{0} a déjà une clé ici, comme {1}.</translation>
+    </message>
+    <message>
+        <source>The two passphrases differ.</source>
+        <translation>Les deux phrases de passe diffèrent.</translation>
+    </message>
+    <message>
+        <source>{0} is the operator, {1}: another person approves.</source>
+        <translation>{0} est l&apos;opérateur, {1} : une autre personne approuve.</translation>
     </message>
     <message>
         <source>the operator</source>
         <translation>l&apos;opérateur</translation>
     </message>
     <message>
+        <source>{0} has to sign. The operator may sign as well.</source>
+        <translation>{0} doit signer. L&apos;opérateur peut signer aussi.</translation>
+    </message>
+    <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
         <translation>Utilisable comme PROVISOIRE ; {0} doit encore signer.</translation>
-    </message>
-    <message>
-        <source>Good to use as PROVISIONAL: nobody approved it before it was signed.</source>
-        <translation>Utilisable comme PROVISOIRE : personne ne l&apos;a approuvé avant la signature.</translation>
-    </message>
-    <message>
-        <source>Done: hand it out.</source>
-        <translation>Fait : à remettre.</translation>
     </message>
     <message>
         <source>heard before</source>
@@ -7452,8 +7599,8 @@
         <translation>Ajustez, puis expliquez le résidu. Toujours indécis ? Mesurez plus longtemps, ou avec moins de bruit.</translation>
     </message>
     <message>
-        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
-        <translation>CONFORME si |valeur| + U (k=2) est dans la limite ({0} sur {0}).</translation>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
+        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}). La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -7500,20 +7647,32 @@
         <translation>✓ délivré</translation>
     </message>
     <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>to do now</source>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>not any more</source>
+        <translation>plus possible</translation>
+    </message>
+    <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
     <message>
-        <source>✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Bon en module : il reste {0} nT de |b|, pas plus que le bruit indiqué, {1} nT. Ce qui reste de la direction, « Expliquer le résidu » en juge.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
     </message>
     <message>
-        <source>▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Pas encore bon : il reste {0} nT de |b|, le bruit indiqué est de {1} nT. Ensuite « Expliquer le résidu ».</translation>
+        <source>▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ L&apos;étalonnage n&apos;est pas encore bon, si bien qu&apos;on ait mesuré : il reste {0} nT de |b| dans les lignes mises de côté, le bruit déclaré est {1} nT. Expliquez le résidu.</translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT de |b| dans les lignes mises de côté ; aucun bruit n&apos;est déclaré pour comparer.</translation>
     </message>
     <message>
         <source>This run states no specification to judge it by.</source>

@@ -23,8 +23,9 @@ from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now
+from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now, reference_U
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel
@@ -71,7 +72,7 @@ class AppState(QObject):
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
         self.login = LoginViewModel(self.lab, self.run)
-        self.path = PathViewModel(self.lab, self.run, self.study_vm)
+        self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -87,9 +88,9 @@ class AppState(QObject):
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self.warning_shown = False  # the card that says so
         self._dut_stated = False  # by a person, or by the run that is gone on with
-        self._age_timer = QTimer(self, interval=AGES_MS)
-        self._age_timer.timeout.connect(self.grow_old)
-        self._age_timer.start()
+        self.age_timer = QTimer(self, interval=AGES_MS)
+        self.age_timer.timeout.connect(self.grow_old)
+        self.age_timer.start()
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._off_by_force)
         self.run.changed.connect(self._update_run)
@@ -190,6 +191,10 @@ class AppState(QObject):
             self.study_vm.fit("ml") if to.page == "Fit" else self.study_vm.close_loop()
         if to.page == "Run" and not self.run.alive:
             self.open_procedure("preflight")
+        if to.closes:
+            self.path.close(to.closes)
+            self.set_identity(dut="")
+            self.lab.update(message="")
         self.page_requested.emit(to.page)
 
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
@@ -348,7 +353,7 @@ class AppState(QObject):
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self._now()
-        self.lab.update(now=now, field_U_nT=self._U(now.field_measured_nT))
+        self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
         if self._unconfirmed is not None and (lifted or now.coils_at_zero):
             over, self._unconfirmed = self._unconfirmed, None
             self.fault_over.emit(over)
@@ -365,14 +370,6 @@ class AppState(QObject):
         if run.segment is not None:
             waits["running"] = self.tr("hands off, measuring")
         self.lab.update(message=run.message, waiting=waits.get(run.state, ""))
-
-    def _U(self, measured: state.Vector | None) -> float | None:
-        """Of the reference, k = 2, from what the bench file states."""
-        said = None if self.facts is None else self.facts.reference
-        if measured is None or said is None or said.u_offset_nT is None:
-            return None
-        size = sum(v * v for v in measured) ** 0.5
-        return 2.0 * float((said.u_offset_nT**2 + (size * 1e-6 * (said.u_scale_ppm or 0.0)) ** 2) ** 0.5)
 
     def _blame(self, fault: Fault) -> None:
         """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
@@ -393,7 +390,7 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self._age_timer):
+        for timer in (self.force_timer, self.age_timer):
             timer.stop()
         self.bench_worker.close(8000)
         for worker in (self.quick_worker, self.fit_worker, self.off_worker):

@@ -22,13 +22,17 @@ LISTED = 2  # lines of the specification that are not within their limits; the o
 REACHED = 1.15  # of the noise: as the loop calls a run clean
 GOOD = QT_TRANSLATE_NOOP(
     "Words",
-    "✓ Good in size: {0} nT of |b| are left over, no more than the stated noise, {1} nT. "
-    "What is left of the direction, the loop judges.",
+    "✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, "
+    "{1} nT. What is left of the direction, the loop judges.",
 )
 DOUBT = QT_TRANSLATE_NOOP(
-    "Words", "▲ Not good yet: {0} nT of |b| are left over, the stated noise is {1} nT. Trace the residual."
+    "Words",
+    "▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
+    "the stated noise is {1} nT. Trace the residual.",
 )
-NO_NOISE = QT_TRANSLATE_NOOP("Words", "{0} nT of |b| are left over; no noise is stated to compare it with.")
+NO_NOISE = QT_TRANSLATE_NOOP(
+    "Words", "{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with."
+)
 NO_LIMITS = QT_TRANSLATE_NOOP("Words", "This run states no specification to judge it by.")
 
 

@@ -157,3 +157,12 @@ def heard_from(
         if one.ok and one.read_s is not None and (name := roles.get(f"coil-{one.axis}")):
             heard[name] = state.Heard(name, one.read_s)
     return tuple(heard.values())
+
+
+def reference_U(facts: Bench | None, measured: state.Vector | None) -> float | None:
+    """Of the reference, k = 2, from what the bench file states."""
+    said = None if facts is None else facts.reference
+    if measured is None or said is None or said.u_offset_nT is None:
+        return None
+    size = sum(v * v for v in measured) ** 0.5
+    return 2.0 * float((said.u_offset_nT**2 + (size * 1e-6 * (said.u_scale_ppm or 0.0)) ** 2) ** 0.5)

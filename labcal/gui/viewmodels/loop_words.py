@@ -29,6 +29,7 @@ MEANS = {
     "unexplained": QT_TRANSLATE_NOOP("Words", "Something is wrong that nothing known explains. Do not sign: see 4."),
 }
 EVIDENCE = re.compile(r"(; evidence over a slow wander without a name)?:( evidence)? −?[\d.]+ nats, \d+ needed")
+FALLS = re.compile(r"the held-out rms falls from ([\d.]+) to ([\d.]+) nT")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} and {1}"),
     QT_TRANSLATE_NOOP("Words", "rows that were set aside"),
@@ -44,6 +45,16 @@ def verdict_word(verdict: str) -> str:
 def without_evidence(why: str) -> str:
     """The reason of a cause without its evidence in nats, which says nothing at the cage."""
     return EVIDENCE.sub("", why)
+
+
+def as_a_drop(why: str) -> str:
+    """The reason of a named cause by what it takes off, without another figure for the error before."""
+
+    def drop(found: re.Match[str]) -> str:
+        before, after = map(float, found.groups())
+        return f"it alone takes {before - after:.1f} nT off the held-out rms"
+
+    return FALLS.sub(drop, why)
 
 
 def said_plainly(loop: Loop) -> str:

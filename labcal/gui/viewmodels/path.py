@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
+from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.procedure_groups import GROUPS
@@ -26,7 +27,8 @@ EXPLAINED = ("clean", "explained")
 class Next:
     """What is to be done, in words, and the page for it; with the run to be studied there.
 
-    `waits`: it works. `ready`: whoever sees the page has its Begin before them.
+    `waits`: it works. `ready`: whoever sees the page has its Begin before them. `closes`: the run that is done with.
+    `presses`: on that page Next does what its one button does.
     """
 
     page: str
@@ -34,6 +36,8 @@ class Next:
     run: str = ""
     waits: bool = False
     ready: bool = False
+    closes: str = ""
+    presses: bool = False
 
 
 class PathViewModel(QObject):
@@ -41,9 +45,9 @@ class PathViewModel(QObject):
 
     changed = Signal()
 
-    def __init__(self, lab: LabViewModel, run: RunViewModel, study: StudyViewModel) -> None:
+    def __init__(self, lab: LabViewModel, run: RunViewModel, study: StudyViewModel, handed_out: HandedOut) -> None:
         super().__init__()
-        self._lab, self._run, self._study = lab, run, study
+        self._lab, self._run, self._study, self.handed_out = lab, run, study, handed_out
         self.runs: tuple[RunLine, ...] = ()
         self.files: tuple[CalibrationFile, ...] = ()
         self.refused, self.ready = "", False  # of the form on the Run page, where it is that of the preflight
@@ -58,6 +62,16 @@ class PathViewModel(QObject):
     def take_calibrations(self, files: tuple[CalibrationFile, ...]) -> None:
         """The calibrations of the lab, the newest first."""
         self.files = files
+        self.changed.emit()
+
+    def take_handed_out(self, one: CalibrationFile) -> None:
+        """This file has left the lab."""
+        self.handed_out.add(one)
+        self.changed.emit()
+
+    def close(self, run_id: str) -> None:
+        """The next DUT comes: this run's is done with."""
+        self.handed_out.close(run_id)
         self.changed.emit()
 
     def why_no_fit(self, run_id: str) -> str:
@@ -82,15 +96,24 @@ class PathViewModel(QObject):
         return newest.dut_serial if newest is not None and newest.status == "interrupted" else ""
 
     def last(self) -> RunLine | None:
-        """The newest run of this DUT that was to calibrate it."""
+        """The newest run of this DUT that was to calibrate it, unless it is done with."""
         serial = self._lab.state.dut_serial
         mine = (one for one in self.runs if one.dut_serial == serial)
-        return next((one for one in mine if one.procedure in CALIBRATES or one.status == "imported"), None)
+        newest = next((one for one in mine if one.procedure in CALIBRATES or one.status == "imported"), None)
+        return None if newest is None or self.handed_out.closed(newest.run_id) else newest
+
+    def _measured_anew(self) -> bool:
+        """Whether a run to calibrate this DUT goes on, or has ended and is not listed: no fit so far is of it."""
+        run, order = self._run, self._run.order
+        if order is None or order.procedure not in CALIBRATES or order.dut != self._lab.state.dut_serial:
+            return False
+        listed = run.run_id in {one.run_id for one in self.runs}
+        return run.alive or (run.status in WHOLE and bool(run.run_id) and not listed)
 
     def marks(self) -> dict[str, Mark]:
         """How far this DUT is, by page."""
         last = self.last()
-        whole = last is not None and last.status in WHOLE
+        whole = last is not None and last.status in WHOLE and not self._measured_anew()
         return {
             "Bench": self._of_the_bench(),
             "Run": self._of_the_run(last),
@@ -103,20 +126,20 @@ class PathViewModel(QObject):
         """The one thing to do now."""
         state, last, marks = self._lab.state, self.last(), self.marks()
         if not state.bench:
-            return Next("Bench", self.tr("Open a bench"), waits=state.opening)
+            return Next("Bench", self.tr("Open a bench"), waits=state.opening, presses=True)
         if self._run.alive:
             asked = self._run.state == "asking"
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
         if mark_of(state.now.coil_words)[1] == "bad":
-            return Next("Bench", self.tr("See to the coils"))
+            return Next("Bench", self.tr("See to the coils"), presses=True)
         if failed := [name for name, light, _ in state.now.lights if light == "fault"]:
-            return Next("Bench", self.tr("See to {0}").format(failed[0]))
+            return Next("Bench", self.tr("See to {0}").format(failed[0]), presses=True)
         if not state.dut_serial or state.dut_objection:
             return Next("Start", self.tr("Say which DUT"))
         if not state.operator or state.operator_objection:
             return Next("Start", self.tr("Say who works here"))
         if last is not None and last.status == "interrupted":
-            return Next("Start", self.tr("Go on with the run"))
+            return Next("Start", self.tr("Go on with the run"), presses=True)
         if last is None or marks["Run"] != "done":
             return self._to_calibrate(state.dut_serial)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
@@ -146,7 +169,8 @@ class PathViewModel(QObject):
         """Sign, as long as somebody is still to; what is provisional for good may be handed out as that."""
         file = self._file(last)
         if file is None or not file.standing.signatures:
-            return Next("Certificate", self.tr("Sign"))
+            unseen = file is not None and not file.approvers
+            return Next("Certificate", self.tr("Approve and sign") if unseen else self.tr("Sign"))
         standing = file.standing
         if not standing.valid:
             return Next("Fit", self.tr("Make a new draft"), last.run_id)
@@ -154,6 +178,8 @@ class PathViewModel(QObject):
             return self._to_calibrate(last.dut_serial)
         if awaited(file):
             return Next("Certificate", self.tr("The second signature"))
+        if self.handed_out.holds(file):
+            return Next("Start", self.tr("The next DUT"), closes=last.run_id)
         words = self.tr("Hand it out, as PROVISIONAL") if standing.provisional else self.tr("Hand it out")
         return Next("Certificate", words)
 

@@ -30,7 +30,11 @@ NEXT = {
     "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
 }
 TEXTS = (
-    QT_TRANSLATE_NOOP("Words", "PASS where |value| + U (k=2) is within the limit ({0} of {0})."),
+    QT_TRANSLATE_NOOP(
+        "Words",
+        "PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). "
+        "How good the calibration is, Fit and Loop judge.",
+    ),
     QT_TRANSLATE_NOOP("Words", "FAIL where |value| − U (k=2) is beyond the limit: {0}."),
     QT_TRANSLATE_NOOP("Words", "MARGINAL where the limit lies within ± U (k=2): {0}."),
     QT_TRANSLATE_NOOP("Words", "CANNOT DECIDE where U (k=2) exceeds half the limit: {0}."),

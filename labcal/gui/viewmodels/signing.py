@@ -1,11 +1,15 @@
-"""How a calibration comes to be signed: what is to be done next, in words."""
+"""How a calibration comes to be signed and handed out: its steps, each with its state in words."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.translations.translate import translated
+from labcal.record.person import perhaps_one_person
 
 NO_LONGER = ("expired", "superseded")
 WORDS = {
@@ -15,6 +19,12 @@ WORDS = {
     "expired": QT_TRANSLATE_NOOP("Words", "▲ expired"),
     "superseded": QT_TRANSLATE_NOOP("Words", "▲ superseded"),
     "released": QT_TRANSLATE_NOOP("Words", "✓ released"),
+}
+MARKS = {  # of a step: its shape, its word and its colour
+    "done": ("✓", QT_TRANSLATE_NOOP("Words", "done"), "good"),
+    "now": ("●", QT_TRANSLATE_NOOP("Words", "to do now"), "now"),
+    "later": ("○", QT_TRANSLATE_NOOP("Words", "later"), ""),
+    "never": ("–", QT_TRANSLATE_NOOP("Words", "not any more"), ""),
 }
 NO_MORE = QT_TRANSLATE_NOOP(
     "Words", "Do not use it any more: measure anew, or take the calibration that came after it."
@@ -38,24 +48,83 @@ def awaited(one: CalibrationFile) -> list[str]:
     return [name for name in one.approvers if name not in one.standing.signers]
 
 
-def next_step(one: CalibrationFile, operator: str) -> str:
-    """What is to be done with a calibration now, in one sentence."""
-    signatures = one.standing.signatures
-    if signatures and not one.standing.valid:
-        return translated("Do not use it: make a new draft on the Fit page.")
-    if not signatures and not one.approvers:
-        return translated(
-            "Another person than {0} approves, and signs; without a key, New key below makes one. "
-            "Nobody there? Sign alone: it is PROVISIONAL."
-        ).format(one.operator or operator or translated("the operator"))
-    waiting = awaited(one)
-    if not signatures:
-        approved = translated("Approved by {0}, who has to sign now. The operator may sign as well.")
-        return approved.format(", ".join(one.approvers))
+@dataclass(frozen=True, slots=True)
+class SigningStep:
+    """A step from draft to file: `mark` is one of `MARKS`; `words` say how it stands, and why."""
+
+    mark: str
+    words: str
+
+
+def steps(
+    one: CalibrationFile, keys: Sequence[str], operator: str, *, handed_out: bool = False
+) -> tuple[SigningStep, SigningStep, SigningStep, SigningStep]:
+    """Key, approve, sign, hand out: how each stands for this file, where `keys` are who has a key here."""
+    who = one.operator or operator
+    others = [name for name in keys if not perhaps_one_person(name, who)]
+    return (
+        _key_step(one, keys, others, who or translated("the operator")),
+        _approve_step(one, others, who or translated("the operator")),
+        _sign_step(one, keys),
+        _hand_out_step(one, handed_out),
+    )
+
+
+def _key_step(one: CalibrationFile, keys: Sequence[str], others: Sequence[str], who: str) -> SigningStep:
+    if one.standing.signatures or one.approvers or others:
+        here = translated("With a key here: {0}.").format(", ".join(keys)) if keys else ""
+        return SigningStep("done", here or translated("Whoever signed has a key elsewhere."))
+    if not keys:
+        return SigningStep("now", translated("Nobody has a key here. Make one for the person who approves."))
+    words = translated("Only {0} has a key here. Make one for who approves: another person than {1}.")
+    return SigningStep("now", words.format(", ".join(keys), who))
+
+
+def _approve_step(one: CalibrationFile, others: Sequence[str], who: str) -> SigningStep:
+    if one.approvers:
+        return SigningStep("done", translated("Approved by {0}.").format(", ".join(one.approvers)))
+    if one.standing.signatures:
+        return SigningStep("never", translated("Signed without an approval: nobody can be added any more."))
+    if others:
+        return SigningStep(
+            "now", translated("Another person than {0} looks at the figures below, and approves.").format(who)
+        )
+    return SigningStep("later", translated("First a key of another person than {0} (1).").format(who))
+
+
+def _sign_step(one: CalibrationFile, keys: Sequence[str]) -> SigningStep:
+    standing, waiting = one.standing, awaited(one)
+    if standing.signatures and not standing.valid:
+        return SigningStep("never", translated("Do not use it: make a new draft on the Fit page."))
     if waiting:
-        return translated("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
-    if one.standing.status in NO_LONGER:
-        return translated(str(NO_MORE))
+        words = translated("{0} has to sign. The operator may sign as well.")
+        if standing.signatures:
+            words = translated("Good to use as PROVISIONAL; {0} has still to sign.")
+        elsewhere = "" if set(waiting) & set(keys) else translated("Their key is not on this computer.")
+        return SigningStep("now", f"{words.format(', '.join(waiting))} {elsewhere}".strip())
+    if standing.signatures:
+        return SigningStep("done", translated("Signed by {0}.").format(", ".join(standing.signers)))
+    if not keys:
+        return SigningStep("later", translated("First a key (1)."))
+    return SigningStep(
+        "later", translated("After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.")
+    )
+
+
+def _hand_out_step(one: CalibrationFile, handed_out: bool) -> SigningStep:
+    standing = one.standing
+    if not standing.signatures:
+        return SigningStep("later", translated("Once it is signed (3)."))
+    if not standing.valid:
+        return SigningStep("never", translated("Do not use it: make a new draft on the Fit page."))
+    if standing.status in NO_LONGER:
+        return SigningStep("never", translated(str(NO_MORE)))
+    if waiting := awaited(one):
+        return SigningStep(
+            "later", translated("Once {0} has signed; before that as PROVISIONAL.").format(", ".join(waiting))
+        )
+    if handed_out:
+        return SigningStep("done", translated("Handed out. Next: another DUT."))
     if not one.approvers:
-        return translated("Good to use as PROVISIONAL: nobody approved it before it was signed.")
-    return translated("Done: hand it out.")
+        return SigningStep("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
+    return SigningStep("now", translated("As PROVISIONAL: why is said above.") if standing.provisional else "")

@@ -25,7 +25,7 @@ SPECIFIED, CHANGED = 1, 2  # tabs beside the parameters
 
 
 class CalibrationViews(QWidget):
-    """Tabs above `table`; the second tab's name says what the lines come to.
+    """Tabs above `table`, those that have something to show; the second one's name says what the lines come to.
 
     `remark`, to be put below the table, says by which rule was decided, or what changed most.
     """
@@ -45,6 +45,8 @@ class CalibrationViews(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.tabs)
+        self.missing = label("", "caption", wrap=True)
+        column.addWidget(self.missing)
 
     def set_theme(self, theme: Theme) -> None:
         """Results in the theme's colours."""
@@ -58,20 +60,27 @@ class CalibrationViews(QWidget):
         if another:
             self.show_changes(one.path, None)
         self.tabs.setTabText(SPECIFIED, verdict(one.specification))
-        specified = bool(one.specification or one.left_open)
-        self.tabs.setTabEnabled(SPECIFIED, specified)
-        none = self.tr("The bench file stated no specification when the run was measured")
-        self.tabs.setTabToolTip(SPECIFIED, "" if specified else none)
+        self._offer(SPECIFIED, bool(one.specification or one.left_open))
         self.show_view()
+
+    def _offer(self, at: int, there: bool) -> None:
+        """A tab only where it shows something; what there is not is said below, with the reason."""
+        self.tabs.setTabEnabled(at, there)
+        self.tabs.setTabVisible(at, there)
+        reasons = {
+            SPECIFIED: self.tr("The bench file stated no specification when the run was measured."),
+            CHANGED: self.tr("There is no earlier calibration of this DUT to compare it with."),
+        }
+        self.tabs.setVisible(any(map(self.tabs.isTabEnabled, reasons)))
+        self.missing.setText(" ".join(said for n, said in reasons.items() if not self.tabs.isTabEnabled(n)))
+        self.missing.setVisible(bool(self.missing.text()))
 
     def show_changes(self, path: str, found: Changes | None) -> None:
         """What changed since the calibration before the one at `path`, if that is shown; nothing where none is."""
         if self._one is None or self._one.path != path:
             return
         self._changes = found
-        self.tabs.setTabEnabled(CHANGED, found is not None)
-        first = self.tr("There is no earlier calibration of this DUT to compare it with")
-        self.tabs.setTabToolTip(CHANGED, first if found is None else "")
+        self._offer(CHANGED, found is not None)
         moved = 0 if found is None else sum(row.changed for row in found.rows)
         name = self.tr("As found, as left")
         self.tabs.setTabText(CHANGED, f"▲ {name}: {translated('{0} changed').format(moved)}" if moved else name)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QStackedWidget,
+    QStyledItemDelegate,
     QVBoxLayout,
     QWidget,
 )
@@ -68,6 +69,7 @@ def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     widget.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     widget.setMinimumContentsLength(letters)
     widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    widget.setItemDelegate(QStyledItemDelegate(widget))  # Qt's own knows nothing of the style sheet
     return widget
 
 

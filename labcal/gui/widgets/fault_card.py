@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
+from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
@@ -83,7 +83,16 @@ class FaultCard(Card):
         self.fold.setVisible(bool(fault.details) and not stopped)
         self.fold.setChecked(False)
         self.details.hide()
+        QTimer.singleShot(0, self, self._come_into_sight)
         return self.show()  # whole at once: what is folded widens no window
+
+    def _come_into_sight(self) -> None:
+        """On a page that is scrolled."""
+        holder = self.parentWidget()
+        while holder is not None and not isinstance(holder, QScrollArea):
+            holder = holder.parentWidget()
+        if holder is not None and self.isVisible():
+            holder.ensureWidgetVisible(self)
 
     def say_coils(self, words: str) -> None:
         """How the coils are left, below what happened."""

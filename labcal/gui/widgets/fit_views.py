@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedWidget, QWidget
 
 from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
@@ -21,6 +21,7 @@ from labcal.gui.widgets.study_plots import Residuals, with_alpha
 W = TypeVar("W", bound=QWidget)
 FACES = ("loci", "residual", "magnitude", "histogram", "growth", "degrees")  # pictures, by the names of their widgets
 BINS = 60
+LEAST_PX = 220  # of a picture
 SIGMAS = 3.0  # the papers' bounds
 
 
@@ -48,6 +49,9 @@ class FitViews(Card):
         self.body.addWidget(self.words)
         self.view.addItems(self._titles())
         self.view.activated.connect(self._chosen)
+        self.faces.setMinimumHeight(LEAST_PX)
+        self.faces.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        self._name_view()
         self.against.activated.connect(self._draw)
 
     def begin(self) -> bool:
@@ -142,6 +146,13 @@ class FitViews(Card):
 
     def _chosen(self) -> None:
         self.faces.setCurrentWidget(getattr(self, self.shown()))
+        self._name_view()
+        if self.shown() == "growth":
+            self.filter_wanted.emit()
+        self._draw()
+
+    def _name_view(self) -> None:
+        """What belongs to the picture that is looked at: a second choice where there is one, and its legend."""
         self.against.setVisible(self.shown() == "residual")
         words = (
             self.tr("orange: as read   blue: calibrated   faint: behind the sphere"),
@@ -152,9 +163,6 @@ class FitViews(Card):
             self.tr("lines: what scatter alone gives   2: products of two components   3: a cubic"),
         )
         self.words.setText(words[self.view.currentIndex()])
-        if self.shown() == "growth":
-            self.filter_wanted.emit()
-        self._draw()
 
     def _draw(self) -> None:
         """The picture that is looked at."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
 
@@ -16,6 +16,7 @@ from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
+FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -25,6 +26,7 @@ class Table(QTableWidget):
     def __init__(self, headings: tuple[str, ...], *stretch: int) -> None:
         super().__init__(0, len(headings))
         self._headings: tuple[str, ...] = ()
+        self._rows_shown = self._least = 0
         self.set_headings(headings)
         self.verticalHeader().hide()
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -46,6 +48,28 @@ class Table(QTableWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
         described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
+
+    def show_rows(self, most: int, least: int = FEWEST_ROWS) -> None:
+        """Be as high as the rows that there are, up to `most`; with less room roll, down to `least`."""
+        self._rows_shown, self._least = most, least
+        for changed in (self.model().rowsInserted, self.model().rowsRemoved):
+            changed.connect(lambda *_: self.updateGeometry())
+
+    def sizeHint(self) -> QSize:
+        """Room for the rows that are to be seen."""
+        return QSize(super().sizeHint().width(), self._height_of(self._rows_shown) or super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        """Room for a few of them."""
+        least = self._height_of(min(self._rows_shown, self._least))
+        return QSize(super().minimumSizeHint().width(), least or super().minimumSizeHint().height())
+
+    def _height_of(self, most: int) -> int:
+        if not self._rows_shown:
+            return 0
+        rows = min(most, self.rowCount())
+        within = self.horizontalHeader().sizeHint().height() + rows * self.verticalHeader().defaultSectionSize()
+        return within + 2 * self.frameWidth() + self.horizontalScrollBar().sizeHint().height()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """More room, or less, is shared anew."""

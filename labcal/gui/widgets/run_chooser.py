@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy
+from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy, QStyledItemDelegate
 
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
@@ -41,6 +41,7 @@ class RunChooser(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(VISIBLE_CHARS)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setItemDelegate(QStyledItemDelegate(self))  # Qt's own knows nothing of the style sheet
         self.setAccessibleName(self.tr("Run"))
         self.setToolTip(self.tr("The run to look at, the newest first"))
         self.setPlaceholderText(self.tr("Choose a run"))

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QLineEdit, QSizePolicy
+from PySide6.QtWidgets import QLineEdit
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.widgets.common import combo_box
@@ -19,8 +19,7 @@ class StatedFields(QObject):
         super().__init__()
         self._draft = ""
         self.until = QLineEdit()
-        self.until.setPlaceholderText(self.tr("Until"))
-        self.until.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)  # as wide as what is below it
+        self.until.setPlaceholderText(self.tr("Until 2027-11-21"))
         self.until.setToolTip(self.tr("The last day on which it is good, as 2027-11-21; empty: no date is stated"))
         self.until.setAccessibleName(self.tr("Good until"))
         tip = self.tr("The calibration of the same serial that this one takes the place of")

@@ -1,0 +1,35 @@
+"""What Next does on the page that stands there already: press the one button for it, or lead to where it begins."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from labcal.gui.pages.lazy_page import LazyPage
+from labcal.gui.viewmodels.path import Next
+from labcal.gui.widgets.common import set_primary
+
+
+def begins_at(lazy_page: LazyPage) -> list[QWidget]:
+    """The one thing to do on a page, else where that begins; a click on Next shows it where the page is open."""
+    buttons = lazy_page.findChildren(QPushButton, "primary")
+    first = getattr(lazy_page.page, "begins_at", None)
+    return [one for one in (*buttons, first) if one is not None and one.isVisible() and one.isEnabled()]
+
+
+def one_is_blue(following: QPushButton, lazy_page: LazyPage) -> None:
+    """Next is the blue button, but where the page in sight has one of its own."""
+    set_primary(following, not [one for one in begins_at(lazy_page) if one.objectName() == "primary"])
+
+
+def pressed_by_next(pages: Mapping[str, LazyPage], to: Next) -> QPushButton | None:
+    """The button that does what Next says, where Next may press it."""
+    found = begins_at(pages[to.page]) if to.presses else []
+    return next((one for one in found if isinstance(one, QPushButton)), None)
+
+
+def said_here(pages: Mapping[str, LazyPage], to: Next, here: bool) -> str:
+    """Its words; on the Bench page, where it is open, those of the button that Next presses."""
+    does = pressed_by_next(pages, to) if here and to.page == "Bench" else None
+    return to.words if does is None else does.text()

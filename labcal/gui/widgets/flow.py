@@ -1,0 +1,96 @@
+"""A row of widgets that goes on in a second one where there is no room: no page is wider than its place."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
+
+from labcal.gui.theming.theme import GRID
+
+
+class Flow(QLayout):
+    """From the left; what can grow in a row gets what is left of it, where nothing can the row stands at the right."""
+
+    def __init__(self, *widgets: QWidget) -> None:
+        super().__init__()
+        self._items: list[QLayoutItem] = []
+        self.setSpacing(GRID)
+        self.setContentsMargins(0, 0, 0, 0)
+        for widget in widgets:
+            self.addWidget(widget)
+
+    def addItem(self, item: QLayoutItem) -> None:
+        """One more, at the end."""
+        self._items.append(item)
+
+    def count(self) -> int:
+        """How many there are."""
+        return len(self._items)
+
+    def itemAt(self, index: int) -> QLayoutItem | None:
+        """One of them."""
+        return self._items[index] if 0 <= index < len(self._items) else None
+
+    def takeAt(self, index: int) -> QLayoutItem | None:
+        """One of them, taken away."""
+        return self._items.pop(index) if 0 <= index < len(self._items) else None
+
+    def expandingDirections(self) -> Qt.Orientation:
+        """As wide as may be."""
+        return Qt.Orientation.Horizontal
+
+    def hasHeightForWidth(self) -> bool:
+        """The narrower, the more rows."""
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        """Of all rows at this width."""
+        rows = self._rows(width)
+        return sum(map(_height, rows)) + self.spacing() * max(0, len(rows) - 1)
+
+    def sizeHint(self) -> QSize:
+        """All in one row."""
+        seen = self._seen()
+        return QSize(self._width(seen), _height(seen))
+
+    def minimumSize(self) -> QSize:
+        """The widest of them alone."""
+        seen = self._seen()
+        return QSize(max((one.minimumSize().width() for one in seen), default=0), _height(seen))
+
+    def setGeometry(self, rect: QRect) -> None:
+        """Put them in their places."""
+        super().setGeometry(rect)
+        y = rect.y()
+        for row in self._rows(rect.width()):
+            self._place(row, QPoint(rect.x(), y), rect.width())
+            y += _height(row) + self.spacing()
+
+    def _seen(self) -> list[QLayoutItem]:
+        return [one for one in self._items if not one.isEmpty()]
+
+    def _width(self, row: list[QLayoutItem]) -> int:
+        return sum(one.sizeHint().width() for one in row) + self.spacing() * max(0, len(row) - 1)
+
+    def _rows(self, width: int) -> list[list[QLayoutItem]]:
+        rows: list[list[QLayoutItem]] = []
+        for one in self._seen():
+            if rows and self._width([*rows[-1], one]) <= width:
+                rows[-1].append(one)
+            else:
+                rows.append([one])
+        return rows
+
+    def _place(self, row: list[QLayoutItem], at: QPoint, width: int) -> None:
+        growing = [one for one in row if one.expandingDirections() & Qt.Orientation.Horizontal]
+        left = max(0, width - self._width(row))
+        x, high = at.x() + (0 if growing else left), _height(row)
+        for one in row:
+            size = one.sizeHint()
+            wide = min(width, size.width() + (left // len(growing) if one in growing else 0))
+            one.setGeometry(QRect(x, at.y() + (high - size.height()) // 2, wide, size.height()))
+            x += wide + self.spacing()
+
+
+def _height(row: list[QLayoutItem]) -> int:
+    return max((one.sizeHint().height() for one in row), default=0)

@@ -1,0 +1,103 @@
+"""Numbered steps beside each other, each a card with its state, its fields, its rules and one button."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QSize
+from PySide6.QtGui import QPalette, QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
+
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.signing import MARKS, SigningStep
+from labcal.gui.widgets.common import Card, label, set_primary, set_state
+
+LETTERS = 28  # a card is at least as wide: with less room they stand below each other
+
+
+class StepCard(Card):
+    """Fields at the top and the button at the bottom, at one height in every card of a row; words in between."""
+
+    def __init__(self, title: str, rules: str = "") -> None:
+        super().__init__(title)
+        self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
+        self.rules = label(rules, "caption", wrap=True)
+        self.fields = QVBoxLayout()
+        self.fields.setSpacing(GRID)
+        self.body.addWidget(self.mark)
+        self.body.addLayout(self.fields)
+        for part in (self.words, self.wrong, self.rules):
+            self.body.addWidget(part)
+        set_state(self.wrong, "bad")
+        self.wrong.hide()
+        self.rules.setVisible(bool(rules))
+        self.body.addStretch()
+        self.button = QPushButton()
+
+    def put(self, fields: Sequence[QWidget], button: QPushButton) -> None:
+        """The fields of this step, and the button that does it."""
+        for field in fields:
+            self.fields.addWidget(field)
+        self.button = button
+        self.body.addWidget(button)
+
+    def show_step(self, step: SigningStep) -> None:
+        """How it stands; what is to be done now has an edge in the accent, and the blue button."""
+        shape, name, state = MARKS[step.mark]
+        self.mark.setText(f"{shape} {translated(str(name))}")
+        set_state(self.mark, state)
+        self.words.setText(step.words)
+        self.words.setVisible(bool(step.words))
+        now = step.mark == "now"
+        self.edge, self.width_px = (QPalette.ColorRole.Highlight, 2) if now else (Card.edge, Card.width_px)
+        set_primary(self.button, now)
+        self.update()
+
+    def say_wrong(self, words: str) -> None:
+        """What is against that which is typed."""
+        self.wrong.setText(f"✕ {words}" if words else "")
+        self.wrong.setVisible(bool(words))
+
+
+class StepRow(QWidget):
+    """Cards in a row where there is room for all of them, else below each other."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._cards: tuple[StepCard, ...] = ()
+        self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(2 * GRID)
+
+    def hold(self, cards: Sequence[StepCard]) -> None:
+        """The cards, in order."""
+        self._cards = tuple(cards)
+        for card in cards:
+            self._box.addWidget(card, 1)
+        self._turn()
+
+    def minimumSizeHint(self) -> QSize:
+        """As narrow as the widest card: it need not be a row."""
+        return QSize(max(one.minimumSizeHint().width() for one in self._cards), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width."""
+        super().resizeEvent(event)
+        self._turn()
+
+    def event(self, event: QEvent) -> bool:
+        """Letters of another size."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._turn()
+        return super().event(event)
+
+    def _turn(self) -> None:
+        if not self._cards:
+            return
+        needed = len(self._cards) * LETTERS * self._cards[0].words.fontMetrics().averageCharWidth()
+        row = self.width() >= needed
+        way = QBoxLayout.Direction.LeftToRight if row else QBoxLayout.Direction.TopToBottom
+        if way != self._box.direction():
+            self._box.setDirection(way)
+            self.updateGeometry()

@@ -1,0 +1,176 @@
+"""The Certificate page's steps, key, approve, sign, hand out: their order, their rules, and what moves where."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication
+from test_path import SIGNATURE, calibration
+
+from labcal.gui.ipc.messages import Approve, ListCalibrations, ListKeys, NewKey, Sign
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.signing import steps
+
+DRAFT = calibration(signed=False)
+APPROVED = replace(DRAFT, approvers=("a.smith",))
+ONE_SIGNED = replace(calibration(provisional=True), approvers=("a.smith",))
+RELEASED = replace(calibration(), approvers=("jdoe@lab",))
+NOT_VALID = calibration(valid=False)
+OUTDATED = replace(RELEASED, standing=replace(RELEASED.standing, status="superseded"))
+STATES = {  # file, who has a key, handed out: how key, approve, sign and hand out stand
+    "nobody has a key": (DRAFT, (), False, "now later later later"),
+    "the operator alone": (DRAFT, ("j.doe",), False, "now later later later"),
+    "somebody else as well": (DRAFT, ("a.smith", "j.doe"), False, "done now later later"),
+    "approved": (APPROVED, ("a.smith",), False, "done done now later"),
+    "approved elsewhere": (APPROVED, (), False, "done done now later"),
+    "one has signed": (ONE_SIGNED, ("a.smith",), False, "done done now later"),
+    "signed alone": (calibration(provisional=True), ("j.doe",), False, "done never done now"),
+    "released": (RELEASED, ("a.smith",), False, "done done done now"),
+    "handed out": (RELEASED, ("a.smith",), True, "done done done done"),
+    "not valid": (NOT_VALID, (), False, "done never never never"),
+    "superseded": (OUTDATED, (), False, "done done done never"),
+}
+
+
+@pytest.fixture
+def page(new_window):
+    new_window.resize(1360, 860)
+    new_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    new_window.open_page("Certificate")
+    return new_window.page("Certificate")
+
+
+def settle():
+    for _ in range(5):
+        QApplication.processEvents()
+
+
+def told(page, one, *keys):
+    """The page knows this file, and who has a key."""
+    worker = page._app_state.quick_worker
+    worker.answer(ListCalibrations, (one,))
+    worker.answer(ListKeys, keys)
+    settle()
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_each_step_has_its_state_and_says_why(state):
+    one, keys, handed_out, marks = STATES[state]
+    stands = steps(one, keys, "J. Doe", handed_out=handed_out)
+    assert [step.mark for step in stands] == marks.split()
+    assert all(step.words for step in stands if step.mark != "now")
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_one_button_at_most_is_blue_and_it_is_that_of_the_step_to_do_now(page, state):
+    one, keys, handed_out, marks = STATES[state]
+    if handed_out:
+        page._app_state.path.take_handed_out(one)
+    told(page, one, *keys)
+    buttons = (page.steps.new_key, page.steps.approve, page.steps.sign, page.paper.export)
+    assert [one.objectName() == "primary" for one in buttons] == [mark == "now" for mark in marks.split()]
+
+
+def test_the_rules_stand_there_before_anything_is_typed(page):
+    told(page, DRAFT)
+    for rule in ("without blanks", "ten characters", "common word", "nothing brings it back"):
+        assert rule in page.steps.key.rules.text()
+    assert "No passphrase: an approval is a name in the draft. It binds once" in page.steps.approval.rules.text()
+    assert page.steps.key.rules.isVisible()
+    assert not page.steps.key.wrong.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("name", "passphrase", "again", "said"),
+    [
+        ("ada smith", "", "", "No key can bear “ada smith”"),
+        ("ada|", "", "", "No key can bear “ada|”"),
+        ("jdoe", "", "", "jdoe has a key here already, as j.doe."),
+        ("ada.smith", "short", "", "has 5 characters and needs 10"),
+        ("ada.smith", "password123", "", "a common word alone"),
+        ("ada.smith", "four plain words here", "four plane", "The two passphrases differ."),
+        ("ada.smith", "four plain words here", "four pl", ""),
+    ],
+)
+def test_what_is_typed_for_a_key_is_checked_as_it_is_typed(page, name, passphrase, again, said):
+    told(page, DRAFT, "j.doe")
+    steps = page.steps
+    for entry, text in ((steps.key_name, name), (steps.new_words, passphrase), (steps.again, again)):
+        entry.setText(text)
+    assert (said in steps.key.wrong.text(), steps.key.wrong.isVisible()) == (True, bool(said))
+    assert not steps.new_key.isEnabled()
+
+
+def test_who_measured_cannot_approve_and_is_said_so_before_the_click(page):
+    told(page, DRAFT, "a.smith", "j.doe")
+    assert (page.steps.approver.currentText(), page.steps.approve.isEnabled()) == ("a.smith", True)
+    page.steps.approver.setCurrentText("j.doe")
+    assert page.steps.approval.wrong.text() == "✕ j.doe is the operator, J. Doe: another person approves."
+    assert not page.steps.approve.isEnabled()
+
+
+def place(widget):
+    return widget.mapTo(widget.window(), QPoint(0, 0)), widget.size()
+
+
+def test_a_second_click_on_new_key_falls_on_new_key_which_is_grey(page, qtbot):
+    told(page, DRAFT)
+    steps, worker = page.steps, page._app_state.quick_worker
+    steps.key_name.setText("a.smith")
+    for entry in (steps.new_words, steps.again):
+        entry.setText("four plain words here")
+    before = place(steps.new_key)
+    qtbot.mouseClick(steps.new_key, Qt.MouseButton.LeftButton)
+    worker.answer(NewKey, "a.smith")
+    settle()
+    assert place(steps.new_key)[0].x() == before[0].x()
+    where = steps.new_key.mapTo(page.window(), steps.new_key.rect().center())
+    under = page.window().childAt(where)
+    assert under is steps.new_key
+    assert not steps.new_key.isEnabled()
+    qtbot.mouseClick(steps.new_key, Qt.MouseButton.LeftButton)
+    assert [worker.commands(kind) for kind in (NewKey, Approve, Sign)] == [[], [], []]
+
+
+def test_after_each_step_the_focus_is_where_the_next_one_begins(page, qtbot):
+    told(page, DRAFT)
+    steps, worker = page.steps, page._app_state.quick_worker
+    steps.key_name.setText("a.smith")
+    for entry in (steps.new_words, steps.again):
+        entry.setText("four plain words here")
+    steps.new_key.setFocus()
+    steps.new_key.click()
+    worker.answer(NewKey, "a.smith")
+    assert steps.approver.hasFocus() or steps.approver.isAncestorOf(page.focusWidget())
+    assert steps.approver.currentText() == "a.smith"
+    steps.approve.setFocus()
+    steps.approve.click()
+    worker.answer(Approve, APPROVED)
+    assert steps.signer.currentText() == "a.smith"
+    assert steps.passphrase.hasFocus()
+
+
+def test_a_fault_squeezes_nothing_the_page_is_scrolled(page):
+    told(page, DRAFT)
+    before = [one.height() for one in (page.steps, page.table, page.paper)]
+    page.fault.show_fault(Fault("input", "a reason of many words " * 8, "and what to do " * 8))
+    settle()
+    assert [one.height() for one in (page.steps, page.table, page.paper)] == before
+    assert page.table.height() > 5 * page.table.verticalHeader().defaultSectionSize()
+
+
+def test_a_fault_comes_into_sight_wherever_the_page_was_scrolled_to(page):
+    page.window().resize(1024, 700)
+    told(page, DRAFT)
+    area = page.window().lazy_pages["Certificate"].area
+    area.verticalScrollBar().setValue(area.verticalScrollBar().maximum())
+    assert page.steps.visibleRegion().isEmpty()
+    page.fault.show_fault(Fault("input", "a reason"))
+    settle()
+    assert page.fault.visibleRegion().boundingRect().height() == page.fault.height()
+
+
+def test_the_signatures_of_others_are_awaited_by_name():
+    one = replace(ONE_SIGNED, standing=replace(ONE_SIGNED.standing, signatures=(SIGNATURE,)))
+    words = steps(one, ("b.jones",), "J. Doe")[2].words
+    assert words == "Good to use as PROVISIONAL; a.smith has still to sign. Their key is not on this computer."
