@@ -284,7 +284,7 @@ class Window(Frame):
         to, app_state = self.app_state.path.next(), self.app_state
         here = self.page_shown() == to.page
         self.say_next(self.tr("Begin preflight") if here and to.ready else said_here(self.lazy_pages, to, here))
-        QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.lazy_pages[self.page_shown()]))
+        QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget()))
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or (to.waits and here))
 
     def _page_turned(self) -> None:

@@ -242,7 +242,15 @@ def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_d
     worker.answer(Rehearse, rehearse(None, asked))
     said = choose.plan.text()
     assert choose.plan.isVisible()
-    for words in ("largest field at the DUT 50.0 µT", "turns between", "°/s", "°C", " min,", "asked:\n– Mount the DUT"):
+    for words in (
+        "largest field at the DUT 50.0 µT",
+        "turns between",
+        "°/s",
+        "°C",
+        " min,",
+        "asked:\n– The platform looks for its zero",
+        "– Mount the DUT",
+    ):
         assert words in said
     assert "added to run r1" in said
     qtbot.mouseClick(choose.start, Qt.MouseButton.LeftButton)

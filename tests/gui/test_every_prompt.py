@@ -66,6 +66,8 @@ from labcal.errors import InstrumentError
 
 def fails(bench):
     yield from ()
+    still = "Still lost: stage (stuck). Put that right first: a step begun now fails again."
+    bench.still_wrong = lambda: still
     raise InstrumentError("stage is stuck.", fault="stuck", remedy="Free it.")
 
 def a_fault(bench):
@@ -139,7 +141,7 @@ class Questions:
             bench.write_text(text, encoding="utf-8")
         elif name == "a fault":
             (self.folder / "a_fault.py").write_text(A_FAULT, encoding="utf-8")
-            name, answers = str(self.folder / "a_fault.py"), {"failed-turn": "skip"}
+            name, answers = str(self.folder / "a_fault.py"), {"failed-turn": ["retry", "skip"]}
         return self._drive(find(name), bench, filled, answers, until)
 
     def _drive(self, found, bench, filled, answers, until):
@@ -149,7 +151,11 @@ class Questions:
             asked.append(prompt)
             if prompt.key == until:
                 raise Stopped("seen")
-            return answers.pop(prompt.key, first_choice(prompt))
+            said = answers.pop(prompt.key, first_choice(prompt))
+            if isinstance(said, list):
+                answers[prompt.key] = said[1] if len(said) == 2 else said[1:]
+                return said[0]
+            return said
 
         clock = VirtualClock(datetime(2026, 1, 5, tzinfo=UTC))
         with pytest.MonkeyPatch.context() as patch, closing(open_bench(bench, clock=clock, seed=3)) as lab:

@@ -169,8 +169,9 @@ def of_the_coils(seen):
     if on_bench != seen.currents:
         yield f"{on_bench} on the bench page, {seen.currents} beside it"
     asked = seen.live.prompt
-    if not asked.isHidden() and seen.window.app_state.run.prompt and asked.coils.text() != seen.zero:
-        yield f"the question says {asked.coils.text()!r}, the panel {seen.zero!r}"
+    beside = "\n".join(filter(None, (seen.zero, seen.side.platform.text())))
+    if not asked.isHidden() and seen.window.app_state.run.prompt and asked.lab.text() != beside:
+        yield f"the question says {asked.lab.text()!r}, the panel {beside!r}"
 
 
 def of_ages(seen, app_state):

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
 from PySide6.QtCore import QLocale, Qt
@@ -9,8 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QPushButton
 from test_choose import looked_at, told_by_the_loop
 from test_path import DONE, RUN, calibration
 
-from labcal.gui.ipc.answers import FitFigures, Fitted
-from labcal.gui.ipc.messages import CloseLoop, Identify, LookAt, ResumeRun
+from labcal.gui.ipc.answers import Checked, FitFigures, Fitted
+from labcal.gui.ipc.messages import CloseLoop, Identify, LastCageCheck, ListRuns, LookAt, ResumeRun
 from labcal.gui.pages.loop import candidates
 from labcal.gui.reopened import Shown
 from labcal.gui.translations import translate
@@ -47,13 +48,14 @@ def test_next_on_the_bench_page_asks_the_instruments_where_one_has_failed(still,
 def test_next_on_the_start_page_goes_on_with_the_run(still, qtbot, patience):
     still.open_page("Start")
     broken = replace(RUN, status="interrupted")
-    still.page("Start")._runs_known((broken,))
+    still.page("Start").refresh()
+    still.app_state.quick_worker.answer(ListRuns, (broken,))
     assert still.next.text() == "Next: Go on with the run"
     goes_on = still.page("Start").interrupted.body.itemAt(1).widget()
     qtbot.waitUntil(goes_on.isVisible, timeout=patience)
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert [one.run for one in still.app_state.bench_worker.commands(ResumeRun)] == ["r1"]
-    still.page("Start")._runs_known(())
+    still.app_state.path.take_runs(())
 
 
 def blue(window):
@@ -77,7 +79,7 @@ def test_one_button_at_most_is_blue(still, qtbot, page, runs):
 def test_next_is_blue_until_the_page_has_a_blue_button_of_its_own(still, qtbot, patience):
     still.open_page("History")
     page = still.page("History")
-    page._runs_known((RUN,))
+    still.app_state.quick_worker.answer(ListRuns, (RUN,))
     qtbot.waitUntil(lambda: blue(still) == [still.next.text()], timeout=patience)
     page.table.selectRow(0)
     qtbot.waitUntil(lambda: blue(still) == [page.open.text()], timeout=patience)
@@ -93,7 +95,9 @@ def test_a_cage_that_was_not_checked_has_a_button_that_leads_to_its_check(still,
     qtbot.mouseClick(page.check_cage, Qt.MouseButton.LeftButton)
     assert still.page_shown() == "Run"
     assert still.page("Run").choose.list.currentItem().text() == "cage-calibration"
-    page._say_cage("", 0, "PASS")
+    page.refresh()
+    today = replace(RUN, started_utc=f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ}")
+    still.app_state.quick_worker.answer(LastCageCheck, Checked(today, None, "PASS"))
     assert page.check_cage.isHidden()
 
 

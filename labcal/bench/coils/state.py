@@ -118,8 +118,9 @@ class PlatformReading:
             return MAY_TURN
         if self.moving:
             return f"platform turns, at {self.angle_deg:.0f}°"
-        age_s = now_s - self.read_s
-        return f"platform stands at {self.angle_deg:.0f}°" + ("" if age_s <= FRESH_S else f", read {ago(age_s)}")
+        if (age_s := now_s - self.read_s) > FRESH_S:
+            return f"platform stands at {self.angle_deg:.0f}°, read {ago(age_s)}"
+        return f"platform stands at {self.angle_deg:.0f}°"
 
 
 def ago(age_s: float) -> str:
