@@ -34,6 +34,23 @@ FAULTS = (  # of several that fit the first counts
         "Data", "the passphrase has {0} characters and needs {1}: four words are easy to keep; nothing was made"
     ),
     QT_TRANSLATE_NOOP("Data", "the passphrase is {0}: four words are easy to keep; nothing was made"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "{0}: its catalogue is of version {1}, and this labcal works with {2}: "
+        "its owner runs `labcal archive init` once",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here"
+    ),
+    QT_TRANSLATE_NOOP("Data", "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"),
+    QT_TRANSLATE_NOOP("Data", "{0}: bundles cannot be kept or read there: {1}"),
     QT_TRANSLATE_NOOP("Data", "aborted by the operator"),
     QT_TRANSLATE_NOOP("Data", "stopped by the operator"),
     QT_TRANSLATE_NOOP("Data", "whoever ran this is gone"),

@@ -73,6 +73,13 @@
     </message>
 </context>
 <context>
+    <name>ArchivedViewModel</name>
+    <message>
+        <source>The archive has not answered.</source>
+        <translation>Das Archiv hat nicht geantwortet.</translation>
+    </message>
+</context>
+<context>
     <name>BenchEditor</name>
     <message>
         <source>Settings of {0}</source>
@@ -1223,6 +1230,30 @@
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
         <translation>der Name der Bedienperson muss eine druckbare Zeile von höchstens {0} Zeichen sein</translation>
+    </message>
+    <message>
+        <source>{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push</source>
+        <translation>{0}: das Archiv ist nicht zu erreichen: {1}; nichts ist verloren: was noch nicht dort ist, kommt mit dem nächsten Übertragen dorthin</translation>
+    </message>
+    <message>
+        <source>{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`</source>
+        <translation>{0}: hier gibt es kein Archiv, das diese Rolle sehen kann: sein Eigentümer legt es mit `labcal archive init` an</translation>
+    </message>
+    <message>
+        <source>{0}: its catalogue is of version {1}, and this labcal works with {2}: its owner runs `labcal archive init` once</source>
+        <translation>{0}: sein Katalog hat die Version {1}, dieses labcal arbeitet mit {2}: sein Eigentümer ruft einmal `labcal archive init` auf</translation>
+    </message>
+    <message>
+        <source>{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here</source>
+        <translation>{0}: ein neueres labcal hat seinen Katalog angelegt (Version {1}, dieses kennt {2}): labcal hier aktualisieren</translation>
+    </message>
+    <message>
+        <source>the archive needs SQLAlchemy, Alembic and psycopg: pip install &apos;labcal[archive]&apos;</source>
+        <translation>das Archiv braucht SQLAlchemy, Alembic und psycopg: pip install &apos;labcal[archive]&apos;</translation>
+    </message>
+    <message>
+        <source>{0}: bundles cannot be kept or read there: {1}</source>
+        <translation>{0}: Pakete sind dort nicht abzulegen oder zu lesen: {1}</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -5199,6 +5230,22 @@
         <translation>Messungen</translation>
     </message>
     <message>
+        <source>Runs of this computer, or those of all benches in the archive, which are only looked at</source>
+        <translation>Messungen dieses Rechners, oder die aller Messplätze im Archiv, die nur angesehen werden</translation>
+    </message>
+    <message>
+        <source>Where the runs are</source>
+        <translation>Wo die Messungen liegen</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>Dieser Rechner</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
         <source>Search: DUT, day …</source>
         <translation>Prüfling, Tag …</translation>
     </message>
@@ -5257,6 +5304,22 @@
     <message>
         <source>{0} UTC</source>
         <translation>{0} UTC</translation>
+    </message>
+    <message>
+        <source>The bundle as it was pushed (.zip): import it on this computer to open it</source>
+        <translation>Das Paket, wie es übertragen wurde (.zip): auf diesem Rechner importieren, um es zu öffnen</translation>
+    </message>
+    <message>
+        <source>The archive was not read. {0}</source>
+        <translation>Das Archiv wurde nicht gelesen. {0}</translation>
+    </message>
+    <message>
+        <source>Asking the archive …</source>
+        <translation>Das Archiv wird gefragt …</translation>
+    </message>
+    <message>
+        <source>The archive has no such run.</source>
+        <translation>Das Archiv hat keine solche Messung.</translation>
     </message>
     <message>
         <source>Correct the serial</source>
@@ -6871,6 +6934,10 @@
     <message>
         <source>verdict</source>
         <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>Standort</translation>
     </message>
     <message>
         <source>run</source>

@@ -23,6 +23,7 @@ from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now
 from labcal.gui.viewmodels.login import LoginViewModel
@@ -70,8 +71,8 @@ class AppState(QObject):
         self.fit_worker, self.off_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
-        self.login = LoginViewModel(self.lab, self.run)
-        self.path = PathViewModel(self.lab, self.run, self.study_vm)
+        self.login, self.path = LoginViewModel(self.lab, self.run), PathViewModel(self.lab, self.run, self.study_vm)
+        self.archived = ArchivedViewModel(Client(self))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -79,14 +80,13 @@ class AppState(QObject):
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
-        self._said_of_dut = ""  # what the line below said last about the serial at the top
+        self._said_of_dut, self._dut_stated = "", False  # below of the serial at the top; by a person or the run's
         self._asked_off = False  # of this bench, and no answer has come
         self.known: state.LabState | None = None  # the lab as a worker sent it last, by the computer's monotonic clock
         self._known_s = 0.0  # and when it did
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self.warning_shown = False  # the card that says so
-        self._dut_stated = False  # by a person, or by the run that is gone on with
         self._age_timer = QTimer(self, interval=AGES_MS)
         self._age_timer.timeout.connect(self.grow_old)
         self._age_timer.start()
@@ -396,5 +396,5 @@ class AppState(QObject):
         for timer in (self.force_timer, self._age_timer):
             timer.stop()
         self.bench_worker.close(8000)
-        for worker in (self.quick_worker, self.fit_worker, self.off_worker):
+        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.archived):
             worker.close(500)
