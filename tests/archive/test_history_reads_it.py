@@ -145,6 +145,7 @@ def test_one_that_never_answers_keeps_nobody_waiting(
             look_at(page, ARCHIVE)
             assert (page.empty.text(), page.table.rowCount()) == ("Asking the archive …", 0)
             look_at(page, HERE)
+            wait(lambda: not page._app_state.quick_worker.busy)
             import_bundle(bundle("x-1"))
             page.refresh()
             wait(lambda: page.table.rowCount() == 2)

@@ -30,7 +30,7 @@ KINDS = {  # of figures, by the words of the chooser
 }
 
 
-class Calibrated(Protocol):
+class FollowedCalibration(Protocol):
     """A calibration of this lab's folder, or of the archive."""
 
     @property
@@ -60,7 +60,7 @@ class Course:
     limit: float | None = None
 
 
-def courses(files: Sequence[Calibrated], chosen: str) -> list[Course]:
+def courses(files: Sequence[FollowedCalibration], chosen: str) -> list[Course]:
     """The three figures of a kind over `files`, the oldest first."""
     if not files:
         return []
@@ -79,7 +79,7 @@ def courses(files: Sequence[Calibrated], chosen: str) -> list[Course]:
     ]
 
 
-def _gain(files: Sequence[Calibrated], axis: int) -> Course:
+def _gain(files: Sequence[FollowedCalibration], axis: int) -> Course:
     value = np.array([one.K[axis][axis] for one in files])
     U = np.array([2 * one.u[4 * axis] if one.u else 0.0 for one in files])
     changed, of_it = 1e6 * (value / value[0] - 1), 1e6 * U / abs(value[0])
@@ -94,7 +94,7 @@ class Trend(Card):
     def __init__(self, theme: Theme) -> None:
         super().__init__(self.tr("Calibrations over time"), self.tr("bars: U, k=2"))
         self._theme = theme
-        self._files: Sequence[Calibrated] = ()
+        self._files: Sequence[FollowedCalibration] = ()
         self._times: Sequence[float] = ()
         self.idle_queue = IdleQueue(self)
         self.parameter = QComboBox()
@@ -123,7 +123,7 @@ class Trend(Card):
         apply_theme(self.plot, theme)
         self.idle_queue.add(self.draw)
 
-    def show_files(self, dut: str, files: Sequence[Calibrated], times: Sequence[float]) -> None:
+    def show_files(self, dut: str, files: Sequence[FollowedCalibration], times: Sequence[float]) -> None:
         """Draw these calibrations of `dut`, the oldest first, at their times [s since 1970]."""
         self.heading.setText(self.tr("Calibrations of {0}").format(dut or "–"))
         self._files, self._times = files, times
