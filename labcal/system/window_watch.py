@@ -25,8 +25,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from labcal.files.atomic import write_bytes
-from labcal.files.home import ARCHIVE, FILE, SECRETS, for_children, home, own_folder
-from labcal.files.text_safety import without_passwords
+from labcal.files.confidential import without_secrets
+from labcal.files.home import ARCHIVE, FILE, for_children, home, own_folder
 from labcal.system import run_door
 from labcal.system.qt_packages import QT_PACKAGES
 
@@ -136,14 +136,6 @@ def keep_report(ended: WindowEnd) -> Path:
         archive.writestr("guardian.log", without_secrets(_end_of(home() / "guardian.log")))
     write_bytes(report, packed.getvalue(), FILE)
     return report
-
-
-def without_secrets(text: str) -> str:
-    """The text without what this process was given in confidence."""
-    for name in SECRETS:
-        if secret := os.environ.get(name):
-            text = text.replace(secret, f"({name})")
-    return without_passwords(text)  # what a library makes of such an address is not that address
 
 
 def how(code: int) -> str:

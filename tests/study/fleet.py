@@ -49,7 +49,7 @@ def sensor(seed: int, nT_per_K: float | None = None) -> Run:
         run_id=f"fleet-{seed}",
         started_utc="2026-03-02T08:15:00Z",
         simulated=True,
-        operator="",
+        operator="carol",
         dut=Dut(f"SN{seed}", "model", "nT", 1.0, 25.0),
         reference=Reference("vector", noise_nT=3.0),
         segments=(Segment("all", "free", reference_frame="body"),),
