@@ -13,10 +13,11 @@ import json
 import os
 import sys
 import tempfile
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
+from matplotlib.image import imread, imsave
 
 ROOT = Path(__file__).parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "years"), str(ROOT / "tests" / "quality")]
@@ -25,7 +26,9 @@ from calibrations_of_years import three_batches  # noqa: E402
 from test_gage_rr import AIAG  # noqa: E402
 
 from labcal import session  # noqa: E402
+from labcal.certificate import calibration_bytes, read_calibration  # noqa: E402
 from labcal.cli import execute as labcal  # noqa: E402
+from labcal.model import AffineMap  # noqa: E402
 from labcal.session.figures import SensorFigure, place_of  # noqa: E402
 
 DAYS, MOVED_AFTER, MOVED_SIGMA = 45, 25, 1.1
@@ -41,16 +44,23 @@ def main() -> None:
         folder = Path(place)
         os.environ["LABCAL_HOME"] = str(folder / "home")
         check_standard(folder)
-        draw("charts", "CS-01", "--repeats", "3", "--baseline", "20", out=out)
+        first_of(6, draw("charts", "CS-01", "--repeats", "3", "--baseline", "20", out=out))
         draw("rr", "--table", str(worked_example(folder)), out=out)
-        draw("fleet", str(three_batches(folder / "fleet")), out=out)
+        draw("fleet", str(a_fleet(folder / "fleet")), out=out)
 
 
-def draw(command: str, *words: str, out: Path) -> None:
+def draw(command: str, *words: str, out: Path) -> Path:
     """Call `command`, its figures written as a picture."""
     picture = out / f"years-{'gage' if command == 'rr' else command}.png"
     labcal([command, *words, "--out", str(picture), "--force"])
     print(picture)
+    return picture
+
+
+def first_of(quantities: int, picture: Path) -> None:
+    """Keep the chart of the first quantity alone: the others look like it."""
+    whole = imread(picture)
+    imsave(picture, whole[: len(whole) // quantities])
 
 
 def check_standard(folder: Path) -> None:
@@ -64,11 +74,10 @@ def check_standard(folder: Path) -> None:
             header["started_utc"] = f"2026-{1 + day // 28:02}-{1 + day % 28:02}T{8 + repeat:02}:00:00Z"
             (run / "run.json").write_text(json.dumps(header))
             (run / "samples.csv").write_bytes((GOLDEN / "bundle-small.csv").read_bytes())
-            keep_figures(run, draws.normal(MOVED_SIGMA * (day >= MOVED_AFTER), 1.0, 6))
-            session.import_bundle(run)
+            keep_figures(session.import_bundle(run), draws.normal(MOVED_SIGMA * (day >= MOVED_AFTER), 1.0, 6))
 
 
-def keep_figures(run: Path, drawn: np.ndarray[tuple[int], np.dtype[np.float64]]) -> None:
+def keep_figures(run: str, drawn: np.ndarray[tuple[int], np.dtype[np.float64]]) -> None:
     """What was worked out of this run: offsets about 10 nT, scales about 100 ppm."""
     names = [f"{kind} {axis}" for kind in ("offset", "scale") for axis in "xyz"]
     usual = [(10.0, 2.0, "nT")] * 3 + [(100.0, 20.0, "ppm")] * 3
@@ -77,6 +86,16 @@ def keep_figures(run: Path, drawn: np.ndarray[tuple[int], np.dtype[np.float64]])
     place = place_of(run)
     place.parent.mkdir(parents=True, exist_ok=True)
     place.write_text(json.dumps([asdict(one) for one in found]))
+
+
+def a_fleet(folder: Path) -> Path:
+    """Three batches, one of which follows the temperature, with scales and angles that scatter too."""
+    draws = np.random.default_rng(3)
+    for file in sorted(three_batches(folder).glob("*.json")):
+        one = read_calibration(file)
+        K = np.eye(3) + draws.normal(0, 5e-4, (3, 3))
+        file.write_bytes(calibration_bytes(replace(one, affine=AffineMap(K, one.affine.k_nT))))
+    return folder
 
 
 def worked_example(folder: Path) -> Path:
