@@ -51,6 +51,11 @@ FAULTS = (  # of several that fit the first counts
     ),
     QT_TRANSLATE_NOOP("Data", "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"),
     QT_TRANSLATE_NOOP("Data", "{0}: bundles cannot be kept or read there: {1}"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again "
+        "(--dut {3}), or let a person answer for it: --override NAME --because TEXT",
+    ),
     QT_TRANSLATE_NOOP("Data", "aborted by the operator"),
     QT_TRANSLATE_NOOP("Data", "stopped by the operator"),
     QT_TRANSLATE_NOOP("Data", "whoever ran this is gone"),

@@ -1256,6 +1256,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the window stood still for more than a second</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1256,6 +1256,10 @@
         <translation>{0}: Pakete sind dort nicht abzulegen oder zu lesen: {1}</translation>
     </message>
     <message>
+        <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
+        <translation>{0}: das Prüfnormal {1} ist außer Kontrolle ({2}). Auf diesem Messplatz beginnt keine Prozedur: es noch einmal messen (seine Nummer als Prüfling; --dut {3}), oder jemand steht auf der Befehlszeile dafür ein: --override NAME --because TEXT</translation>
+    </message>
+    <message>
         <source>the window stood still for more than a second</source>
         <translation>das Fenster stand länger als eine Sekunde still</translation>
     </message>

@@ -1256,6 +1256,10 @@
         <translation>{0} : les paquets ne peuvent y être gardés ni lus : {1}</translation>
     </message>
     <message>
+        <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
+        <translation>{0} : l’étalon de contrôle {1} est hors de contrôle ({2}). Aucune procédure ne commence sur ce banc : le mesurer à nouveau (son numéro comme DUT ; --dut {3}), ou quelqu’un en répond sur la ligne de commande : --override NAME --because TEXT</translation>
+    </message>
+    <message>
         <source>the window stood still for more than a second</source>
         <translation>la fenêtre est restée figée plus d&apos;une seconde</translation>
     </message>
