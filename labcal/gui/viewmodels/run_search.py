@@ -63,10 +63,10 @@ def run_key(one: RunLine) -> tuple[str, str]:
 
 
 def file_name(one: RunLine) -> str:
-    """By site, serial and date, as it is found again in a folder."""
-    site, serial = (re.sub(r"[^\w.-]", "-", name) for name in (one.site, one.dut_serial))
+    """By site, serial and date, as it is found again in a folder. What others called it names no other folder."""
     began = f"{local_time(one.started_utc):%Y-%m-%d_%H%M%S}"
-    return "_".join(filter(None, (site, serial, began, one.procedure or "bundle")))
+    parts = (one.site, one.dut_serial, began, one.procedure or "bundle")
+    return "_".join(re.sub(r"[^\w.-]", "-", part) for part in parts if part)
 
 
 def moment_s(utc: str) -> float:
