@@ -14,23 +14,22 @@ import os
 import sys
 import tempfile
 from dataclasses import asdict, replace
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 from matplotlib.image import imread, imsave
 
+from labcal import session
+from labcal.certificate import calibration_bytes, read_calibration
+from labcal.cli import execute as labcal
+from labcal.model import AffineMap
+from labcal.session.figures import SensorFigure, place_of
+
 ROOT = Path(__file__).parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "years"), str(ROOT / "tests" / "quality")]
-
-from calibrations_of_years import three_batches  # noqa: E402
-from test_gage_rr import AIAG  # noqa: E402
-
-from labcal import session  # noqa: E402
-from labcal.certificate import calibration_bytes, read_calibration  # noqa: E402
-from labcal.cli import execute as labcal  # noqa: E402
-from labcal.model import AffineMap  # noqa: E402
-from labcal.session.figures import SensorFigure, place_of  # noqa: E402
-
+three_batches = import_module("calibrations_of_years").three_batches
+AIAG = import_module("test_gage_rr").AIAG
 DAYS, MOVED_AFTER, MOVED_SIGMA = 45, 25, 1.1
 GOLDEN = ROOT / "tests" / "golden"
 
