@@ -8,7 +8,8 @@ import signal
 import sys
 from pathlib import Path
 
-from labcal.files.home import ARCHIVE, SECRETS
+from labcal.files.home import SECRETS
+from labcal.gui.ipc import named_archive
 from labcal.system.private_memory import kept_private
 from labcal.system.qt_packages import QT_PACKAGES
 
@@ -24,9 +25,8 @@ def main() -> int:
     parser.add_argument("--worker", type=int, default=0, metavar="PID", help="and its run goes on in this process")
     parser.add_argument("--archive", action="store_true", help="the archive's URL is a line on standard input")
     given = parser.parse_args()
-    if given.archive:
-        os.environ[ARCHIVE] = sys.stdin.readline().strip()
-    if any(name in os.environ for name in SECRETS):
+    named_archive.take(sys.stdin.readline().strip() if given.archive else "")
+    if named_archive.named() or any(name in os.environ for name in SECRETS):
         kept_private()
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # what is loaded has nothing to put in order yet
     try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import socket
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -182,3 +183,26 @@ def test_the_window_is_told_the_url_where_nobody_else_reads_it(tmp_path: Path, m
     assert "'--archive'" in (tmp_path / "argv").read_text()
     assert not any(CANARY in (tmp_path / name).read_text() for name in ("argv", "seen"))
     assert os.environ["LABCAL_ARCHIVE"] == place
+
+
+BEGUN = """
+import ctypes, subprocess, sys
+sys.modules["PySide6.QtWidgets"] = None  # it ends where Qt does not load
+sys.argv = ["labcal.gui", *sys.argv[1:]]
+from labcal.gui.__main__ import main
+from labcal.gui.ipc.named_archive import named
+code = main()
+opened = subprocess.run(["env"], capture_output=True, text=True, check=True).stdout
+print(code, named(), "LABCAL_ARCHIVE" in opened, ctypes.CDLL(None).prctl(3, 0, 0, 0, 0))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="prctl is Linux's")
+@pytest.mark.parametrize("by", ["a line", "the environment"])
+def test_what_the_window_opens_does_not_have_the_url_and_no_dump_either(by: str) -> None:
+    place = f"postgresql://keeper:{CANARY}@db.example/lab"
+    words = [sys.executable, "-c", BEGUN, *(["--archive"] if by == "a line" else [])]
+    environment = {name: value for name, value in os.environ.items() if name != "LABCAL_ARCHIVE"}
+    environment |= {"LABCAL_ARCHIVE": place} if by == "the environment" else {}
+    done = subprocess.run(words, env=environment, input=f"{place}\n", capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["2", place, "False", "0"], done.stderr

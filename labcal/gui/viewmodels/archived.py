@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from labcal.files.home import ARCHIVE
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.archive_messages import (
     ArchivedCalibration,
@@ -19,6 +17,7 @@ from labcal.gui.ipc.archive_messages import (
 )
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.kinds import Command
+from labcal.gui.ipc.named_archive import named
 from labcal.gui.ipc.wire import Fault
 
 R = TypeVar("R")
@@ -34,7 +33,7 @@ class ArchivedViewModel(QObject):
     def __init__(self, worker: Client) -> None:
         super().__init__()
         self.worker = worker
-        self._url = os.environ.get(ARCHIVE, "")
+        self._url = named()
         self.runs: tuple[RunLine, ...] = ()
         self.calibrations: dict[str, tuple[ArchivedCalibration, ...]] = {}  # by DUT, the oldest first
         self.fault: Fault | None = None
