@@ -11,8 +11,8 @@ _told: list[str] = []
 
 def take(url: str) -> None:
     """From here on it is `url`, else the one that the environment named, which names none any more."""
-    _told[:] = [url or os.environ.pop(ARCHIVE, "")]
-    os.environ.pop(ARCHIVE, None)
+    by_environment = os.environ.pop(ARCHIVE, "")
+    _told[:] = [url or by_environment]
 
 
 def named() -> str:
