@@ -60,19 +60,20 @@ class Watched:
     """What others could read of processes while they worked."""
 
     commands: set[bytes] = field(default_factory=set)
-    environments: set[bytes] = field(default_factory=set)
+    environments: dict[bytes, bytes] = field(default_factory=dict)  # by the command line
     children: set[int] = field(default_factory=set)
 
     def look(self, first: int) -> None:
-        """At a process, and at all that it has begun."""
-        todo = [first]
+        """At a process, and at all that it has begun; a fork that is no program yet is still the one it came of."""
+        todo = [(first, b"")]
         while todo:
-            process = todo.pop()
-            todo += children_of(process)
+            process, of = todo.pop()
             with suppress(OSError):
-                self.commands.add(Path(f"/proc/{process}/cmdline").read_bytes())
-                if process != first:
-                    self.environments.add(Path(f"/proc/{process}/environ").read_bytes())
+                command = Path(f"/proc/{process}/cmdline").read_bytes()
+                self.commands.add(command)
+                todo += [(child, command) for child in children_of(process)]
+                if process != first and command not in (b"", of):
+                    self.environments[command] = Path(f"/proc/{process}/environ").read_bytes()
                     self.children.add(process)
 
 
@@ -203,7 +204,7 @@ def test_no_secret_is_found_again(postgres: Server, database: str, url: str, tmp
         ("catalogue", repr(rows_of(postgres, database)).encode()),
         ("server's log", (postgres.folder / "log").read_bytes()),
         *(("a command line", one) for one in seen.commands),
-        *(("an environment", one) for one in seen.environments),
+        *((f"the environment of {command!r}", one) for command, one in seen.environments.items()),
     ]
     assert [one for where, content in everywhere for one in found_again(where, content)] == []
     forms = (raw, b64encode(raw), raw.hex().encode())
