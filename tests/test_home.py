@@ -19,9 +19,14 @@ def test_without_it_home_is_the_user_s_data_folder(monkeypatch: pytest.MonkeyPat
     assert home().name == "labcal"
 
 
-def test_secrets_are_put_aside_and_back_whatever_happens(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PGPASSWORD", "c4nary")
-    with pytest.raises(RuntimeError), secrets_aside():
+def broken() -> None:
+    with secrets_aside():
         assert "PGPASSWORD" not in os.environ
         raise RuntimeError
+
+
+def test_secrets_are_put_aside_and_back_whatever_happens(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PGPASSWORD", "c4nary")
+    with pytest.raises(RuntimeError):
+        broken()
     assert os.environ["PGPASSWORD"] == "c4nary"
