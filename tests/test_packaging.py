@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
 
 from labcal.system.qt_packages import QT_PACKAGES
@@ -138,6 +139,20 @@ def test_every_dependency_has_an_upper_bound() -> None:
     wanted = [*told["dependencies"], *(one for extra in told["optional-dependencies"].values() for one in extra)]
     bounded = {text: {spec.operator for spec in Requirement(text).specifier} & {"<", "~=", "=="} for text in wanted}
     assert [text for text, operators in bounded.items() if not operators] == []
+
+
+def test_the_versions_that_were_tried_are_stated_and_lie_within_the_bounds() -> None:
+    """A bound that is moved asks for a version that was tried, and a package that is new for one too."""
+    told = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = [one for name, of in told["optional-dependencies"].items() if name != "dev" for one in of]
+    wanted = {r.name: r.specifier for r in map(Requirement, [*told["dependencies"], *extras])}
+    page = (ROOT / "docs" / "installation.md").read_text().partition("## Versions that were tried")[2]
+    lines = [re.split(r" *\| *", line) for line in page.splitlines() if line.startswith("|")][2:]
+    rows = {name: (permitted, tried) for _, name, _, permitted, tried, _ in lines}
+    assert rows.keys() == wanted.keys()
+    assert {name: SpecifierSet(said.strip("`")) for name, (said, _) in rows.items()} == wanted
+    assert [name for name, (_, tried) in rows.items() if tried != "not here" and tried not in wanted[name]] == []
+    assert sum(tried != "not here" for _, tried in rows.values()) > len(rows) - 6
 
 
 def test_setting_up_compiles_nothing_that_nobody_imports(monkeypatch, tmp_path):

@@ -117,6 +117,15 @@ def calibrations(archive: Archive, wanted: CalibrationQuery) -> list[dict[str, A
     return _plain(archive, listed.add_columns(*shown).order_by(c.measured_utc, c.site, c.sha256))
 
 
+def files_of(archive: Archive, dut: str) -> list[tuple[dict[str, Any], bytes]]:
+    """The calibrations of a DUT that have a date, the oldest first: their rows, and the bytes of their files."""
+    c = MEASURED.c
+    listed = select(*(c[name] for name in LISTED_CALIBRATION), c.content)
+    mine = listed.where(c.dut_serial == dut, c.measured_utc.is_not(None))
+    rows = _plain(archive, mine.order_by(c.measured_utc, c.site, c.sha256))
+    return [(row, bytes(row.pop("content"))) for row in rows]
+
+
 def _largest_of(found: Subquery) -> Condition:
     mine = (found.c.site == MEASURED.c.site, found.c.calibration == MEASURED.c.sha256)
     return and_(*mine, found.c.place == 1)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from sqlalchemy import Connection, select, text
 
-from labcal.archive.server import Archive
+from labcal.archive.server import NOT_SET_UP, Archive
 from labcal.archive.tables import SCHEMA, SETTING, VERSION
 from labcal.errors import InputError
 
@@ -30,12 +30,14 @@ def make(archive: Archive, bundles: str | None = None) -> str:
     return VERSION
 
 
-def check(archive: Archive) -> None:
-    """Have a catalogue of this version there: made where none is. Raises InputError for one of another version."""
+def check(archive: Archive, *, made: bool = False) -> None:
+    """Have a catalogue of this version there, `made` where there is none. Raises InputError where it is not so."""
     with archive.transaction() as connection:
         found = version(connection)
-    if found is None:
+    if found is None and made:
         make(archive)
+    elif found is None:
+        raise InputError(f"{archive.address.shown}: {NOT_SET_UP}")
     elif found != VERSION:
         _refuse_newer(found, archive)
         older = f"its catalogue is of version {found}, and this labcal works with {VERSION}"

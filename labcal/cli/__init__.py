@@ -160,6 +160,7 @@ def _report_of(error: Exception) -> str:
     from traceback import format_exception
 
     from labcal.files.atomic import write_bytes
+    from labcal.files.confidential import without_secrets
     from labcal.files.home import FILE, home, own_folder
     from labcal.files.text_safety import replace_unseen
 
@@ -169,7 +170,7 @@ def _report_of(error: Exception) -> str:
         own_folder(report.parent)
         given = re.sub(r"(--webhook[= ])\S+", r"\1***", " ".join(sys.argv[1:]))
         text = f"labcal {given}\n\n{''.join(format_exception(error))}"
-        write_bytes(report, without_passwords(replace_unseen(text)).encode(), FILE)
+        write_bytes(report, without_secrets(replace_unseen(text)).encode(), FILE)
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import stat
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 FOLDER, FILE = 0o700, 0o600
@@ -62,6 +63,16 @@ def file_at_home(name: str) -> Path:
 def for_children() -> dict[str, str]:
     """The environment for a process that labcal starts: what is secret stays here."""
     return {name: value for name, value in os.environ.items() if name not in SECRETS}
+
+
+@contextmanager
+def secrets_aside() -> Iterator[None]:
+    """Within, this process's own environment has no secret: what a library starts by itself inherits none."""
+    aside = {name: os.environ.pop(name) for name in SECRETS if name in os.environ}
+    try:
+        yield
+    finally:
+        os.environ.update(aside)
 
 
 def _tighten(path: Path, mode: int) -> None:

@@ -1,4 +1,4 @@
-"""The problem report: one .zip with what a developer asks for first, and no key, passphrase or recording in it."""
+"""The problem report: one .zip with what a developer asks for first, and no key, secret or recording in it."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from io import BytesIO
 from pathlib import Path
 
 from labcal.files.atomic import write_bytes
+from labcal.files.confidential import without_secrets
 from labcal.files.outputs import claim
 from labcal.gui.ipc.wire import Fault
 
@@ -33,8 +34,9 @@ def save_problem(
     }
     packed = BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("problem.json", json.dumps(about, indent=1, default=str))
+        archive.writestr("problem.json", without_secrets(json.dumps(about, indent=1, default=str)))
         if bench and Path(bench).is_file():
-            archive.writestr("bench.toml", Path(bench).read_text(encoding="utf-8", errors="replace"))
+            text = Path(bench).read_text(encoding="utf-8", errors="replace")
+            archive.writestr("bench.toml", without_secrets(text))
     with output.writing():
         write_bytes(out, packed.getvalue())

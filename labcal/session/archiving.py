@@ -16,6 +16,7 @@ from labcal.session.opened_archive import archive_address, needing_the_extra, op
 from labcal.store import Bundle, save_bundle
 
 if TYPE_CHECKING:
+    from labcal.model import Calibration
     from labcal.session.pushing import Pushed
 
 OnRemark = Callable[[str], None]
@@ -53,6 +54,24 @@ def archived_calibrations(given: str | None, **wanted: Any) -> list[dict[str, An
         from labcal.archive.queries import CalibrationQuery, calibrations
 
         return calibrations(archive, CalibrationQuery(**wanted))
+
+
+def archived_files(given: str | None, dut: str) -> list[tuple[dict[str, Any], Calibration]]:
+    """The calibrations of one DUT in the archive, the oldest first: what is listed of each, and what its file says.
+
+    A file that is none, or of another DUT than its row says, is left out: `check_archive` reports it.
+    """
+    from labcal.certificate import parse_calibration
+
+    with opened(given) as archive:
+        from labcal.archive.queries import files_of
+
+        rows = files_of(archive, dut)
+    found: list[tuple[dict[str, Any], Calibration]] = []
+    for row, content in rows:
+        with suppress(InputError):
+            found.append((row, parse_calibration(content, Path(f"{row['site']}: {row['run_id']}"))))
+    return [(row, made) for row, made in found if made.dut.serial == dut]
 
 
 def archived_parameters(given: str | None, **wanted: Any) -> list[dict[str, Any]]:
@@ -105,7 +124,7 @@ def push(
 
     The audit log goes with them. `on_remark` gets each that is new. Raises InputError where the server is away.
     """
-    with opened(given) as archive:
+    with opened(given, made=True) as archive:
         from labcal.session.pushing import Pusher
 
         return Pusher.at(archive, bundles, on_remark).push(names)

@@ -41,13 +41,16 @@ def archive_address(given: str | None) -> ServerAddress:
 
 
 @contextmanager
-def opened(given: str | None) -> Iterator[Archive]:
-    """The archive that is named, its catalogue there and of this version. Raises InputError."""
+def opened(given: str | None, *, made: bool = False) -> Iterator[Archive]:
+    """The archive that is named, its catalogue there (`made` where there is none) and of this version.
+
+    Raises InputError.
+    """
     with needing_the_extra():
         from labcal.archive import server, versions
 
         with server.opened(archive_address(given)) as archive:
-            versions.check(archive)
+            versions.check(archive, made=made)
             yield archive
 
 

@@ -11,6 +11,7 @@ from typing import Any
 from labcal.study.job import Cell
 
 ROOTS = ("lab", "settings")  # the tables of a study that a dimension may change
+PROCEDURE = "procedure"  # and what is run
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,13 +64,18 @@ def _option(path: tuple[str, ...], value: Any) -> Option:
         for key in reversed(path):
             change = {key: change}
         return _label(value), change
+    if path == (PROCEDURE,) and isinstance(value, str):
+        return value, {PROCEDURE: value}
     if path[0] in ROOTS or len(path) > 1:
         raise ValueError(f"{'.'.join(path)}: a dimension lies in {' or '.join(ROOTS)}, or is a name with tables")
-    if not isinstance(value, Mapping) or not isinstance(value.get("name"), str) or {*value} - {"name", *ROOTS}:
-        raise ValueError(f"{path[0]}: each of its values is a table with name, and lab or settings")
+    known = {"name", PROCEDURE, *ROOTS}
+    if not isinstance(value, Mapping) or not isinstance(value.get("name"), str) or {*value} - known:
+        raise ValueError(f"{path[0]}: each of its values is a table with name, and procedure, lab or settings")
+    if not isinstance(value.get(PROCEDURE, ""), str):
+        raise ValueError(f"{path[0]}: procedure is the name of one")
     if not all(isinstance(value.get(root, {}), Mapping) for root in ROOTS):
         raise ValueError(f"{path[0]}: lab and settings are tables")
-    return value["name"], {root: value[root] for root in ROOTS if root in value}
+    return value["name"], {root: value[root] for root in (PROCEDURE, *ROOTS) if root in value}
 
 
 def _label(value: Any) -> Cell:

@@ -18,7 +18,7 @@ from labcal.runner import find
 from labcal.runner.catalogue import FoundProcedure
 from labcal.session.working_out import version
 from labcal.study.fleet import fleet_jobs
-from labcal.study.grid import GridPoint, merged, points
+from labcal.study.grid import PROCEDURE, GridPoint, merged, points
 from labcal.study.job import Cell, Job, canonical
 from labcal.study.optimal import MOST
 from labcal.study.specification import MOST_JOBS, Blind, Design, FleetStudy, MonteCarlo, Simulated, texts
@@ -42,12 +42,12 @@ def jobs_of(study: Simulated | FleetStudy, file: Path) -> tuple[list[Job], list[
 
 
 def _simulated(study: Simulated, file: Path) -> Iterator[Job]:
-    procedure, bench = find(_procedure(study, file)), _bench(study.bench)
-    grid = points(study.grid)
+    bench, grid = _bench(study.bench), points(study.grid)
     asked = list(_asked(study))
     if (number := len(grid) * len(study.all_seeds) * len(asked)) > MOST_JOBS:
         raise InputError(f"is a study of {number} jobs; at most {MOST_JOBS} are meant", file=file)
     for point in grid:
+        procedure = find(_procedure(study, str(point.changes.get(PROCEDURE, study.procedure)), file))
         common = {**_common(study, procedure, bench, point), "version": version()}
         for more in asked:
             for seed in study.all_seeds:
@@ -55,9 +55,8 @@ def _simulated(study: Simulated, file: Path) -> Iterator[Job]:
                 yield Job(study.kind, {**common, **more, "seed": seed}, labels)
 
 
-def _procedure(study: Simulated, file: Path) -> str:
+def _procedure(study: Simulated, named: str, file: Path) -> str:
     """Its name; a file of one's own counts from the study's folder."""
-    named = study.procedure
     if isinstance(study, Design) and named != "preflight":
         raise InputError("procedure: a design is chosen from the rotations of a preflight", file=file)
     return str((file.parent / named).resolve()) if named.endswith(".py") else named

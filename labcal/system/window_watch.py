@@ -15,6 +15,7 @@ import sys
 import time
 import zipfile
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
@@ -24,8 +25,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from labcal.files.atomic import write_bytes
-from labcal.files.home import FILE, SECRETS, for_children, home, own_folder
-from labcal.files.text_safety import without_passwords
+from labcal.files.confidential import without_secrets
+from labcal.files.home import ARCHIVE, FILE, for_children, home, own_folder
 from labcal.system import run_door
 from labcal.system.qt_packages import QT_PACKAGES
 
@@ -95,8 +96,11 @@ def once(command: Sequence[str]) -> WindowEnd:
     with TemporaryDirectory(prefix="labcal-window-") as place:
         state, log = Path(place) / "state.json", Path(place) / "log.txt"
         environment = {**for_children(), "PYTHONFAULTHANDLER": "1"}
+        url = os.environ.get(ARCHIVE, "")
+        words = [*command, "--state", str(state), *(["--archive"] if url else [])]
         with log.open("wb") as said:
-            process = subprocess.Popen([*command, "--state", str(state)], stderr=said, env=environment)
+            process = subprocess.Popen(words, stdin=subprocess.PIPE if url else None, stderr=said, env=environment)
+            _tell(process, url)
             while True:
                 try:
                     code = process.wait()
@@ -104,6 +108,13 @@ def once(command: Sequence[str]) -> WindowEnd:
                 except KeyboardInterrupt:
                     continue
         return WindowEnd(code, without_secrets(_end_of(log)), _read(state), time.monotonic() - begun)
+
+
+def _tell(process: subprocess.Popen[bytes], url: str) -> None:
+    """The archive's URL, which may state a password, goes by the window's standard input, for nobody else to read."""
+    if process.stdin is not None:
+        with suppress(OSError), process.stdin as line:  # a window that is gone already needs none
+            line.write(f"{url}\n".encode())
 
 
 def keep_report(ended: WindowEnd) -> Path:
@@ -125,14 +136,6 @@ def keep_report(ended: WindowEnd) -> Path:
         archive.writestr("guardian.log", without_secrets(_end_of(home() / "guardian.log")))
     write_bytes(report, packed.getvalue(), FILE)
     return report
-
-
-def without_secrets(text: str) -> str:
-    """The text without what this process was given in confidence."""
-    for name in SECRETS:
-        if secret := os.environ.get(name):
-            text = text.replace(secret, f"({name})")
-    return without_passwords(text)  # what a library makes of such an address is not that address
 
 
 def how(code: int) -> str:

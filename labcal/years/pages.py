@@ -28,6 +28,11 @@ if TYPE_CHECKING:
 
 BY = (("Worked out by", f"labcal {__version__}"),)
 
+IN_SERVICE = (
+    'In-service checking (ILAC-G24, "black box") proposes no interval: check the sensor between calibrations '
+    "(labcal run verify, labcal charts), and calibrate it again when a check fails."
+)
+
 
 def write_page(page: Page, path: Path) -> None:
     """Write `page` as .html or .pdf, or its figures alone, one below the other, as .png."""
@@ -211,7 +216,7 @@ def trend_page(serial: str, found: Sequence[Trend], dates: Sequence[datetime], s
         sections=sections(
             section("Over time", plots),
             section("Drift a year", [drift_table(found)]),
-            section("When to calibrate again", [interval_table(asked)] if asked else []),
+            section("When to calibrate again", [interval_table(asked), Prose((IN_SERVICE,))] if asked else []),
         ),
     )
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
-from labcal.gui.viewmodels.run_search import cells, matches
+from labcal.gui.viewmodels.run_search import cells, file_name, matches
 
 RUN = RunLine("r1", "2026-11-22T23:30:00Z", "finished", "EM-07", "J. Doe", "preflight", simulated=True)
 BEFORE = replace(
@@ -39,6 +39,12 @@ def test_a_run_is_found_by_the_day_on_which_it_began_here(in_tokyo, words, found
 def test_times_are_those_of_this_place(in_tokyo):
     assert cells(RUN)[0] == "2026-11-23 08:30"
     assert "SIMULATED" in cells(RUN)[2]
+
+
+def test_a_run_of_another_lab_names_no_folder_when_it_is_written(in_tokyo):
+    hostile = replace(RUN, site="../lab", dut_serial="a/b", procedure="../../etc/x", sha256="0")
+    assert file_name(hostile) == "..-lab_a-b_2026-11-23_083000_..-..-etc-x"
+    assert file_name(RUN) == "EM-07_2026-11-23_083000_preflight"
 
 
 def test_a_click_on_a_heading_sorts_and_a_second_one_turns_round_and_the_choice_stays(still, qtbot):

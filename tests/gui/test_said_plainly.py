@@ -131,7 +131,7 @@ def test_an_exported_run_says_where_it_lies(still, qtbot, tmp_path, monkeypatch)
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
     still.open_page("History")
     page, out = still.page("History"), str(tmp_path / "r.zip")
-    page.export_to("r1", "bundle", out)
+    page.export_to(RUN, "bundle", out)
     still.app_state.quick_worker.answer(ExportRun, out)
     assert page.said.text() == f"Exported: {out}"
     qtbot.mouseClick(page.folder, Qt.MouseButton.LeftButton)

@@ -23,6 +23,14 @@ def test_a_named_dimension_changes_several_places_at_once() -> None:
     assert point.changes == {"lab": loud["lab"]}
 
 
+def test_the_procedure_is_a_dimension_by_its_name_or_with_its_own_settings() -> None:
+    turned = {"name": "two", "procedure": "preflight", "settings": {"magnitudes_nT": [2e4, 5e4]}}
+    plain, named = points({"procedure": ["field-sphere", turned]})
+    assert (plain.labels, plain.changes) == ({"procedure": "field-sphere"}, {"procedure": "field-sphere"})
+    assert named.labels == {"procedure": "two"}
+    assert named.changes == {"procedure": "preflight", "settings": turned["settings"]}
+
+
 def test_tables_are_merged_and_lists_replaced() -> None:
     base = {"a": {"b": 1, "c": [1, 2]}, "d": 3}
     assert merged(base, {"a": {"c": [9]}}) == {"a": {"b": 1, "c": [9]}, "d": 3}
@@ -37,6 +45,7 @@ def test_tables_are_merged_and_lists_replaced() -> None:
         ({"settings": {"turns": [2, 2]}}, "settings.turns: 2 stands there twice"),
         ({"noise": [5.0]}, "noise: each of its values is a table with name"),
         ({"noise": [{"name": "a", "twin": {}}]}, "noise: each of its values is a table with name"),
+        ({"noise": [{"name": "a", "procedure": 3}]}, "noise: procedure is the name of one"),
         ({"noise": [{"name": "a", "lab": 3}]}, "noise: lab and settings are tables"),
         ({"twin": {"noise": [1]}}, "twin.noise: a dimension lies in lab or settings"),
         ({"settings": [1]}, "settings: a dimension lies in lab or settings"),

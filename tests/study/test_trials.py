@@ -41,6 +41,19 @@ zero_s = 4
 dwell_s = 1
 u_mounting_deg = 0.02
 """
+PROCEDURES = """format = "labcal-study/1"
+kind = "monte-carlo"
+seeds = 1
+accuracy_deg = 0.2
+[[grid.procedure]]
+name = "turned"
+procedure = "preflight"
+settings = { axes = ["y", "z"], magnitudes_nT = [5e4], modes = ["nominal"], reverse = false, zero_s = 4, dwell_s = 1 }
+[[grid.procedure]]
+name = "at rest"
+procedure = "field-sphere"
+settings = { n_directions = 12, magnitudes_nT = [50000.0] }
+"""
 
 
 def jobs(folder: Path, kind: str, more: str = "") -> list[Job]:
@@ -106,7 +119,23 @@ def test_another_version_on_a_worker_is_refused(settings: Mapping[str, Any]) -> 
         work(Job("monte-carlo", {**settings, "version": "0.0.1"}))
 
 
-@pytest.mark.parametrize("name", ["study", "design"])
+def test_procedures_are_compared_each_with_its_own_settings(tmp_path: Path) -> None:
+    file = tmp_path / "study.toml"
+    file.write_text(PROCEDURES)
+    assert [job.settings["procedure"] for job in jobs_of(read_study(file), file)[0]] == ["preflight", "field-sphere"]
+    summary = run_study(file, tmp_path / "out", processes=1).summary
+    turned, at_rest = summary.lines
+    assert (turned["procedure"], at_rest["procedure"]) == ("turned", "at rest")
+    quick, slow = (float(line["lab_min"] or 0) for line in (at_rest, turned))
+    assert 0 < quick < slow
+    assert "procedure = at rest" in summary.answer
+    refused = tmp_path / "refused.toml"
+    refused.write_text(PROCEDURES.replace('"field-sphere"', '"no-such"'))
+    with pytest.raises(InputError, match="no-such"):
+        jobs_of(read_study(refused), refused)
+
+
+@pytest.mark.parametrize("name", ["study", "design", "procedures"])
 def test_the_examples_are_studies(name: str) -> None:
     file = ROOT / "examples" / f"{name}.toml"
     found, remarks = jobs_of(read_study(file), file)

@@ -56,6 +56,20 @@ def kept(folder: Path, *calibrations: Calibration) -> list[Path]:
     return paths
 
 
+def three_batches(folder: Path) -> Path:
+    """Three batches of ten sensors; batch C drifts with temperature by 3.1 nT/K, and B-4 has an offset of its own."""
+    draw, made = np.random.default_rng(1), []
+    for batch, slope in (("A", 0.2), ("B", 0.1), ("C", 3.1)):
+        for i in range(10):
+            x = 900.0 if (batch, i) == ("B", 4) else draw.normal(0, 10)
+            found = slope + draw.normal(0, 0.5)
+            effect = (found, 0.3) if abs(found) > 0.6 else None
+            made.append(calibrated(f"{batch}-{i}", offset_nT=(x, *draw.normal(0, 10, 2)), slope=effect))
+    folder.mkdir()
+    kept(folder, *made)
+    return folder
+
+
 def _temperature(value: float, u: float) -> EffectRecord:
     parameters = tuple(Parameter(f"c_{axis}", value, u, "nT/degC") for axis in "xyz")
     return EffectRecord("offset-temperature", ("temp_dut",), {"temp_dut": 20.0}, "sensor", parameters)

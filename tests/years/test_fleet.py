@@ -8,25 +8,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from calibrations_of_years import calibrated, kept
+from calibrations_of_years import calibrated, kept, three_batches
+from matplotlib.figure import Figure
 
+from labcal.certificate import read_calibration
 from labcal.cli import execute as labcal
+from labcal.years.fleet import Spread
+from labcal.years.fleet_page import draw_spreads
 
 
 @pytest.fixture
 def fleet(tmp_path: Path) -> Path:
-    """Three batches of ten; batch C drifts with temperature by 3.1 nT/K, and B-4 has an offset of its own."""
-    draw, made = np.random.default_rng(1), []
-    for batch, slope in (("A", 0.2), ("B", 0.1), ("C", 3.1)):
-        for i in range(10):
-            x = 900.0 if (batch, i) == ("B", 4) else draw.normal(0, 10)
-            found = slope + draw.normal(0, 0.5)
-            effect = (found, 0.3) if abs(found) > 0.6 else None
-            made.append(calibrated(f"{batch}-{i}", offset_nT=(x, *draw.normal(0, 10, 2)), slope=effect))
-    folder = tmp_path / "fleet"
-    folder.mkdir()
-    kept(folder, *made)
-    return folder
+    return three_batches(tmp_path / "fleet")
 
 
 def test_the_worst_batch_and_the_worst_sensor_come_first(fleet: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -52,6 +45,29 @@ def test_the_page_says_it_in_words_and_is_there_as_html_and_pdf(
     assert "batch C 3." in page.read_text()
     assert labcal(["fleet", str(fleet), "--out", str(paper)]) == 0
     assert paper.read_bytes().startswith(b"%PDF")
+
+
+def test_the_distribution_of_each_figure_is_in_the_report(
+    fleet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert labcal(["fleet", str(fleet), "--json", "-", "--out", str(tmp_path / "fleet.html")]) == 0
+    found = {one["quantity"]: one for one in json.loads(capsys.readouterr().out)["figures"]}
+    draw = np.array([cal.affine.k_nT for cal in map(read_calibration, sorted(fleet.glob("*.json")))])
+    for axis, values in zip("xyz", draw.T, strict=True):
+        one = found[f"offset {axis}"]
+        assert one["median"] == pytest.approx(np.median(values))
+        assert (one["least"], one["most"]) == pytest.approx((values.min(), values.max()))
+        assert one["robust_sigma"] == pytest.approx(1.4826 * np.median(np.abs(values - np.median(values))), rel=1e-3)
+    assert "How figures are spread" in (tmp_path / "fleet.html").read_text()
+
+
+def test_the_distributions_are_drawn_each_sensor_in_one_bar() -> None:
+    values = np.array([0.0, 1.0, 2.0, 90.0])
+    spreads = [Spread("EM", f"offset {axis}", "nT", values, 1.5, 1.5, (("S-4", 90.0, 59.0),)) for axis in "xy"]
+    draw_spreads(figure := Figure(), spreads)
+    drawn = [axes for axes in figure.axes if axes.patches]
+    assert len(drawn) == 2
+    assert [sum(bar.get_height() for bar in axes.patches) for axes in drawn] == [len(values)] * 2
 
 
 def test_only_the_last_calibration_of_a_sensor_counts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -123,6 +123,7 @@ def test_a_drift_is_seen_and_each_method_says_when_to_come_back(
     page = tmp_path / "page.html"
     assert labcal(["intervals", "EM-1", str(tmp_path), "--permitted", "offset x=1 nT", "--out", str(page)]) == 1
     assert "A drift is seen of offset x" in page.read_text()
+    assert "In-service checking (ILAC-G24" in page.read_text()
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from typing import Any
 from labcal.certificate.report.html import html
 from labcal.certificate.report.page import Front, Page
 from labcal.errors import InputError
+from labcal.files.home import secrets_aside
 
 VARIANT = "pdf/a-3b"
 NEEDED = (
@@ -24,7 +25,8 @@ def typesetter() -> Any:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of what its next versions will need
         try:
-            import weasyprint
+            with secrets_aside():  # it looks for its libraries by gcc and ld
+                import weasyprint
         except (ImportError, OSError):
             raise InputError(NEEDED) from None
     for name in ("weasyprint", "fontTools"):  # what they say of style sheets and fonts is for nobody here

@@ -295,6 +295,8 @@ class RunLine:
     procedure: str
     simulated: bool = False
     verdict: str = ""
+    site: str = ""  # of a run of the archive, and which one it is there: names of runs repeat
+    sha256: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,9 @@ from typing import Any, Literal
 
 from labcal.bench.coils.state import LabState
 from labcal.gui.ipc import answers
+from labcal.gui.ipc.archive_messages import FetchRun as FetchRun
+from labcal.gui.ipc.archive_messages import ListArchivedCalibrations as ListArchivedCalibrations
+from labcal.gui.ipc.archive_messages import ListArchivedRuns as ListArchivedRuns
 from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word

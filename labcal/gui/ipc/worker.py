@@ -12,6 +12,7 @@ import sys
 import traceback
 
 from labcal.gui.ipc import (
+    archive_commands,
     bench_commands,
     bench_file_commands,
     compare_commands,
@@ -24,7 +25,10 @@ from labcal.gui.ipc.codec import encode
 from labcal.gui.ipc.messages import Done, Event, Failed, Request
 from labcal.gui.ipc.wire import fault_of
 
-ROOMS = (bench_commands, bench_file_commands, study_commands, compare_commands, file_commands, recording_commands)
+ROOMS = (
+    *(bench_commands, bench_file_commands, study_commands, compare_commands),
+    *(file_commands, recording_commands, archive_commands),
+)
 HANDLERS = dict(pair for room in ROOMS for pair in room.HANDLERS)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
@@ -17,9 +16,9 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.run_search import cells, in_order, local_time, matches
+from labcal.gui.viewmodels.run_search import cells, file_name, in_order, matches, moment_s, run_key
 from labcal.gui.widgets.barcode_scanner import takes_scans
-from labcal.gui.widgets.common import Card, button, label, shrinkable
+from labcal.gui.widgets.common import Card, button, combo_box, label, set_state, shrinkable
 from labcal.gui.widgets.comparison import ComparisonView
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
@@ -29,6 +28,7 @@ from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
 HEADINGS = ("started", "DUT", "procedure", "operator", "status", "verdict", "run")
+OF_ARCHIVE = tuple(heading if heading != "verdict" else "site" for heading in HEADINGS)
 NOT_WHOLE = ("running", "interrupted")
 Format = Literal["bundle", "csv", "hdf5", "mat"]
 FORMATS: dict[str, Format] = {
@@ -40,12 +40,14 @@ FORMATS: dict[str, Format] = {
 
 
 class HistoryPage(QWidget):
-    """The store's runs, and the calibrations of the DUT that is chosen over time."""
+    """The runs of the store, or of the archive, and the calibrations of the DUT that is chosen over time."""
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
         self._app_state, self._theme = app_state, theme
+        self._archived = app_state.archived
         self.runs: tuple[RunLine, ...] = ()
+        self._found: list[RunLine] = []
         self._calibrations: tuple[CalibrationFile, ...] = ()
         self._compared: CompareRuns | None = None
         self._idle_queue = IdleQueue(self)
@@ -59,6 +61,7 @@ class HistoryPage(QWidget):
         column.addWidget(self.faces)
         self.faces.addWidget(self._list(theme))
         app_state.run.ended.connect(self.refresh)
+        self._archived.changed.connect(self._archive_known)
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
@@ -98,6 +101,33 @@ class HistoryPage(QWidget):
         """Ask for runs and calibrations again."""
         self._app_state.quick_worker.request(ListRuns(), self._runs_known, self.fault.show_fault)
         self._app_state.quick_worker.request(ListCalibrations(), self._calibrations_known, self.fault.show_fault)
+        if self.of_archive:
+            self._archived.ask()
+
+    @property
+    def of_archive(self) -> bool:
+        """Whether it is the archive that is looked at: there is nothing to be written then."""
+        return bool(self.place.currentIndex())
+
+    def _choose_place(self) -> None:
+        """This computer, or the archive: what there can be done with a run there is shown."""
+        for widget in (self.open, self.compare, self.correct, self.take):
+            widget.setVisible(not self.of_archive)
+        self.export.setToolTip(self._export_tip())
+        self.table.set_headings(OF_ARCHIVE if self.of_archive else HEADINGS)
+        self.said.hide()
+        self.folder.hide()
+        self.refresh()
+        self._show()
+
+    def _export_tip(self) -> str:
+        if self.of_archive:
+            return self.tr("The bundle as it was pushed (.zip): import it on this computer to open it")
+        return self.tr("As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each")
+
+    def _archive_known(self) -> None:
+        if self.of_archive:
+            self._show()
 
     def _list(self, theme: Theme) -> QWidget:
         """The runs, and below them the trend of the DUT that is chosen."""
@@ -111,6 +141,13 @@ class HistoryPage(QWidget):
 
     def _runs_card(self) -> Card:
         card = Card(self.tr("Runs"))
+        self.place = combo_box(
+            self.tr("Runs of this computer, or those of all benches in the archive, which are only looked at"),
+            self.tr("Where the runs are"),
+        )
+        self.place.addItems([self.tr("This computer"), self.tr("Archive")])
+        self.place.setVisible(self._archived.named)
+        self.place.activated.connect(self._choose_place)
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search: DUT, day …"))
         self.search.setToolTip(self.tr("Several words narrow it down: EM-07 yesterday explained; or 22.11.2026"))
@@ -121,25 +158,23 @@ class HistoryPage(QWidget):
             self.tr("Open"), self.tr("Look at this run on the Fit page; nothing recorded is ever changed"), primary=True
         )
         self.open.clicked.connect(self._open)
-        self.export = button(
-            self.tr("Export …"), self.tr("As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each")
-        )
+        self.export = button(self.tr("Export …"), self._export_tip())
         self.export.clicked.connect(self._export)
         self.correct = button(
             self.tr("Correct serial …"),
             self.tr("The DUT was another one: an event of the record, until a calibration of the run is signed"),
         )
         self.correct.clicked.connect(self._correct)
-        take = button(
+        self.take = button(
             self.tr("Import …"), self.tr("A run bundle (.zip) or a recording of others; or drop the file on the window")
         )
-        take.clicked.connect(self._import)
+        self.take.clicked.connect(self._import)
         self.compare = button(
             self.tr("Compare"), self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
         )
         self.compare.clicked.connect(self._compare)
         row = QHBoxLayout()
-        for widget in (self.open, self.compare, self.export, self.correct, take):
+        for widget in (self.open, self.compare, self.export, self.correct, self.take):
             row.addWidget(widget)
         row.addStretch()
         self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
@@ -154,13 +189,14 @@ class HistoryPage(QWidget):
         header.sectionClicked.connect(self.sort_by)
         header.setToolTip(self.tr("Click to sort by this column, again to turn the order round"))
         self.table.doubleClicked.connect(self._open)
-        self.empty = label(
-            self.tr("No such run. A run from the Run page, or an imported bundle, comes up here."), "caption"
-        )
+        self.empty = label("", "caption", wrap=True)
         where = QHBoxLayout()
         where.addWidget(self.said, 1)
         where.addWidget(self.folder)
-        card.body.addWidget(self.search)
+        looked = QHBoxLayout()
+        looked.addWidget(self.place)
+        looked.addWidget(self.search, 1)
+        card.body.addLayout(looked)
         card.body.addLayout(row)
         card.body.addLayout(where)
         card.body.addWidget(self.empty)
@@ -170,8 +206,7 @@ class HistoryPage(QWidget):
     def chosen_runs(self) -> list[RunLine]:
         """The runs that are chosen, from the top."""
         rows = sorted({item.row() for item in self.table.selectedItems()})
-        known = {one.run_id: one for one in self.runs}
-        return [known[run_id] for row in rows if (run_id := self.table.text(row, 6)) in known]
+        return [self._found[row] for row in rows if row < len(self._found)]
 
     def chosen(self) -> RunLine | None:
         """The run that is chosen, where it is one."""
@@ -189,9 +224,10 @@ class HistoryPage(QWidget):
 
     def _show(self) -> None:
         now, chosen = datetime.now().astimezone(), self.chosen_runs()
-        found = [one for one in self.runs if matches(one, self.search.text(), now)]
-        found = in_order(found, *self._order)
-        self.empty.setVisible(not found)
+        runs = self._archived.runs if self.of_archive else self.runs
+        found = in_order((one for one in runs if matches(one, self.search.text(), now)), *self._order)
+        self._found = found
+        self._say_why_empty(found)
         self.table.setRowCount(len(found))
         for row, one in enumerate(found):
             for column, text in enumerate(cells(one)):
@@ -200,15 +236,27 @@ class HistoryPage(QWidget):
         self._keep_chosen(chosen, found)
         self._chosen()
 
+    def _say_why_empty(self, found: list[RunLine]) -> None:
+        """No such run; or the archive has not answered yet, or does not."""
+        fault = self._archived.fault if self.of_archive else None
+        words = self.tr("No such run. A run from the Run page, or an imported bundle, comes up here.")
+        if fault is not None:
+            words = self.tr("The archive was not read. {0}").format(in_words(fault.text))
+        elif self.of_archive:
+            words = self.tr("Asking the archive …") if self._archived.asked else self.tr("The archive has no such run.")
+        self.empty.setText(words)
+        set_state(self.empty, "bad" if fault is not None else "")
+        self.empty.setVisible(not found or fault is not None)
+
     def _keep_chosen(self, chosen: list[RunLine], found: list[RunLine]) -> None:
         """In another order the same runs are chosen, where they are still there."""
-        ids, model = [one.run_id for one in found], self.table.selectionModel()
+        keys, model = [run_key(one) for one in found], self.table.selectionModel()
         how = QItemSelectionModel.SelectionFlag.Select | QItemSelectionModel.SelectionFlag.Rows
         with QSignalBlocker(self.table):
             self.table.clearSelection()
             for one in chosen:
-                if one.run_id in ids:
-                    model.select(self.table.model().index(ids.index(one.run_id), 0), how)
+                if run_key(one) in keys:
+                    model.select(self.table.model().index(keys.index(run_key(one)), 0), how)
 
     def sort_by(self, column: int) -> None:
         """By this column; a second click turns the order round."""
@@ -250,7 +298,7 @@ class HistoryPage(QWidget):
         return self._app_state.quick_worker.request(command, corrected, self.fault.show_fault)
 
     def _open(self) -> None:
-        if (one := self.chosen()) is not None and self.open.isEnabled():
+        if (one := self.chosen()) is not None and self.open.isEnabled() and not self.of_archive:
             self._app_state.open_study(one.run_id)
 
     def _compare(self) -> None:
@@ -275,25 +323,26 @@ class HistoryPage(QWidget):
         one = self.chosen()
         if one is None:
             return self._export_several()
-        start = str(Path.home() / _file_name(one))
-        out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(FORMATS))
+        start = str(Path.home() / file_name(one))
+        kinds = [*FORMATS][:1] if self.of_archive else FORMATS
+        out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(kinds))
         if out:
-            self.export_to(one.run_id, FORMATS[kind], out)
+            self.export_to(one, FORMATS[kind], out)
         return None
 
     def _export_several(self) -> None:
         folder = QFileDialog.getExistingDirectory(self, self.tr("A bundle of each chosen run, into this folder"))
-        outs = {one.run_id: Path(folder) / f"{_file_name(one)}.zip" for one in self.chosen_runs()}
+        outs = {one: Path(folder) / f"{file_name(one)}.zip" for one in self.chosen_runs()}
         there = sorted(out.name for out in outs.values() if out.exists())
         if folder and there:
             words = self.tr("{0} is there already; nothing was written.").format(there[0])
             return self.fault.show_fault(Fault("input", words, self.tr("Choose another folder.")))
-        for run_id, out in outs.items() if folder else ():
-            self.export_to(run_id, "bundle", str(out))
+        for one, out in outs.items() if folder else ():
+            self.export_to(one, "bundle", str(out))
         return None
 
-    def export_to(self, run: str, kind: Format, out: str) -> None:
-        """Write `run` to `out`, then say where it lies."""
+    def export_to(self, run: RunLine, kind: Format, out: str) -> None:
+        """Write `run` to `out`, of the archive the bundle as it was pushed; then say where it lies."""
         words = self.tr("Exported: {0}").format(out)
 
         def known(_: object) -> None:
@@ -302,7 +351,10 @@ class HistoryPage(QWidget):
             self.folder.show_folder(out)
             self._app_state.lab.update(message=words)
 
-        self._app_state.quick_worker.request(ExportRun(run, kind, out), known, self.fault.show_fault)
+        if run.sha256:
+            return self._archived.fetch(run, out, known, self.fault.show_fault)
+        command = ExportRun(run.run_id, kind, out)
+        return self._app_state.quick_worker.request(command, known, self.fault.show_fault)
 
     def _import(self) -> None:
         kinds = (self.tr("Run bundles (*.zip)"), self.tr("Recordings of others (*)"))
@@ -331,17 +383,16 @@ class HistoryPage(QWidget):
 
     def _draw(self) -> None:
         dut = self.dut()
+        self.trend.setVisible(not self.of_archive or self._archived.fault is None)
+        if self.of_archive:
+            self._archived.ask_for(dut)
+            there = self._archived.calibrations.get(dut, ())
+            return self.trend.show_files(dut, there, [moment_s(one.measured_utc) for one in there])
         mine = [c for c in reversed(self._calibrations) if c.dut.serial == dut]
-        self.trend.show_files(dut, mine, [self._when(one) for one in mine])
+        return self.trend.show_files(dut, mine, [self._when(one) for one in mine])
 
     def _when(self, one: CalibrationFile) -> float:
         started = next((run.started_utc for run in self.runs if run.run_id == one.run_id), None)
         if started is None:
             return datetime.fromtimestamp(Path(one.path).stat().st_mtime, UTC).timestamp()
-        return datetime.fromisoformat(started.replace("Z", "+00:00")).timestamp()
-
-
-def _file_name(one: RunLine) -> str:
-    """By serial and date, as it is found again in a folder."""
-    started, serial = local_time(one.started_utc), re.sub(r"[^\w.-]", "-", one.dut_serial)
-    return f"{serial}_{started:%Y-%m-%d_%H%M%S}_{one.procedure or 'bundle'}"
+        return moment_s(started)

@@ -38,6 +38,28 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "the name of the key's own person"),
     QT_TRANSLATE_NOOP("Data", "a common word alone"),
     QT_TRANSLATE_NOOP("Data", "a row of the keyboard, or of the alphabet"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "{0}: its catalogue is of version {1}, and this labcal works with {2}: "
+        "its owner runs `labcal archive init` once",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here"
+    ),
+    QT_TRANSLATE_NOOP("Data", "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"),
+    QT_TRANSLATE_NOOP("Data", "{0}: bundles cannot be kept or read there: {1}"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again "
+        "(--dut {3}), or let a person answer for it: --override NAME --because TEXT",
+    ),
     QT_TRANSLATE_NOOP("Data", "aborted by the operator"),
     QT_TRANSLATE_NOOP("Data", "stopped by the operator"),
     QT_TRANSLATE_NOOP("Data", "whoever ran this is gone"),

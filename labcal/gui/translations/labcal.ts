@@ -73,6 +73,13 @@
     </message>
 </context>
 <context>
+    <name>ArchivedViewModel</name>
+    <message>
+        <source>The archive has not answered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BenchEditor</name>
     <message>
         <source>Settings of {0}</source>
@@ -1198,6 +1205,34 @@
     </message>
     <message>
         <source>a row of the keyboard, or of the alphabet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: its catalogue is of version {1}, and this labcal works with {2}: its owner runs `labcal archive init` once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the archive needs SQLAlchemy, Alembic and psycopg: pip install &apos;labcal[archive]&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: bundles cannot be kept or read there: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5247,6 +5282,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The bundle as it was pushed (.zip): import it on this computer to open it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs of this computer, or those of all benches in the archive, which are only looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the runs are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive was not read. {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the archive …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive has no such run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Correct the serial</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6972,6 +7039,10 @@
     </message>
     <message>
         <source>verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>site</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

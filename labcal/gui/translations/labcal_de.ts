@@ -73,6 +73,13 @@
     </message>
 </context>
 <context>
+    <name>ArchivedViewModel</name>
+    <message>
+        <source>The archive has not answered.</source>
+        <translation>Das Archiv hat nicht geantwortet.</translation>
+    </message>
+</context>
+<context>
     <name>BenchEditor</name>
     <message>
         <source>Settings of {0}</source>
@@ -1199,6 +1206,34 @@
     <message>
         <source>a row of the keyboard, or of the alphabet</source>
         <translation>eine Reihe der Tastatur oder des Alphabets</translation>
+    </message>
+    <message>
+        <source>{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push</source>
+        <translation>{0}: das Archiv ist nicht zu erreichen: {1}; nichts ist verloren: was noch nicht dort ist, kommt mit dem nächsten Übertragen dorthin</translation>
+    </message>
+    <message>
+        <source>{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`</source>
+        <translation>{0}: hier gibt es kein Archiv, das diese Rolle sehen kann: sein Eigentümer legt es mit `labcal archive init` an</translation>
+    </message>
+    <message>
+        <source>{0}: its catalogue is of version {1}, and this labcal works with {2}: its owner runs `labcal archive init` once</source>
+        <translation>{0}: sein Katalog hat die Version {1}, dieses labcal arbeitet mit {2}: sein Eigentümer ruft einmal `labcal archive init` auf</translation>
+    </message>
+    <message>
+        <source>{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here</source>
+        <translation>{0}: ein neueres labcal hat seinen Katalog angelegt (Version {1}, dieses kennt {2}): labcal hier aktualisieren</translation>
+    </message>
+    <message>
+        <source>the archive needs SQLAlchemy, Alembic and psycopg: pip install &apos;labcal[archive]&apos;</source>
+        <translation>das Archiv braucht SQLAlchemy, Alembic und psycopg: pip install &apos;labcal[archive]&apos;</translation>
+    </message>
+    <message>
+        <source>{0}: bundles cannot be kept or read there: {1}</source>
+        <translation>{0}: Pakete sind dort nicht abzulegen oder zu lesen: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
+        <translation>{0}: das Prüfnormal {1} ist außer Kontrolle ({2}). Auf diesem Messplatz beginnt keine Prozedur: es noch einmal messen (seine Nummer als Prüfling; --dut {3}), oder jemand steht auf der Befehlszeile dafür ein: --override NAME --because TEXT</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -5247,6 +5282,38 @@
         <translation>{0} UTC</translation>
     </message>
     <message>
+        <source>The bundle as it was pushed (.zip): import it on this computer to open it</source>
+        <translation>Das Paket, wie es übertragen wurde (.zip): auf diesem Rechner importieren, um es zu öffnen</translation>
+    </message>
+    <message>
+        <source>Runs of this computer, or those of all benches in the archive, which are only looked at</source>
+        <translation>Messungen dieses Rechners, oder die aller Messplätze im Archiv, die nur angesehen werden</translation>
+    </message>
+    <message>
+        <source>Where the runs are</source>
+        <translation>Wo die Messungen liegen</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>Dieser Rechner</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>The archive was not read. {0}</source>
+        <translation>Das Archiv wurde nicht gelesen. {0}</translation>
+    </message>
+    <message>
+        <source>Asking the archive …</source>
+        <translation>Das Archiv wird gefragt …</translation>
+    </message>
+    <message>
+        <source>The archive has no such run.</source>
+        <translation>Das Archiv hat keine solche Messung.</translation>
+    </message>
+    <message>
         <source>Correct the serial</source>
         <translation>Seriennummer berichtigen</translation>
     </message>
@@ -7001,6 +7068,10 @@
     <message>
         <source>verdict</source>
         <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>Standort</translation>
     </message>
     <message>
         <source>run</source>

@@ -73,6 +73,13 @@
     </message>
 </context>
 <context>
+    <name>ArchivedViewModel</name>
+    <message>
+        <source>The archive has not answered.</source>
+        <translation>L’archive n’a pas répondu.</translation>
+    </message>
+</context>
+<context>
     <name>BenchEditor</name>
     <message>
         <source>Settings of {0}</source>
@@ -1199,6 +1206,34 @@
     <message>
         <source>a row of the keyboard, or of the alphabet</source>
         <translation>une rangée du clavier ou de l&apos;alphabet</translation>
+    </message>
+    <message>
+        <source>{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push</source>
+        <translation>{0} : l’archive est hors d’atteinte : {1} ; rien n’est perdu : ce qui n’y est pas encore y ira au prochain envoi</translation>
+    </message>
+    <message>
+        <source>{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`</source>
+        <translation>{0} : il n’y a ici aucune archive que ce rôle puisse voir : son propriétaire la crée par `labcal archive init`</translation>
+    </message>
+    <message>
+        <source>{0}: its catalogue is of version {1}, and this labcal works with {2}: its owner runs `labcal archive init` once</source>
+        <translation>{0} : son catalogue est de version {1}, et ce labcal travaille avec {2} : son propriétaire lance une fois `labcal archive init`</translation>
+    </message>
+    <message>
+        <source>{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here</source>
+        <translation>{0} : un labcal plus récent a fait son catalogue (version {1}, celui-ci connaît {2}) : mettre labcal à jour ici</translation>
+    </message>
+    <message>
+        <source>the archive needs SQLAlchemy, Alembic and psycopg: pip install &apos;labcal[archive]&apos;</source>
+        <translation>l’archive a besoin de SQLAlchemy, Alembic et psycopg : pip install &apos;labcal[archive]&apos;</translation>
+    </message>
+    <message>
+        <source>{0}: bundles cannot be kept or read there: {1}</source>
+        <translation>{0} : les paquets ne peuvent y être gardés ni lus : {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
+        <translation>{0} : l’étalon de contrôle {1} est hors de contrôle ({2}). Aucune procédure ne commence sur ce banc : le mesurer à nouveau (son numéro comme DUT ; --dut {3}), ou quelqu’un en répond sur la ligne de commande : --override NAME --because TEXT</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -5247,6 +5282,38 @@
         <translation>{0} UTC</translation>
     </message>
     <message>
+        <source>The bundle as it was pushed (.zip): import it on this computer to open it</source>
+        <translation>Le paquet tel qu’il fut envoyé (.zip) : l’importer sur cet ordinateur pour l’ouvrir</translation>
+    </message>
+    <message>
+        <source>Runs of this computer, or those of all benches in the archive, which are only looked at</source>
+        <translation>Les mesures de cet ordinateur, ou celles de tous les bancs dans l’archive, que l’on ne fait que consulter</translation>
+    </message>
+    <message>
+        <source>Where the runs are</source>
+        <translation>Où sont les mesures</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>Cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>The archive was not read. {0}</source>
+        <translation>L’archive n’a pas été lue. {0}</translation>
+    </message>
+    <message>
+        <source>Asking the archive …</source>
+        <translation>L’archive est interrogée …</translation>
+    </message>
+    <message>
+        <source>The archive has no such run.</source>
+        <translation>L’archive n’a pas de telle mesure.</translation>
+    </message>
+    <message>
         <source>Correct the serial</source>
         <translation>Corriger le numéro</translation>
     </message>
@@ -7001,6 +7068,10 @@
     <message>
         <source>verdict</source>
         <translation>verdict</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>site</translation>
     </message>
     <message>
         <source>run</source>

@@ -23,6 +23,7 @@ from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now, reference_U
@@ -73,6 +74,7 @@ class AppState(QObject):
         self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
         self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
+        self.archived = ArchivedViewModel(Client(self))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -80,7 +82,7 @@ class AppState(QObject):
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
-        self._said_of_dut = ""  # what the line below said last about the serial at the top
+        self._said_of_dut, self._dut_stated = "", False  # below of the serial at the top; by a person or the run's
         self._asked_off = False  # of this bench, and no answer has come
         self.known: state.LabState | None = None  # the lab as a worker sent it last, by the computer's monotonic clock
         self._known_s = 0.0  # and when it did
@@ -393,5 +395,5 @@ class AppState(QObject):
         for timer in (self.force_timer, self.age_timer):
             timer.stop()
         self.bench_worker.close(8000)
-        for worker in (self.quick_worker, self.fit_worker, self.off_worker):
+        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.archived):
             worker.close(500)

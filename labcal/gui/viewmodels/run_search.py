@@ -22,7 +22,7 @@ def local_time(utc: str) -> datetime:
 
 
 def cells(one: RunLine) -> tuple[str, ...]:
-    """A run's row: when it began by the clock of this place, DUT, procedure, operator, status, verdict, id."""
+    """A run's row: when it began by the clock of this place, DUT, procedure, operator, status, verdict or site, id."""
     simulated = translated("SIMULATED") if one.simulated else ""
     return (
         f"{local_time(one.started_utc):%Y-%m-%d %H:%M}",
@@ -30,7 +30,7 @@ def cells(one: RunLine) -> tuple[str, ...]:
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
         translated(one.status.partition(":")[0]),
-        verdict_word(one.verdict),
+        one.site or verdict_word(one.verdict),  # the archive knows no verdicts
         one.run_id,
     )
 
@@ -55,3 +55,20 @@ def _is_day(word: str, began: date, today: date) -> bool:
         return False
     day, month, year = found.groups()
     return (began.day, began.month) == (int(day), int(month)) and year in (None, str(began.year))
+
+
+def run_key(one: RunLine) -> tuple[str, str]:
+    """What a run is known by: in the archive names of runs repeat."""
+    return one.site, one.sha256 or one.run_id
+
+
+def file_name(one: RunLine) -> str:
+    """By site, serial and date, as it is found again in a folder. What others called it names no other folder."""
+    began = f"{local_time(one.started_utc):%Y-%m-%d_%H%M%S}"
+    parts = (one.site, one.dut_serial, began, one.procedure or "bundle")
+    return "_".join(re.sub(r"[^\w.-]", "-", part) for part in parts if part)
+
+
+def moment_s(utc: str) -> float:
+    """An ISO 8601 time [s since 1970]."""
+    return datetime.fromisoformat(utc.replace("Z", "+00:00")).timestamp()

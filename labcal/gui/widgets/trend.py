@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Protocol
 
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox
 
-from labcal.gui.ipc.answers import CalibrationFile
+from labcal.gui.ipc.answers import Figure, Matrix
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -29,6 +30,25 @@ KINDS = {  # of figures, by the words of the chooser
 }
 
 
+class FollowedCalibration(Protocol):
+    """A calibration of this lab's folder, or of the archive."""
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """Of the map."""
+        ...
+
+    @property
+    def K(self) -> Matrix:
+        """The map's."""
+        ...
+
+    @property
+    def u(self) -> tuple[float, ...] | None:
+        """Of K row by row, then k."""
+        ...
+
+
 @dataclass(frozen=True, slots=True)
 class Course:
     """One figure over the calibrations: value and U (n,), in `unit`; the limit of the newest that has one."""
@@ -40,7 +60,7 @@ class Course:
     limit: float | None = None
 
 
-def courses(files: Sequence[CalibrationFile], chosen: str) -> list[Course]:
+def courses(files: Sequence[FollowedCalibration], chosen: str) -> list[Course]:
     """The three figures of a kind over `files`, the oldest first."""
     if not files:
         return []
@@ -59,7 +79,7 @@ def courses(files: Sequence[CalibrationFile], chosen: str) -> list[Course]:
     ]
 
 
-def _gain(files: Sequence[CalibrationFile], axis: int) -> Course:
+def _gain(files: Sequence[FollowedCalibration], axis: int) -> Course:
     value = np.array([one.K[axis][axis] for one in files])
     U = np.array([2 * one.u[4 * axis] if one.u else 0.0 for one in files])
     changed, of_it = 1e6 * (value / value[0] - 1), 1e6 * U / abs(value[0])
@@ -74,7 +94,7 @@ class Trend(Card):
     def __init__(self, theme: Theme) -> None:
         super().__init__(self.tr("Calibrations over time"), self.tr("bars: U, k=2"))
         self._theme = theme
-        self._files: Sequence[CalibrationFile] = ()
+        self._files: Sequence[FollowedCalibration] = ()
         self._times: Sequence[float] = ()
         self.idle_queue = IdleQueue(self)
         self.parameter = QComboBox()
@@ -103,7 +123,7 @@ class Trend(Card):
         apply_theme(self.plot, theme)
         self.idle_queue.add(self.draw)
 
-    def show_files(self, dut: str, files: Sequence[CalibrationFile], times: Sequence[float]) -> None:
+    def show_files(self, dut: str, files: Sequence[FollowedCalibration], times: Sequence[float]) -> None:
         """Draw these calibrations of `dut`, the oldest first, at their times [s since 1970]."""
         self.heading.setText(self.tr("Calibrations of {0}").format(dut or "–"))
         self._files, self._times = files, times
