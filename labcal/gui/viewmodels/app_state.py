@@ -20,13 +20,13 @@ from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.client import WATCHED, Client
-from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
+from labcal.gui.ipc.messages import Command, GoesOn, Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, coil_read, heard_from, lab_now, reference_U
+from labcal.gui.viewmodels.lab_now import LabNow, coil_read, lab_now, reference_U, switched_off
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel
@@ -316,13 +316,12 @@ class AppState(QObject):
     def _off_known(self, said: SwitchedOff) -> None:
         words = "; ".join(f"{axis.axis}: {in_words(axis.words)}" for axis in said.coils)
         self.lab.update(message=self.tr("Read back: {0}").format(words))
-        witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
-        before = self.known or state.LabState(())
-        self._asked_off = False
-        coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, self.facts)
-        self.take_lab(replace(before, coils=coils, reference=witness, guardian=None, instruments=heard))
-        if said.doubt or not all(axis.ok for axis in said.coils):
+        self._asked_off, zero = False, all(axis.ok for axis in said.coils)
+        self.take_lab(switched_off(self.known or state.LabState(()), said, self.facts))
+        if said.doubt or not zero:
             self._off_failed(Fault("coils", words))
+        if said.doubt and zero:  # it is older than this zero: the reference is looked at again
+            self.off_worker.request(Identify(self.bench), self.take_identified, self.fault.emit)
 
     def _off_failed(self, fault: Fault) -> None:
         remedy = self.tr("Switch the supplies off at their mains switches.")

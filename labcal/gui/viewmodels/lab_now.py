@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
-from labcal.gui.ipc.answers import Bench, CoilEnd
+from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
@@ -145,6 +145,13 @@ def coil_read(said: CoilEnd) -> state.CoilReading:
     known, read_s = said.current_A is not None, said.read_s or time.monotonic()
     fault = "" if said.ok else said.words
     return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)
+
+
+def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None) -> state.LabState:
+    """The lab after its coils were switched off and read back, with the doubt that stands about their zero."""
+    witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
+    coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
+    return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard)
 
 
 def heard_from(
