@@ -293,17 +293,16 @@ class Drive:
         self._rows_wait = True  # whoever writes the last one tells where that cannot be
         faults = _failed(bench.cage.zero)
         faults += _failed(bench.make_safe if faults else bench.rest_instruments)  # zero again only where that failed
-        stands = bench.stop_platform()
         faults += _failed(bench.stop)
         lost = list[Exception]()
         try:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
-            if stands:
-                self._keep(self._event("standstill", stands))
             if not ending.by_store:
                 self._keep_fault(ending.fault or next(iter(faults), None))
             read_back = self._read_back(faults, lost)
+            if stands := bench.stop_platform():  # it was sent a stop before that; a large one takes seconds to stand
+                self._keep(self._event("standstill", stands))
             self._keep_news()
             for event in bench.events():  # what a stream lost on the way: the read-back is the last word
                 self._keep(event)
