@@ -62,6 +62,15 @@ def test_it_is_gone_on_with_where_it_was_stopped_by_the_one_blue_button(running,
     assert (live.go_on.isVisible(), live.close_run.objectName()) == (False, "primary")
 
 
+def test_a_run_whose_worker_died_is_interrupted_here_as_in_its_record(running):
+    live = running.page("Run").live
+    running.app_state.resumable = frozenset({"preflight"})
+    (asked,) = (one for one in running.app_state.bench_worker.asked if isinstance(one.command, RunProcedure))
+    asked.failed(Fault("ended", "The work broke off."))
+    assert run_verdict(running.app_state.run).word == "▲ INTERRUPTED"
+    assert not live.go_on.isVisible()  # nobody has said under which name its record is: the Start page knows
+
+
 def test_what_is_left_of_simulated_time_is_called_that(running):
     run, live = running.app_state.run, running.page("Run").live
     run.virtual_time = False

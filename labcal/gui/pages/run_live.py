@@ -243,6 +243,7 @@ class Live(QWidget):
         decided = ended and not self._details  # the verdict has the whole place
         again = (
             ended
+            and bool(run.run_id)
             and run.status == "interrupted"
             and run.order is not None
             and run.order.procedure in self._app_state.resumable

@@ -29,7 +29,7 @@ from labcal.gui.ipc.messages import (
     Word,
 )
 from labcal.gui.ipc.simulated_clock import SPEEDS
-from labcal.gui.ipc.wire import MENDED_FIRST, Fault, with_instrument_names
+from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
@@ -388,7 +388,7 @@ class RunViewModel(QObject):
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(fault, self.links)
-        left = self._goes_on and fault.kind in MENDED_FIRST  # as it was: it goes on when that is mended
+        left = fault.kind in BROKEN or (self._goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 
