@@ -47,7 +47,7 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "■ STOPPED"
-    assert verdict.next.endswith("Go on begins after the last finished step.")
+    assert verdict.next.endswith("the timing again, then what is missing.")
 
 
 def test_it_is_gone_on_with_where_it_was_stopped_by_the_one_blue_button(running, qtbot):

@@ -122,7 +122,7 @@ class Live(QWidget):
         self.stop.clicked.connect(self._run.stop)
         self.close_run = button(self.tr("Close"), self.tr("Back to the procedures; the run is in the History"))
         self.close_run.clicked.connect(self.put_away)
-        self.go_on = button(self.tr("Go on"), self.tr("After the last finished step of this run"), primary=True)
+        self.go_on = button(self.tr("Go on"), self.tr("What is missing of this run"), primary=True)
         self.go_on.clicked.connect(self._resume)
         self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
         self.fit.clicked.connect(self._fit)
@@ -291,7 +291,8 @@ class Live(QWidget):
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
         goes_on = self.tr(
-            "Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew."
+            "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. "
+            "Or Close, and begin anew."
         )
         return self.fault.text.setText(goes_on if self._run.status == "interrupted" else kept)
 

@@ -250,14 +250,16 @@ class StartPage(QWidget):
 
     def _list_interrupted(self, broken: list[RunLine]) -> None:
         """A button each; how many more there are is said."""
-        lost = self.tr("Nothing that was measured is lost: each goes on after its last finished step.")
+        lost = self.tr(
+            "Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing."
+        )
         more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
         bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")
         self.interrupted.body.addWidget(label(" ".join(filter(None, (lost, bench, more))), wrap=True))
         for one in broken[:LISTED]:
             again = button(
                 self.tr("Go on with  {0}").format(run_title(one)),
-                self.tr("After its last finished step; you are asked whether the mounting stands"),
+                self.tr("What is missing of it; you are asked whether the mounting stands"),
             )
             again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
             again.setEnabled(self._app_state.facts is not None)

@@ -5426,7 +5426,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After the last finished step of this run</source>
+        <source>What is missing of this run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5434,7 +5434,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
+        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6508,7 +6508,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: each goes on after its last finished step.</source>
+        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6524,7 +6524,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After its last finished step; you are asked whether the mounting stands</source>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7646,7 +7646,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: Go on begins after the last finished step.</source>
+        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5446,8 +5446,8 @@
         <translation>Zurück zu den Prozeduren; die Messung steht im Verlauf</translation>
     </message>
     <message>
-        <source>After the last finished step of this run</source>
-        <translation>Nach dem letzten fertigen Schritt dieser Messung</translation>
+        <source>What is missing of this run</source>
+        <translation>Was an dieser Messung fehlt</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -5478,8 +5478,8 @@
         <translation>Foto</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
-        <translation>Nichts Gemessenes ist verloren: Weiter beginnt nach dem letzten fertigen Schritt. Oder Ablegen und neu beginnen.</translation>
+        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
+        <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -6508,8 +6508,8 @@
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: each goes on after its last finished step.</source>
-        <translation>Nichts Gemessenes ist verloren: Jede geht nach ihrem letzten fertigen Schritt weiter.</translation>
+        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
+        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden noch einmal gemessen, dann was fehlt.</translation>
     </message>
     <message>
         <source>{0} more on the History page.</source>
@@ -6524,8 +6524,8 @@
         <translation>Fortsetzen:  {0}</translation>
     </message>
     <message>
-        <source>After its last finished step; you are asked whether the mounting stands</source>
-        <translation>Nach ihrem letzten fertigen Schritt; Sie werden gefragt, ob die Aufspannung noch steht</translation>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
     </message>
 </context>
 <context>
@@ -7646,8 +7646,8 @@
         <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: Go on begins after the last finished step.</source>
-        <translation>Nichts Gemessenes ist verloren: Weiter beginnt nach dem letzten fertigen Schritt.</translation>
+        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.</source>
+        <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>

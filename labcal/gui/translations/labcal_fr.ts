@@ -5446,8 +5446,8 @@
         <translation>Retour aux procédures ; la mesure est dans l&apos;Historique</translation>
     </message>
     <message>
-        <source>After the last finished step of this run</source>
-        <translation>Après la dernière étape terminée de cette mesure</translation>
+        <source>What is missing of this run</source>
+        <translation>Ce qui manque à cette mesure</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -5478,8 +5478,8 @@
         <translation>photo</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: Go on begins after the last finished step. Or Close, and begin anew.</source>
-        <translation>Rien de mesuré n&apos;est perdu : Continuer reprend après la dernière étape terminée. Ou Fermer, et recommencer.</translation>
+        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
+        <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -6508,8 +6508,8 @@
         <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: each goes on after its last finished step.</source>
-        <translation>Rien de mesuré n&apos;est perdu : chacune reprend après sa dernière étape finie.</translation>
+        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
+        <translation>Les rotations terminées sont gardées ; le zéro, les axes et les temps sont mesurés encore, puis ce qui manque.</translation>
     </message>
     <message>
         <source>{0} more on the History page.</source>
@@ -6524,8 +6524,8 @@
         <translation>Reprendre  {0}</translation>
     </message>
     <message>
-        <source>After its last finished step; you are asked whether the mounting stands</source>
-        <translation>Après sa dernière étape finie ; on vous demande si le montage tient</translation>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
     </message>
 </context>
 <context>
@@ -7646,8 +7646,8 @@
         <translation>Le mesuré est gardé. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost: Go on begins after the last finished step.</source>
-        <translation>Rien de mesuré n&apos;est perdu : Continuer reprend après la dernière étape terminée.</translation>
+        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.</source>
+        <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque.</translation>
     </message>
     <message>
         <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>

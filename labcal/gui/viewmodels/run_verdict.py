@@ -24,7 +24,8 @@ NEXT = {
     "": QT_TRANSLATE_NOOP("Words", "Nothing of it had a limit: look at what was measured."),
     "stopped": QT_TRANSLATE_NOOP("Words", "What was measured is kept. To measure again: Close, then Begin."),
     "interrupted": QT_TRANSLATE_NOOP(
-        "Words", "Nothing that was measured is lost: Go on begins after the last finished step."
+        "Words",
+        "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.",
     ),
     "lost": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost. Mend what is said above, then Go on."),
     "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
