@@ -71,7 +71,7 @@ class PreflightPlan:
     closure_nT: float
     u_mounting_deg: float
     estimate: RunningEstimate
-    kept: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
+    finished: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
 
     def at_rate_of(self, bench: Bench) -> PreflightPlan:
         """The same at the fastest rate that is allowed, unless one was asked for."""
@@ -106,7 +106,7 @@ class PreflightPlan:
         one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
         steps = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
         for axis in self.axes:
-            left = {name: one for name, _, _ in self.left(axis, self.kept)}
+            left = {name: one for name, _, _ in self.left(axis, self.finished)}
             mount_s, closure_s = (MOUNT_S + self.dwell_s, self.dwell_s) if left else (0.0, 0.0)
             steps += [(f"mount-{axis}", mount_s), *((name, left.get(name, 0.0)) for name, _, _ in self.turns(axis))]
             steps += [(f"closure-{axis}", closure_s)]
@@ -114,7 +114,7 @@ class PreflightPlan:
 
     def asks(self) -> frozenset[str]:
         """The steps that begin with mounting or switching; the first mounting is in the zero."""
-        left = {axis: turns for axis in self.axes if (turns := self.left(axis, self.kept))}
+        left = {axis: turns for axis in self.axes if (turns := self.left(axis, self.finished))}
         mounted = {f"mount-{axis}" for axis in list(left)[1:]}
         first = {axis: {mode: name for name, mode, _ in reversed(turns)} for axis, turns in left.items()}
         switched = {name for of in first.values() for mode, name in of.items() if mode != self.modes[0]}
@@ -160,7 +160,7 @@ def preflight(
     )  # fmt: skip
     refuse_too_fast(bench, rate_deg_per_s)
     done = resume.done if resume else frozenset[str]()
-    setting = replace(wanted.at_rate_of(bench), kept=done)
+    setting = replace(wanted.at_rate_of(bench), finished=done)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         mounted = next((axis for axis in axes if setting.left(axis, done)), axes[0])

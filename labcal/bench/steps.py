@@ -225,6 +225,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
 def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:
     """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record; as `Cage.set_field`."""
     b = [float(v) for v in np.asarray(b_nT)]
+    bench.cage.refuse_beyond_limits(b)  # before anybody is asked for what cannot be done
     yield from hands_off(bench, f"The field goes to {np.linalg.norm(b) / 1000:g} µT.")
     bench.cage.set_field(b, confirm_signs=confirm_signs)
     yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)

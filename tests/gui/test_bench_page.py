@@ -118,7 +118,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench,
     still.app_state.coils_off()
     still.app_state.off_worker.answer(SwitchOff, said)
     assert (still.fault.isVisible(), still.next.text()) == (True, "Next: See to the coils")
-    assert len(still.app_state.off_worker.commands(Identify)) == 3  # by itself: the doubt is older than this zero
+    assert len(still.app_state.off_worker.commands(Identify)) == 2  # by itself: the doubt is older than this zero
     seen = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic() - ago_s) for axis in "xyz")
     still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, seen)))
     assert still.app_state.lab.state.message == "they agree again"
