@@ -205,7 +205,8 @@ def test_without_a_reference_at_the_dut_it_is_the_supplys_word(tmp_path: Path, p
 
 def test_an_ambient_field_older_than_the_mounting_is_no_witness(bench: Bench) -> None:
     with_ambient(bench)
-    asked = next(i for i in mount(bench, "mount-z", np.eye(3), "Mount.") if isinstance(i, Prompt) and i.key == "mount-z")
+    work = mount(bench, "mount-z", np.eye(3), "Mount.")
+    asked = next(item for item in work if isinstance(item, Prompt) and item.key == "mount-z")
     assert bench.sentence() == AT_ZERO
     bench.handled(asked)
     bench.cage.zero()
