@@ -301,6 +301,7 @@ class Drive:
             if not ending.by_store:
                 self._keep_fault(ending.fault or next(iter(faults), None))
             read_back = self._read_back(faults, lost)
+            self._show()  # the coils, before a large platform has come to rest
             if stands := bench.stop_platform():  # it was sent a stop before that; a large one takes seconds to stand
                 self._keep(self._event("standstill", stands))
             self._keep_news()
