@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import pytest
 from lab_states import runs_of
 from PySide6.QtCore import QSettings
+from shiboken6 import delete, isValid
 
 from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
@@ -19,14 +20,17 @@ from labcal.testing.pages import DeafWorker
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20"}
-KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
 SCAN_WAIT_MS = 40
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
 
 
-@pytest.fixture(scope="session")
-def kept_windows():
-    return KEPT
+@pytest.fixture
+def windows():
+    """The windows that a test opens by itself: taken apart after it."""
+    opened = []
+    yield opened
+    for window in opened:
+        take_apart(window)
 
 
 @pytest.fixture
@@ -37,6 +41,16 @@ def patience():
 @pytest.fixture
 def deaf(qapp):
     return DeafWorker
+
+
+def take_apart(window):
+    """Close a window and delete what Qt has of it, in Qt's order: the collector's, of plots, brings Qt down.
+
+    What lived on would be styled and translated with each window that comes after.
+    """
+    if isValid(window):
+        window.leave()
+        delete(window)
 
 
 def settings_in(folder):
@@ -57,7 +71,6 @@ def deaf_window_at(home):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(app_state, "Client", DeafWorker)
         window = Window(AppState(settings_in(home)), LIGHT)
-    KEPT.append(window)
     window.show()
     window.open_page("Run")
     window.page("Run")
@@ -66,7 +79,7 @@ def deaf_window_at(home):
     try:
         yield window
     finally:
-        window.leave()
+        take_apart(window)
 
 
 @pytest.fixture(scope="session")
@@ -143,9 +156,8 @@ def alive(tmp_path_factory, qapp):
         window.home = str(home)
         window.show()
         window.app_state.open_bench(str(BENCH))
-        KEPT.append(window)
         yield window
-        window.leave()
+        take_apart(window)
 
 
 @pytest.fixture
@@ -175,11 +187,10 @@ def window_at(home):
         window.app_state.open_bench(str(BENCH))
         window.app_state.set_identity(dut="EM-07", operator="J. Doe")
         window.home = str(home)
-        KEPT.append(window)
         try:
             yield window
         finally:
-            window.leave()
+            take_apart(window)
 
 
 @pytest.fixture

@@ -27,10 +27,10 @@ def lab(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def shown(tmp_path, kept_windows, lab, qtbot, patience):
+def shown(tmp_path, windows, lab, qtbot, patience):
     app_state = AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat))
     window = Window(app_state, LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     window.show()
     window.page("Run")
     app_state.open_bench(str(lab.file))

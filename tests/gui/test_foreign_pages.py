@@ -113,7 +113,7 @@ def test_a_job_that_breaks_holds_up_none_of_the_others(qtbot, patience):
     assert [kind for kind, *_ in caught] == [ZeroDivisionError]
 
 
-def test_the_window_lives_with_a_page_that_breaks_beside_ours(foreign, monkeypatch, tmp_path, deaf, kept_windows, qapp):
+def test_the_window_lives_with_a_page_that_breaks_beside_ours(foreign, monkeypatch, tmp_path, deaf, windows, qapp):
     from PySide6.QtCore import QSettings
 
     from labcal.gui.viewmodels import app_state
@@ -123,7 +123,7 @@ def test_the_window_lives_with_a_page_that_breaks_beside_ours(foreign, monkeypat
     monkeypatch.setattr(registry, "entry_points", lambda group: [foreign("missing", "Lost"), foreign("Good")])
     import_pages()
     window = Window(app_state.AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     window.show()
     for name in window.lazy_pages:
         window.open_page(name)

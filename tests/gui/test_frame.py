@@ -73,7 +73,7 @@ def texts(widget):
     return [child.text() for child in widget.findChildren(QLabel)]
 
 
-def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_path, deaf, kept_windows, monkeypatch):
+def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_path, deaf, windows, monkeypatch):
     from labcal.gui.theming.theme import LIGHT
     from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
@@ -83,7 +83,7 @@ def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_pa
     for _ in range(2):
         settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
         window = Window(app_state.AppState(settings), LIGHT)
-        kept_windows.append(window)
+        windows.append(window)
         window.show()
         stood.append((window.isMaximized(), window.wall, window.top.operator.text()))
         window.showMaximized()
@@ -108,7 +108,7 @@ class Shown(QObject):
         return False
 
 
-def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, deaf, kept_windows, monkeypatch, qapp):
+def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, deaf, windows, monkeypatch, qapp):
     from labcal.gui.theming.theme import LIGHT
     from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
@@ -117,7 +117,7 @@ def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, 
     watching = Shown()
     qapp.installEventFilter(watching)
     window = Window(app_state.AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     for page in window.lazy_pages.values():
         page.built()
     qapp.removeEventFilter(watching)

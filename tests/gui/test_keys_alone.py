@@ -101,10 +101,10 @@ class Hands:
 
 
 @pytest.fixture
-def hands(qtbot, tmp_path, monkeypatch, patience, kept_windows):
+def hands(qtbot, tmp_path, monkeypatch, patience, windows):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path / "home"))  # nothing is written into it but by labcal itself
     window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     window.show()
     window.activateWindow()
     yield Hands(window, qtbot, patience)

@@ -13,7 +13,7 @@ SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "n
 
 
 def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
-    qtbot, tmp_path, monkeypatch, kept_windows, patience
+    qtbot, tmp_path, monkeypatch, windows, patience
 ):
     from labcal import session
     from labcal.bench.clock import VirtualClock
@@ -28,7 +28,7 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
     settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
     window = Window(AppState(settings), LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     window.show()
     app_state, study, run = window.app_state, window.app_state.study_vm, window.app_state.run
 

@@ -76,28 +76,27 @@ def test_one_button_at_most_is_blue(still, qtbot, page, runs):
     still.app_state.path.take_calibrations(())
 
 
-def test_next_is_blue_until_the_page_has_a_blue_button_of_its_own(still, qtbot, patience):
-    still.open_page("History")
-    page = still.page("History")
-    still.app_state.quick_worker.answer(ListRuns, (RUN,))
-    qtbot.waitUntil(lambda: blue(still) == [still.next.text()], timeout=patience)
+def test_next_is_blue_until_the_page_has_a_blue_button_of_its_own(new_window, qtbot, patience):
+    new_window.open_page("History")
+    page = new_window.page("History")
+    new_window.app_state.quick_worker.answer(ListRuns, (RUN,))
+    qtbot.waitUntil(lambda: blue(new_window) == [new_window.next.text()], timeout=patience)
     page.table.selectRow(0)
-    qtbot.waitUntil(lambda: blue(still) == [page.open.text()], timeout=patience)
-    still.app_state.path.take_runs(())
+    qtbot.waitUntil(lambda: blue(new_window) == [page.open.text()], timeout=patience)
 
 
-def test_a_cage_that_was_not_checked_has_a_button_that_leads_to_its_check(still, qtbot):
-    page = still.page("Start")
-    still.open_page("Start")
-    still.app_state.facts = replace(still.app_state.facts, cage=replace(still.app_state.facts.cage, stated=True))
-    still.app_state.bench_changed.emit()
+def test_a_cage_that_was_not_checked_has_a_button_that_leads_to_its_check(new_window, qtbot):
+    app_state, page = new_window.app_state, new_window.page("Start")
+    new_window.open_page("Start")
+    app_state.facts = replace(app_state.facts, cage=replace(app_state.facts.cage, stated=True))
+    app_state.bench_changed.emit()
     assert page.facts["cage"][0].text() == "? not checked"
     qtbot.mouseClick(page.check_cage, Qt.MouseButton.LeftButton)
-    assert still.page_shown() == "Run"
-    assert still.page("Run").choose.list.currentItem().text() == "cage-calibration"
+    assert new_window.page_shown() == "Run"
+    assert new_window.page("Run").choose.list.currentItem().text() == "cage-calibration"
     page.refresh()
     today = replace(RUN, started_utc=f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ}")
-    still.app_state.quick_worker.answer(LastCageCheck, Checked(today, None, "PASS"))
+    app_state.quick_worker.answer(LastCageCheck, Checked(today, None, "PASS"))
     assert page.check_cage.isHidden()
 
 
@@ -148,6 +147,7 @@ def test_another_language_on_the_fit_page_leaves_one_choice_its_legend_and_the_l
     app_state.lab.update(message="Run r1: finished")
     shown = Shown(new_window)
     shown.speak("de")
+    qtbot.addWidget(shown.window)
     lazy_page = shown.window.lazy_pages["Fit"]
     lazy_page.build()  # in pieces, and between them what waits is drawn
     lazy_page.page.idle_queue.finish()

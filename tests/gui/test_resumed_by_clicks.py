@@ -54,7 +54,7 @@ app.exec()
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, which Windows lacks")
-def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_path, monkeypatch, patience, kept_windows):
+def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_path, monkeypatch, patience, windows):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
     command = [sys.executable, "-c", BEGUN, str(BENCH), str(tmp_path / "w.ini")]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as killed:
@@ -65,7 +65,7 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
     settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
     window = Window(AppState(settings), LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     app_state, run = window.app_state, window.app_state.run
     try:
         window.show()

@@ -12,10 +12,10 @@ SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_de
 
 
 @pytest.mark.slow
-def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patience, kept_windows):
+def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patience, windows):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
     window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
-    kept_windows.append(window)
+    windows.append(window)
     window.show()
 
     def click(widget):
