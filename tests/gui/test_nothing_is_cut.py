@@ -174,6 +174,14 @@ def certificate(window, keys=("jdoe@lab",), **standing):
     return "Certificate"
 
 
+def reported(window):
+    page = certificate(window)
+    paper = window.page(page).paper
+    paper.said.setText("Written: /home/jdoe/calibrations/2026-01-05-EM-07-report.html")
+    paper.folder.show_folder("/home/jdoe/calibrations/2026-01-05-EM-07-report.html")
+    return page
+
+
 STATES = {
     "Start": lambda window: (stored(window, RUN), "Start")[1],
     "Start, interrupted runs": interrupted,
@@ -199,6 +207,7 @@ STATES = {
     "Certificate, a draft": lambda window: certificate(window, signed=False),
     "Certificate, no key": lambda window: certificate(window, (), signed=False),
     "Certificate, signed": lambda window: certificate(window),
+    "Certificate, a report written": reported,
     "History": history,
     "History, two runs compared": compared,
 }

@@ -4,6 +4,7 @@ import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
+from shiboken6 import delete
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
@@ -116,7 +117,7 @@ def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot, p
     qtbot.keyClicks(secret, "correct horse")
     assert secret.text() == "correct horse"
     assert still.app_state.lab.state.dut_serial == "EM-07"
-    secret.deleteLater()
+    delete(secret)
 
 
 def test_a_plot_has_its_two_axes_and_no_more(qapp):

@@ -55,9 +55,10 @@ class Paper(StepCard):
         self.words.setMinimumWidth(20 * GRID)
         for part in (self.words, self.said):
             words.addWidget(part)
+        words.addWidget(self.folder, 0, Qt.AlignmentFlag.AlignLeft)
         words.addStretch()
         row.addLayout(words, 1)
-        for widget in (self.folder, self.apply, self.report, self.export):
+        for widget in (self.apply, self.report, self.export):
             row.addWidget(widget, 0, Qt.AlignmentFlag.AlignTop)
         self.body.insertLayout(1, row)
         self.button = self.export
