@@ -118,6 +118,14 @@ def test_columns_from_any_zeros_come_from_those_at_seven(making: ModuleType, tmp
     outside = float(np.sum(pool.residual(()) ** 2) - np.sum(search.z**2))
     assert outside + np.sum(search.left(zeros) ** 2) == pytest.approx(float(np.sum(left**2)), rel=1e-3)
 
+    def square(at: np.ndarray) -> float:
+        return float(np.sum(search.left(at) ** 2))
+
+    steps = 1e-5 * np.eye(len(zeros))
+    differences = [(square(zeros + step) - square(zeros - step)) / 2e-5 for step in steps]
+    slopes = 2 * search.left(zeros) @ search.slopes(zeros)
+    assert slopes == pytest.approx(differences, rel=1e-4, abs=1e-4 * np.abs(differences).max())
+
 
 def test_a_mounting_of_which_no_row_is_left_has_no_zero_and_the_others_have(making: ModuleType, tmp_path: Path) -> None:
     table = Table(making)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.nuisance import MIN_NEW_SHARE, beside, explained_squares, orthonormal
 from labcal.model.effects import Family, Term, families
 from labcal.model.effects.regressors import mountings
@@ -79,20 +80,15 @@ class Search:
     @classmethod
     def of(cls, pool: CandidateSet, accepted: Sequence[Candidate], term: Term) -> Search:
         """For a term beside base and accepted effects, on the rows of a set."""
-        problem, rows = pool.problem, pool.rows
-        assert problem.scene.rig is not None
-        mounting = problem.scene.rig.mounting + 1
-        made = np.stack([problem.all_columns(term.with_values(**{s.name: v for s in term.shape})) for v in NODES])
-        few = [_few_directions(made[:, rows & (mounting == number)]) for number in mountings(problem.run)]
-        ends = np.cumsum([0, *(directions.shape[2] for directions, _ in few)])
-        all_of_them = np.zeros((len(rows), problem.y.shape[1], ends[-1]))
-        for number, (directions, _), a, b in zip(mountings(problem.run), few, ends, ends[1:], strict=False):
-            all_of_them[rows & (mounting == number), :, a:b] = directions
-        new = beside(_spanned(pool, accepted), all_of_them[rows])
-        Q, R = np.linalg.qr(new.reshape(-1, ends[-1]))
-        at_nodes = np.stack([R[:, a:b] @ nodes for (_, nodes), a, b in zip(few, ends, ends[1:], strict=False)])
-        length = np.sqrt(sum(np.sum(nodes[0] ** 2, axis=0) for _, nodes in few))
-        return cls(at_nodes, Q.T @ pool.residual(accepted)[rows].ravel(), np.maximum(length, 1e-300))
+        form = term.kernel, term.parameters, term.channels, tuple(one.name for one in term.shape)
+        directions, at = pool.store.memo.get("of zeros", form, lambda: _all_directions(pool.problem, term))
+        here = directions[pool.rows]
+        kept = np.einsum("nqr,nqr->r", here, here) > SAME  # none of a mounting that has no row here
+        new = beside(_spanned(pool, accepted), here[..., kept])
+        Q, R = np.linalg.qr(new.reshape(-1, new.shape[2]))
+        at_nodes = np.stack([np.tensordot(R, nodes[:, kept], axes=(1, 1)).swapaxes(0, 1) for nodes in at])
+        length = np.linalg.norm(here @ sum(nodes[0] for nodes in at), axis=(0, 1))
+        return cls(at_nodes, Q.T @ pool.residual(accepted)[pool.rows].ravel(), np.maximum(length, 1e-300))
 
     def each(self, place: int, zeros: Array) -> Array:
         """What a mounting adds to X at each of these zeros (m, r, p)."""
@@ -100,10 +96,23 @@ class Search:
 
     def left(self, zeros: Array) -> Array:
         """What least squares leaves of z (r,), in directions that are new."""
-        X = np.tensordot(_weights(np.concatenate([[0.0], zeros])), self.at_nodes, axes=2) / self.length
-        directions, size, _ = np.linalg.svd(X, full_matrices=False)
-        kept = directions[:, size**2 > MIN_NEW_SHARE]
+        kept, _ = self._fitted(zeros)
         return np.asarray(self.z - kept @ (kept.T @ self.z))
+
+    def slopes(self, zeros: Array) -> Array:
+        """How what is left follows each zero (r, k), but for what lies along X (Kaufman, BIT 15, 49, 1975)."""
+        kept, beta = self._fitted(zeros)
+        turned = np.tensordot(self.at_nodes[1:], beta / self.length, axes=1)  # (k, nodes, r)
+        moved = np.einsum("kn,knr->rk", _slopes_of_weights(zeros), turned)
+        return np.asarray(kept @ (kept.T @ moved) - moved)
+
+    def _fitted(self, zeros: Array) -> tuple[Array, Array]:
+        """Orthonormal directions (r, m) of X at these zeros that are new, and the amplitudes (p,) along them."""
+        X = np.tensordot(_weights(np.concatenate([[0.0], zeros])), self.at_nodes, axes=2) / self.length
+        directions, size, amplitudes = np.linalg.svd(X, full_matrices=False)
+        new = size**2 > MIN_NEW_SHARE
+        kept = directions[:, new]
+        return kept, np.asarray(amplitudes[new].T @ ((kept.T @ self.z) / size[new]))
 
     def one_by_one(self) -> Array:
         """Zeros (k,): each mounting's beside those before it, then each beside all others."""
@@ -121,7 +130,7 @@ class Search:
         """Zeros (k,) from these on, all at once."""
         from scipy.optimize import least_squares
 
-        return np.asarray(least_squares(self.left, zeros, xtol=1e-6, ftol=1e-6, max_nfev=EVALUATIONS).x)
+        return np.asarray(least_squares(self.left, zeros, self.slopes, xtol=1e-6, ftol=1e-6, max_nfev=EVALUATIONS).x)
 
 
 def _spanned(pool: CandidateSet, accepted: Sequence[Candidate]) -> Array:
@@ -133,6 +142,22 @@ def _spanned(pool: CandidateSet, accepted: Sequence[Candidate]) -> Array:
     return pool.cached("spanned", accepted, made)
 
 
+def _all_directions(problem: LinearProblem, term: Term) -> tuple[Array, list[Array]]:
+    """Directions (N, q, r) of all mountings, on every row, and each mounting's columns in them (nodes, r, p)."""
+    assert problem.scene.rig is not None
+    mounting = problem.scene.rig.mounting + 1
+    made = np.stack([problem.all_columns(term.with_values(**{s.name: v for s in term.shape})) for v in NODES])
+    numbers = mountings(problem.run)
+    few = [_few_directions(made[:, mounting == number]) for number in numbers]
+    ends = np.cumsum([0, *(directions.shape[2] for directions, _ in few)])
+    whole, at = np.zeros((*problem.y.shape[:2], ends[-1])), []
+    for number, (directions, nodes), a, b in zip(numbers, few, ends, ends[1:], strict=False):
+        whole[mounting == number, :, a:b] = directions
+        at.append(np.zeros((len(NODES), ends[-1], nodes.shape[2])))
+        at[-1][:, a:b] = nodes
+    return whole, at
+
+
 def _few_directions(made: Array) -> tuple[Array, Array]:
     """Orthonormal directions (m, q, r) of columns (nodes, m, q, p), and the columns in them (nodes, r, p)."""
     nodes, m, q, p = made.shape
@@ -142,6 +167,12 @@ def _few_directions(made: Array) -> tuple[Array, Array]:
     kept = size**2 > SAME * size.max(initial=0.0) ** 2  # none, where no row of a mounting is left
     columns, r = (size[kept, None] * right[: len(size)][kept]) * length, int(kept.sum())
     return left[:, kept].reshape(m, q, r), np.moveaxis(columns.reshape(r, nodes, p), 1, 0)
+
+
+def _slopes_of_weights(zeros: Array) -> Array:
+    """How each node's weight follows its zero (m, nodes)."""
+    h = np.arange(1, HARMONICS + 1)
+    return np.asarray(-2 * (h * np.sin(np.multiply.outer(zeros[:, None] - NODES, h))).sum(axis=2) / len(NODES))
 
 
 def _weights(zeros: Array) -> Array:
