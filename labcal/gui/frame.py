@@ -114,7 +114,7 @@ class SidePanel(Surface):
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        shape, mark = mark_of(now.coil_words)
+        shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
         set_state(self.zero_words, mark)
         shape, mark = platform_mark(now.platform_words)

@@ -348,7 +348,7 @@ class AppState(QObject):
         if self._asked_off:
             known = replace(known or state.LabState(()), coils=state.unread(), field=state.FieldReading())
         roles = {} if self.facts is None else {name: one.role for name, one in self.facts.instruments.items()}
-        now = lab_now(known, self._known_s, roles, time.monotonic())
+        now = lab_now(known, self._known_s, roles, time.monotonic(), driven=self.run.alive)
         return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
     def grow_old(self, lifted: bool = False) -> None:
