@@ -77,7 +77,15 @@ class SidePanel(Surface):
         self._column.addWidget(self.zero_words)
         self.platform = label("", wrap=True)
         self._column.addWidget(self.platform)
-        self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
+        instruments_head = QHBoxLayout()
+        self.read_all = button(
+            self.tr("Read all"),
+            self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
+        )
+        instruments_head.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
+        instruments_head.addStretch()
+        instruments_head.addWidget(self.read_all)
+        self._column.addLayout(instruments_head)
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
 
@@ -122,6 +130,7 @@ class SidePanel(Surface):
         self.platform.setVisible(bool(now.platform_words))
         set_state(self.platform, mark)
         self._show_lights(state)
+        self.read_all.setEnabled(bool(state.bench) and not now.driven and not state.reading)
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:

@@ -55,7 +55,8 @@ class BenchPage(QWidget):
         self.faces.addWidget(self._bench())
         self.faces.addWidget(self.editor)
         column.addWidget(self.faces, 1)
-        app_state.bench_changed.connect(self._bench_known)
+        for changed in (app_state.bench_changed, app_state.watch.was_read):
+            changed.connect(self._bench_known)
         self._readings = QTimer(self, interval=READINGS_MS)
         self._readings.timeout.connect(self.show_readings)
         self._bench_known()

@@ -67,10 +67,6 @@
         <source>hands off, measuring</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>failed</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>ArchivedViewModel</name>
@@ -676,11 +672,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <source>coils confirmed at zero {0}; not watched since</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils last read back from here below their zero {0}, not since</source>
+        <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -757,6 +757,10 @@
     </message>
     <message>
         <source>{0} h ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {0} ({1})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5382,6 +5386,21 @@
     </message>
 </context>
 <context>
+    <name>LabWatch</name>
+    <message>
+        <source>Reading every instrument; nothing is set …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} instruments were read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; another process has {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
@@ -6216,6 +6235,14 @@
     </message>
     <message>
         <source>COILS   A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

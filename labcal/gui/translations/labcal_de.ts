@@ -67,10 +67,6 @@
         <source>hands off, measuring</source>
         <translation>Hände weg, es wird gemessen</translation>
     </message>
-    <message>
-        <source>failed</source>
-        <translation>Fehler</translation>
-    </message>
 </context>
 <context>
     <name>ArchivedViewModel</name>
@@ -676,12 +672,16 @@
         <translation>Tisch steht bei {0}°, gelesen {1}</translation>
     </message>
     <message>
-        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
-        <translation>Noch verloren: {0}. Erst beheben: ein jetzt begonnener Schritt scheitert wieder.</translation>
+        <source>coils confirmed at zero {0}; not watched since</source>
+        <translation>Spulen bei Null bestätigt {0}; seitdem nicht beobachtet</translation>
     </message>
     <message>
-        <source>coils last read back from here below their zero {0}, not since</source>
-        <translation>Spulen von hier aus zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
+        <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
+        <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}; seitdem nicht beobachtet</translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation>Noch verloren: {0}. Erst beheben: ein jetzt begonnener Schritt scheitert wieder.</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
@@ -758,6 +758,10 @@
     <message>
         <source>{0} h ago</source>
         <translation>vor {0} h</translation>
+    </message>
+    <message>
+        <source>at {0} ({1})</source>
+        <translation>um {0} ({1})</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -5382,6 +5386,21 @@
     </message>
 </context>
 <context>
+    <name>LabWatch</name>
+    <message>
+        <source>Reading every instrument; nothing is set …</source>
+        <translation>Alle Geräte werden gelesen; nichts wird gestellt …</translation>
+    </message>
+    <message>
+        <source>{0} of {1} instruments were read</source>
+        <translation>{0} von {1} Geräten wurden gelesen</translation>
+    </message>
+    <message>
+        <source>; another process has {0}</source>
+        <translation>; ein anderer Prozess hat {0}</translation>
+    </message>
+</context>
+<context>
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
@@ -6217,6 +6236,14 @@
     <message>
         <source>COILS   A</source>
         <translation>SPULEN   A</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Alle lesen</translation>
+    </message>
+    <message>
+        <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
+        <translation>Jetzt jedes Gerät lesen: Ströme, Feld, Winkel, wer antwortet. Nichts wird gestellt oder bewegt.</translation>
     </message>
     <message>
         <source>INSTRUMENTS</source>

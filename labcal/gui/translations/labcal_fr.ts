@@ -67,10 +67,6 @@
         <source>hands off, measuring</source>
         <translation>mains éloignées, mesure en cours</translation>
     </message>
-    <message>
-        <source>failed</source>
-        <translation>échec</translation>
-    </message>
 </context>
 <context>
     <name>ArchivedViewModel</name>
@@ -676,12 +672,16 @@
         <translation>la plate-forme est arrêtée à {0}°, lue {1}</translation>
     </message>
     <message>
-        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
-        <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
+        <source>coils confirmed at zero {0}; not watched since</source>
+        <translation>bobines confirmées à zéro {0} ; non surveillées depuis</translation>
     </message>
     <message>
-        <source>coils last read back from here below their zero {0}, not since</source>
-        <translation>bobines relues d&apos;ici sous leur zéro {0}, pas depuis</translation>
+        <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0} ; non surveillées depuis</translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
@@ -758,6 +758,10 @@
     <message>
         <source>{0} h ago</source>
         <translation>il y a {0} h</translation>
+    </message>
+    <message>
+        <source>at {0} ({1})</source>
+        <translation>à {0} ({1})</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -5382,6 +5386,21 @@
     </message>
 </context>
 <context>
+    <name>LabWatch</name>
+    <message>
+        <source>Reading every instrument; nothing is set …</source>
+        <translation>Lecture de tous les appareils ; rien n&apos;est réglé …</translation>
+    </message>
+    <message>
+        <source>{0} of {1} instruments were read</source>
+        <translation>{0} appareils sur {1} ont été lus</translation>
+    </message>
+    <message>
+        <source>; another process has {0}</source>
+        <translation>; un autre processus tient {0}</translation>
+    </message>
+</context>
+<context>
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
@@ -6217,6 +6236,14 @@
     <message>
         <source>COILS   A</source>
         <translation>BOBINES   A</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Tout lire</translation>
+    </message>
+    <message>
+        <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
+        <translation>Lire chaque appareil maintenant : courants, champ, angle, qui répond. Rien n&apos;est réglé ni déplacé.</translation>
     </message>
     <message>
         <source>INSTRUMENTS</source>

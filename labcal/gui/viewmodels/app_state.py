@@ -20,13 +20,16 @@ from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.client import WATCHED, Client
+from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import Command, GoesOn, Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, coil_read, lab_now, reference_U, switched_off
+from labcal.gui.viewmodels.lab_now import LabNow, lab_now, reference_U, switched_off
+from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel
@@ -75,6 +78,8 @@ class AppState(QObject):
         self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
+        self.watch_worker = Client(self)
+        self.watch = LabWatch(self.watch_worker, self.lab, self._may_be_read, self._wrong, self._take_read)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -89,7 +94,6 @@ class AppState(QObject):
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self.warning_shown = False  # the card that says so
-        self._dut_stated = False  # by a person, or by the run that is gone on with
         self.age_timer = QTimer(self, interval=AGES_MS)
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
@@ -158,17 +162,23 @@ class AppState(QObject):
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered, now = {one.name: one for one in said.instruments}, time.monotonic()
-        heard = tuple(
-            state.Heard(one.name, None if one.fault else now, one.fault.text if one.fault else "")
-            for one in said.instruments
-        )
-        before = replace(self.known or state.LabState(state.unread()), instruments=heard, guardian=None)
-        lifted = said.doubt if said.doubt is not None and said.doubt.lifted else None
-        if lifted is not None:  # by the reference, which was looked at after the coils
-            agrees = state.Witness("agrees", "", read_s=now)
-            before = replace(before, coils=tuple(map(coil_read, lifted.coils)) or before.coils, reference=agrees)
-        self.take_lab(before, lifted=lifted is not None)
+        self.answered = {one.name: one for one in said.instruments}
+        known, lifted = lab_heard.identified(self.known, said)
+        self.take_lab(known, lifted=lifted)
+
+    def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
+        """What was read while no run went on."""
+        answers = [InstrumentAnswer(o.name, o.role, o.link, o.identity, o.fault) for o in said if o.identity or o.fault]
+        self.answered |= {one.name: one for one in answers}
+        self.take_lab(lab_heard.read(self.known, said))
+
+    def _may_be_read(self) -> str:
+        """The bench, where nobody but this window has to do with it now; "" else."""
+        free = self.facts is not None and not (self.run.alive or self._asked_off or self.off_worker.busy)
+        return self.bench if free else ""
+
+    def _wrong(self) -> tuple[str, ...]:
+        return () if self.facts is None else lab_heard.wrong(self.known, self.facts.instruments)
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -279,6 +289,7 @@ class AppState(QObject):
 
     def coils_off(self) -> None:
         """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
+        self.watch.stop()
         if self.run.alive:
             self.run.abort()
             self.force_timer.start()
@@ -302,8 +313,8 @@ class AppState(QObject):
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
         fault = self.run.fault
-        if fault is not None:
-            self._blame(fault)
+        if fault is not None and (blamed := lab_heard.blamed(self.known, fault, self.facts)) is not None:
+            self.take_lab(blamed)
         if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
             self._switch_off()
 
@@ -372,17 +383,6 @@ class AppState(QObject):
             waits["running"] = self.tr("hands off, measuring")
         self.lab.update(message=run.message, waiting=waits.get(run.state, ""))
 
-    def _blame(self, fault: Fault) -> None:
-        """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
-        if self.facts is None or fault.kind != "instrument" or fault.text.startswith(state.NOT_BY_REFERENCE):
-            return  # a limit that is not met may name one, and says nothing against it
-        known = self.known or state.LabState(state.unread())
-        heard = {one.name: one for one in known.instruments}
-        for name in self.facts.instruments:
-            if name in fault.text:
-                heard[name] = replace(heard.get(name) or state.Heard(name), fault=self.tr("failed"))
-        self.take_lab(replace(known, instruments=tuple(heard.values())))
-
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
         details = "".join(format_exception(kind, error, trace))
@@ -391,8 +391,9 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self.age_timer):
+        for timer in (self.force_timer, self.age_timer, self.watch.timer):
             timer.stop()
         self.bench_worker.close(8000)
-        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.archived):
+        self.watch.stop()
+        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.watch_worker, self.archived):
             worker.close(500)

@@ -23,8 +23,8 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "fault": ("✕", "bad", "failed"),
     "absent": ("○", "", "not asked"),
 }
-LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 GUARDIAN = "guardian"
+LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "heard before"),
@@ -32,6 +32,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} min ago"),
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
+    QT_TRANSLATE_NOOP("Words", "failed"),
 )
 
 
@@ -46,13 +47,18 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
-    at_rest: bool = False  # no run goes on, and the coils were read not long ago
+    driven: bool = False  # by a run of this window
     platform_words: str = ""
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
+
+    @property
+    def at_rest(self) -> bool:
+        """No run goes on, and the coils were read not long ago."""
+        return not self.driven and (self.coil_old_s or 0) < LONG_AGO_S
 
 
 NOT_TOLD = LabNow()
@@ -66,7 +72,7 @@ def lab_now(
     `driven`: by a run of this window.
     """
     if lab is None:
-        return LabNow(lights=tuple((name, "absent", "") for name in roles))
+        return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
     known = any(coil.current_A is not None for coil in lab.coils)
     at_zero = all(coil.zero for coil in lab.coils)
     return LabNow(
@@ -74,7 +80,7 @@ def lab_now(
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
-        at_rest=not driven and lab.age_s(now_s) < LONG_AGO_S,
+        driven=driven,
         platform_words=lab.platform_sentence(now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
