@@ -101,7 +101,10 @@ def _earth(site: SiteConfig) -> Earth | None:
 def _cage(config: CageConfig) -> Cage:
     x, y, z = config.matrix.tolist()
     limits = config.limits
-    return Cage((x, y, z), config.matrix_nT_per_A is not None, config.calibration, limits.current_A, limits.field_nT)
+    return Cage(
+        *((x, y, z), config.matrix_nT_per_A is not None, config.calibration),
+        *(limits.current_A, limits.field_nT, limits.ramp_A_per_s),
+    )
 
 
 def identify(channel: Channel, asked: Identify) -> Identified:

@@ -322,7 +322,8 @@ class Live(QWidget):
             stop = self.tr("stop it at its controller, and see it stand")
             words = f"{words}. {in_words(now.platform_words)}: {stop}"
         if self._app_state.lab.state.now.coils_at_zero is False:
-            return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
+            supplies = ", ".join(self._app_state.by_hand())
+            return self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.").format(words, supplies)
         return words
 
     def _ask(self) -> None:

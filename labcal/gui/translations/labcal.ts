@@ -52,7 +52,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the supplies off at their mains switches.</source>
+        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4969,6 +4973,10 @@
         <source>Put this card away</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -5461,10 +5469,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5522,6 +5526,10 @@
     </message>
     <message>
         <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -52,8 +52,12 @@
         <translation>Zurückgelesen: {0}</translation>
     </message>
     <message>
-        <source>Switch the supplies off at their mains switches.</source>
-        <translation>Die Netzgeräte an ihren Netzschaltern ausschalten.</translation>
+        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <translation>An der Frontplatte oder am Netzschalter; dann noch einmal SPULEN AUS (F12).</translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation>Noch keine Antwort von: {0}</translation>
     </message>
     <message>
         <source>your turn</source>
@@ -4969,6 +4973,10 @@
         <source>Put this card away</source>
         <translation>Diese Karte weglegen</translation>
     </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -5501,6 +5509,10 @@
         <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
+        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
+        <translation>{0}. SPULEN AUS (F12) drücken oder {1} von Hand ausschalten.</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weiter</translation>
     </message>
@@ -5511,10 +5523,6 @@
     <message>
         <source>stop it at its controller, and see it stand</source>
         <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
-    </message>
-    <message>
-        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
-        <translation>{0}. SPULEN AUS (F12) drücken oder die Netzgeräte am Netz ausschalten.</translation>
     </message>
     <message>
         <source>{0} % of the circle</source>

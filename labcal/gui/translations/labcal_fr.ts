@@ -52,8 +52,12 @@
         <translation>Relu : {0}</translation>
     </message>
     <message>
-        <source>Switch the supplies off at their mains switches.</source>
-        <translation>Coupez les alimentations à leur interrupteur secteur.</translation>
+        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <translation>Sur sa face avant ou à son interrupteur secteur ; puis BOBINES À ZÉRO (F12) encore une fois.</translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation>Pas encore de réponse de : {0}</translation>
     </message>
     <message>
         <source>your turn</source>
@@ -4969,6 +4973,10 @@
         <source>Put this card away</source>
         <translation>Ranger cette carte</translation>
     </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -5501,6 +5509,10 @@
         <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
     </message>
     <message>
+        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
+        <translation>{0}. Appuyez sur BOBINES À ZÉRO (F12), ou coupez {1} à la main.</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Continuer</translation>
     </message>
@@ -5511,10 +5523,6 @@
     <message>
         <source>stop it at its controller, and see it stand</source>
         <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
-    </message>
-    <message>
-        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
-        <translation>{0}. Pressez BOBINES À ZÉRO (F12), ou coupez les alimentations au secteur.</translation>
     </message>
     <message>
         <source>{0} % of the circle</source>

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import replace
 
 from labcal.bench.coils import state
-from labcal.gui.ipc.answers import Bench, Identified
-from labcal.gui.ipc.bench_facts import Instrument
+from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.translate import translated
@@ -50,14 +48,23 @@ def read(before: state.LabState | None, said: tuple[InstrumentRead, ...]) -> sta
     return replace(after, coils=tuple(coils.values()), instruments=tuple(heard.values()), guardian=None)
 
 
-def wrong(known: state.LabState | None, instruments: Mapping[str, Instrument]) -> tuple[str, ...]:
+def answers(said: tuple[InstrumentRead, ...]) -> dict[str, InstrumentAnswer]:
+    """Who said who it is, or why it did not, by name."""
+    return {
+        one.name: InstrumentAnswer(one.name, one.role, one.link, one.identity, one.fault)
+        for one in said
+        if one.identity or one.fault
+    }
+
+
+def wrong(known: state.LabState | None, facts: Bench | None) -> tuple[str, ...]:
     """Who is to be read again: coils that are not known to be at zero, what has failed, a platform that may turn."""
-    if known is None:
+    if known is None or facts is None:
         return ()
-    on = {f"coil-{coil.axis}" for coil in known.coils if not coil.zero}
+    on = {"coil-x", "coil-y", "coil-z"} if not all(coil.zero for coil in known.coils) else set[str]()  # at one moment
     turns = {"platform"} if known.platform is not None and known.platform.moving is not False else set[str]()
     failed = {one.name for one in known.instruments if one.fault}
-    return tuple(name for name, one in instruments.items() if one.role in on | turns or name in failed)
+    return tuple(name for name, one in facts.instruments.items() if one.role in on | turns or name in failed)
 
 
 def blamed(known: state.LabState | None, fault: Fault, facts: Bench | None) -> state.LabState | None:
