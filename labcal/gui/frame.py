@@ -77,15 +77,11 @@ class SidePanel(Surface):
         self._column.addWidget(self.zero_words)
         self.platform = label("", wrap=True)
         self._column.addWidget(self.platform)
-        instruments_head = QHBoxLayout()
         self.read_all = button(
             self.tr("Read all"),
             self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
         )
-        instruments_head.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
-        instruments_head.addStretch()
-        instruments_head.addWidget(self.read_all)
-        self._column.addLayout(instruments_head)
+        self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
 
@@ -105,6 +101,7 @@ class SidePanel(Surface):
         column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(self._lights)
         column.addWidget(self.legend)
+        column.addWidget(self.read_all)
         column.addStretch()
         area.setWidget(holder)
         holder.setAutoFillBackground(False)
@@ -154,7 +151,8 @@ class SidePanel(Surface):
         legend = "   ".join(
             f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
         )
-        self.legend.setText(legend if state.bench else self.tr("No bench is open."))
+        self.legend.setText(state.now.in_common or legend if state.bench else self.tr("No bench is open."))
+        set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
             row.setText(f"{shape} {name}  {words}".strip())

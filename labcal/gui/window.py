@@ -346,7 +346,8 @@ class Window(Frame):
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
         if said := self.app_state.says_unconfirmed(self.fault.fault):
-            self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand())
+            common = self.app_state.lab.state.now.in_common
+            self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), common)
         self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:

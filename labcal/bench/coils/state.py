@@ -163,6 +163,8 @@ class LabState:
             return f"{NOT_CONFIRMED}; {contradicted}" if unread else contradicted
         if unread:
             return NOT_CONFIRMED if any(coil.fault for coil in unread) else NOT_READ
+        if not self.coils:
+            return NOT_READ
         age_s = self.age_s(now_s)
         if flowing := [coil for coil in self.coils if not coil.zero]:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)

@@ -241,7 +241,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: see to plug, power and cable. Read all asks again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as read last, not now; all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -258,10 +270,6 @@
     </message>
     <message>
         <source>Instruments of {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as recorded last, not now; all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4974,6 +4982,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>For who mends labcal; a problem report holds it:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Switch off by hand: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5465,11 +5477,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Here that is Go on: what was finished is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run has ended: Close, then Begin measures anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>stop it at its controller, and see it stand</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no answer from {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6032,6 +6060,10 @@
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7786,6 +7818,14 @@
     </message>
     <message>
         <source>Opening the simulated lab …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -257,12 +257,20 @@
         <translation>{0}, simuliert</translation>
     </message>
     <message>
+        <source>{0}: see to plug, power and cable. Read all asks again.</source>
+        <translation>{0}: nach Stecker, Strom und Kabel sehen. „Alle lesen“ fragt wieder.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
         <translation>alle Pfeile in einem Maßstab</translation>
     </message>
     <message>
-        <source>as recorded last, not now; all arrows to one scale</source>
-        <translation>wie zuletzt aufgezeichnet, nicht jetzt; alle Pfeile in einem Maßstab</translation>
+        <source>as read last, not now; all arrows to one scale</source>
+        <translation>wie zuletzt gelesen, nicht jetzt; alle Pfeile in einem Maßstab</translation>
     </message>
     <message>
         <source>applied</source>
@@ -4974,6 +4982,10 @@
         <translation>Diese Karte weglegen</translation>
     </message>
     <message>
+        <source>For who mends labcal; a problem report holds it:</source>
+        <translation>Für die, die labcal reparieren; ein Problembericht enthält es:</translation>
+    </message>
+    <message>
         <source>Switch off by hand: {0}</source>
         <translation>Von Hand ausschalten: {0}</translation>
     </message>
@@ -5509,6 +5521,14 @@
         <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
+        <source>Here that is Go on: what was finished is kept.</source>
+        <translation>Hier ist das „Weiter“: Was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>This run has ended: Close, then Begin measures anew.</source>
+        <translation>Diese Messung ist zu Ende: „Ablegen“, dann misst „Beginnen“ von vorn.</translation>
+    </message>
+    <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation>{0}. SPULEN AUS (F12) drücken oder {1} von Hand ausschalten.</translation>
     </message>
@@ -5529,6 +5549,10 @@
         <translation>{0} % des Kreises</translation>
     </message>
     <message>
+        <source>{0}: no answer from {1}</source>
+        <translation>{0}: keine Antwort von {1}</translation>
+    </message>
+    <message>
         <source>Starting</source>
         <translation>Beginnt</translation>
     </message>
@@ -5539,6 +5563,10 @@
     <message>
         <source>Paused</source>
         <translation>Pausiert</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation>✕ Keine Antwort von {0}</translation>
     </message>
     <message>
         <source>Hands off</source>
@@ -6033,6 +6061,10 @@
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
+    </message>
+    <message>
+        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Übersprungen fehlt es: Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
@@ -7787,6 +7819,14 @@
     <message>
         <source>Opening the simulated lab …</source>
         <translation>Das simulierte Labor wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <translation>Alle {0} Geräte an {1} schweigen: zuerst nach ihrer gemeinsamen Leitung sehen.</translation>
+    </message>
+    <message>
+        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <translation>Alle {0} Geräte schweigen: zuerst nach dem sehen, was sie gemeinsam haben (Adapter, Netzwerk, Strom).</translation>
     </message>
 </context>
 <context>

@@ -257,12 +257,20 @@
         <translation>{0}, simulé</translation>
     </message>
     <message>
+        <source>{0}: see to plug, power and cable. Read all asks again.</source>
+        <translation>{0} : voyez la prise, l&apos;alimentation et le câble. « Tout lire » redemande.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
         <translation>toutes les flèches à la même échelle</translation>
     </message>
     <message>
-        <source>as recorded last, not now; all arrows to one scale</source>
-        <translation>tel qu&apos;enregistré en dernier, pas maintenant ; toutes les flèches à la même échelle</translation>
+        <source>as read last, not now; all arrows to one scale</source>
+        <translation>comme lu en dernier, pas maintenant ; toutes les flèches à la même échelle</translation>
     </message>
     <message>
         <source>applied</source>
@@ -4974,6 +4982,10 @@
         <translation>Ranger cette carte</translation>
     </message>
     <message>
+        <source>For who mends labcal; a problem report holds it:</source>
+        <translation>Pour qui répare labcal ; un rapport de problème le contient :</translation>
+    </message>
+    <message>
         <source>Switch off by hand: {0}</source>
         <translation>Couper à la main : {0}</translation>
     </message>
@@ -5509,6 +5521,14 @@
         <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
     </message>
     <message>
+        <source>Here that is Go on: what was finished is kept.</source>
+        <translation>Ici, c&apos;est « Continuer » : ce qui est terminé est gardé.</translation>
+    </message>
+    <message>
+        <source>This run has ended: Close, then Begin measures anew.</source>
+        <translation>Cette mesure est finie : « Fermer », puis « Démarrer » mesure de nouveau.</translation>
+    </message>
+    <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation>{0}. Appuyez sur BOBINES À ZÉRO (F12), ou coupez {1} à la main.</translation>
     </message>
@@ -5529,6 +5549,10 @@
         <translation>{0} % du cercle</translation>
     </message>
     <message>
+        <source>{0}: no answer from {1}</source>
+        <translation>{0} : pas de réponse de {1}</translation>
+    </message>
+    <message>
         <source>Starting</source>
         <translation>Démarrage</translation>
     </message>
@@ -5539,6 +5563,10 @@
     <message>
         <source>Paused</source>
         <translation>En pause</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation>✕ Pas de réponse de {0}</translation>
     </message>
     <message>
         <source>Hands off</source>
@@ -6033,6 +6061,10 @@
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
+    </message>
+    <message>
+        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Sautée, elle manque : le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
@@ -7787,6 +7819,14 @@
     <message>
         <source>Opening the simulated lab …</source>
         <translation>Ouverture du laboratoire simulé …</translation>
+    </message>
+    <message>
+        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <translation>Les {0} appareils à {1} se taisent tous : voyez d&apos;abord leur ligne commune.</translation>
+    </message>
+    <message>
+        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <translation>Les {0} appareils se taisent tous : voyez d&apos;abord ce qu&apos;ils ont en commun (adaptateur, réseau, alimentation).</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from labcal.bench.coils import state
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
 
 ANSWERS_S = 2.0  # so long after its ramp a supply has to be read back at zero; then it is said that it was not
@@ -61,7 +62,9 @@ class KnownLab:
     def now(self, facts: Bench | None, now_s: float, *, driven: bool) -> LabNow:
         """What may be said at `now_s`; `driven`: by a run of this window."""
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
-        now = lab_now(self.as_now(facts, now_s), self._received_s, roles, now_s, driven=driven)
+        known = self.as_now(facts, now_s)
+        now = lab_now(known, self._received_s, roles, now_s, driven=driven)
+        now = replace(now, in_common=_in_common(known, facts))
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
@@ -89,6 +92,16 @@ class KnownLab:
 
 def _unknown(coil: state.CoilReading) -> state.CoilReading:
     return replace(coil, current_A=None, zero=False, fault=coil.fault or "silent")
+
+
+def _in_common(known: state.LabState | None, facts: Bench | None) -> str:
+    """Of those that do not answer."""
+    if known is None or facts is None:
+        return ""
+    supplies = _supplies(facts)
+    silent = {one.name for one in known.instruments if one.fault}
+    silent |= {supplies[coil.axis] for coil in known.coils if coil.fault and coil.axis in supplies}
+    return in_common(silent, {name: one.link for name, one in facts.instruments.items()})
 
 
 def _supplies(facts: Bench) -> dict[str, str]:

@@ -48,6 +48,7 @@ class LabNow:
     coil_words: str = ""
     coils_at_zero: bool | None = None
     driven: bool = False  # by a run of this window
+    in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None

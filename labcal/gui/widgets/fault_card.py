@@ -85,7 +85,8 @@ class FaultCard(Card):
         self.text.setText(in_words(fault.text))
         self.remedy.setText(in_words(fault.remedy))
         self.remedy.setVisible(bool(fault.remedy))
-        self.details.setPlainText(fault.details)
+        for_others = self.tr("For who mends labcal; a problem report holds it:") if "Traceback" in fault.details else ""
+        self.details.setPlainText(f"{for_others}\n\n{fault.details}".strip())
         self.fold.setVisible(bool(fault.details) and not stopped)
         self.fold.setChecked(False)
         self.details.hide()
@@ -100,10 +101,10 @@ class FaultCard(Card):
         if holder is not None and self.isVisible():
             holder.ensureWidgetVisible(self)
 
-    def say_coils(self, words: str, supplies: Sequence[str] = ()) -> None:
+    def say_coils(self, words: str, supplies: Sequence[str] = (), common: str = "") -> None:
         """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
 
-        The figures of it stand in the details then.
+        The figures of it stand in the details then. `common`: what to look at first where several are silent.
         """
         self.coils.setText(in_words(words))
         self.coils.show()
@@ -111,8 +112,9 @@ class FaultCard(Card):
         self.text.setVisible(not supplies)
         if supplies and self.fault is not None:
             self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
-            self.coils.setText(in_words(words.partition(";")[0].partition(":")[0]))
-            said = dict.fromkeys((in_words(words), in_words(self.fault.text), self.fault.details))
+            short = in_words(words.partition(";")[0].partition(":")[0])
+            self.coils.setText(f"{short}. {common}" if common else short)
+            said = dict.fromkeys((in_words(words), in_words(self.fault.text), self.fault.details))  # figures first
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
