@@ -309,7 +309,7 @@ def run(
     >>> outcome.status
     'finished'
     >>> labcal.load_run(outcome.run_id).segments[0].id
-    'x-40uT'
+    'x+40uT'
     """
     bench_file = simulated_bench() if bench is None else Path(bench)
     given = {name: _as_text(value) for name, value in (settings or {}).items()}

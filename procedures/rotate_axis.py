@@ -40,7 +40,7 @@ def rotate_axis(
         )
         yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for turn in range(turns):
-            name = f"{axis}-{magnitude_nT / 1000:g}uT" + (f"-{turn + 1}" if turns > 1 else "")
+            name = f"{axis}+{magnitude_nT / 1000:g}uT" + (f"-{turn + 1}" if turns > 1 else "")
             work = Rotation(name, AXES[axis], mode, rate, 360.0 * ((turn + 1) % 2), axis, step_deg, dwell_s)
             yield from rotate_once(bench, work)
         yield from coils_off(bench)

@@ -6,6 +6,7 @@ import ast
 import itertools
 import re
 from collections.abc import Iterator
+from datetime import datetime
 from functools import cache
 from pathlib import Path
 
@@ -54,7 +55,8 @@ NO_CLAIM = {
     "Set coils off.": ORDER,
     "open the output of {} at its panel, or switch it off at its mains": ORDER,
     "Switch the option 'power-on output' off in its menu.": ORDER,
-    "{0}. Press COILS OFF (F12), or switch the supplies off at their mains.": ORDER,
+    "{0}. Press COILS OFF (F12), or switch {1} off by hand.": ORDER,
+    "At its panel, or at its mains switch; then COILS OFF (F12) once more.": ORDER,
     "record at rest with the coils off, then switch what runs at that period off one by one": ORDER,
     "record at rest with the coils off: the noise that remains is the sensor's own": ORDER,
     "repeat with the coils at zero, and with the reference turned by 180°": ORDER,
@@ -208,18 +210,27 @@ def test_an_axis_that_was_not_read_back_is_never_at_zero(unread: str) -> None:
 def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
     assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
-    assert of_ends(ended).sentence(110.0) == "coils last read back from here below their zero 10 s ago, not since"
+    assert of_ends(ended).sentence(110.0) == "coils read back at zero by the supply's word 10 s ago; not watched since"
     assert (
         of_ends(ended).sentence(100.0 + 61 * 60)
-        == "coils last read back from here below their zero 61 min ago, not since"
+        == "coils read back at zero by the supply's word 61 min ago; not watched since"
     )
     assert (
         of_ends(ended).sentence(100.0 + 3 * 3600 + 1)
-        == "coils last read back from here below their zero 3 h ago, not since"
+        == "coils read back at zero by the supply's word 3 h ago; not watched since"
     )
     lost = [*ended[:2], AtZero("z", None, False, InstrumentError("supply_z: silent."))]
     assert of_ends(lost).sentence(101.0) == "coils NOT confirmed at zero"
     assert of_ends(ended, "it saw 99").sentence(101.0).startswith(f"{NOT_BY_REFERENCE}: it saw 99. Open")
+
+
+def test_a_zero_that_is_past_is_said_by_the_clock_and_by_whose_word() -> None:
+    at = datetime(2026, 11, 28, 14, 3, 21)
+    confirmed, by_word = state((180.0,) * 3, True, "agrees", 181.0), state((180.0,) * 3, True, "agrees", 60.0)
+    since = at.timestamp() + 180.0
+    assert confirmed.sentence(0.0, since) == "coils confirmed at zero at 14:03:21 (3 min ago); not watched since"
+    said = "coils read back at zero by the supply's word at 14:03:21 (3 min ago); not watched since"
+    assert by_word.sentence(0.0, since) == said  # the reference was looked at two minutes after that
 
 
 def test_the_supplys_word_now_and_a_reference_that_agreed_before_are_told_apart() -> None:

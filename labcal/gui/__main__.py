@@ -41,7 +41,7 @@ def main() -> int:
     from labcal.gui.reopened import Shown
     from labcal.gui.standing import Standing, come_back
     from labcal.gui.translations.translate import install_translator
-    from labcal.gui.viewmodels.app_state import window_settings
+    from labcal.gui.viewmodels.window_settings import window_settings
     from labcal.gui.window import open_window
 
     application = QApplication(sys.argv[:1])

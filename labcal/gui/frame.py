@@ -77,6 +77,10 @@ class SidePanel(Surface):
         self._column.addWidget(self.zero_words)
         self.platform = label("", wrap=True)
         self._column.addWidget(self.platform)
+        self.read_all = button(
+            self.tr("Read all"),
+            self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
+        )
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
@@ -97,6 +101,7 @@ class SidePanel(Surface):
         column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(self._lights)
         column.addWidget(self.legend)
+        column.addWidget(self.read_all)
         column.addStretch()
         area.setWidget(holder)
         holder.setAutoFillBackground(False)
@@ -114,7 +119,7 @@ class SidePanel(Surface):
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        shape, mark = mark_of(now.coil_words)
+        shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
         set_state(self.zero_words, mark)
         shape, mark = platform_mark(now.platform_words)
@@ -122,6 +127,7 @@ class SidePanel(Surface):
         self.platform.setVisible(bool(now.platform_words))
         set_state(self.platform, mark)
         self._show_lights(state)
+        self.read_all.setEnabled(bool(state.bench) and not now.driven and not state.reading)
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:
@@ -145,7 +151,8 @@ class SidePanel(Surface):
         legend = "   ".join(
             f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
         )
-        self.legend.setText(legend if state.bench else self.tr("No bench is open."))
+        self.legend.setText(state.now.in_common or legend if state.bench else self.tr("No bench is open."))
+        set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
             row.setText(f"{shape} {name}  {words}".strip())

@@ -12,12 +12,10 @@ from typing import Any
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
-    QColor,
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
     QKeySequence,
-    QPalette,
     QShortcut,
 )
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
@@ -32,6 +30,7 @@ from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_h
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
 from labcal.gui.screen import show_whole
+from labcal.gui.theming.palette import palette
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.translations.translate import following, languages, spoken
@@ -130,6 +129,7 @@ class Window(Frame):
         self.lock_switch.clicked.connect(app_state.login.lock)
         self._show_login()
         self.coils_off.connect(app_state.coils_off)
+        self.side.read_all.clicked.connect(app_state.watch.read_all)
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
         app_state.page_requested.connect(self.open_page)
@@ -245,7 +245,7 @@ class Window(Frame):
     def _restyle(self, *, recolour: bool = False) -> None:
         """Style everything bit by bit, what is in sight first: no event takes long."""
         self._say_switches()
-        QApplication.setPalette(_palette(self.theme))
+        QApplication.setPalette(palette(self.theme))
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
         for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card, self.lock_screen):
@@ -333,8 +333,11 @@ class Window(Frame):
             self.app_state.scan_vm.put_away()
 
     def _show_fault(self, fault: Fault) -> None:
+        """That coils may be on stays in sight before anything else that goes wrong."""
+        if self.app_state.warning_shown and not self.app_state.says_unconfirmed(fault):
+            return self.app_state.lab.update(message=fault.text)
         self.fault.show_fault(fault)
-        self._say_coils()
+        return self._say_coils()
 
     def _fault_is_over(self, fault: Fault) -> None:
         if self.fault.fault is fault:
@@ -343,7 +346,8 @@ class Window(Frame):
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
         if said := self.app_state.says_unconfirmed(self.fault.fault):
-            self.fault.say_coils(self.app_state.coil_words())
+            common = self.app_state.lab.state.now.in_common
+            self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), common)
         self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:
@@ -368,19 +372,6 @@ class Window(Frame):
         self.app_state.settings.setValue("geometry", self.saveGeometry())
         super().closeEvent(event)
         return self.app_state.close()
-
-
-def _palette(theme: Theme) -> QPalette:
-    """For what wears no style sheet: cards, placeholders, links, dialogs."""
-    palette = QPalette()
-    role = QPalette.ColorRole
-    for which, colour in ((role.Window, theme.page), (role.Base, theme.surface), (role.Text, theme.text),
-                          (role.WindowText, theme.text), (role.Button, theme.surface), (role.ButtonText, theme.text),
-                          (role.AlternateBase, theme.sunken), (role.Highlight, theme.accent),
-                          (role.HighlightedText, theme.on_accent), (role.PlaceholderText, theme.muted),
-                          (role.Mid, theme.line), (role.BrightText, theme.bad)):  # fmt: skip
-        palette.setColor(which, QColor(colour))
-    return palette
 
 
 def open_window(bench: str | None, *, watched: bool = False, worker: int = 0) -> Window:

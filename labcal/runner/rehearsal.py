@@ -64,7 +64,7 @@ class Rehearsal:
     def lines(self) -> list[str]:
         """The plan in words, one line each."""
         low, high = self.angles_deg or (0.0, 0.0)
-        turns = f"turns between {low:.0f} and {high:.0f}°, at up to {self.rate_deg_per_s:.1f} °/s"
+        turns = f"turns between {low:.0f} and {high:.0f}°, at up to {float(f'{self.rate_deg_per_s:.2g}'):g} °/s"
         kept = " to ".join(f"{limit:g}" for limit in self.temperature_C or ()).replace("-", "−")
         said = [
             f"{self.procedure}: {self.title}",

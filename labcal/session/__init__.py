@@ -42,7 +42,14 @@ from labcal.session.check_standard import Override, admitted
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import ImportRequest, ImportResult, import_foreign
-from labcal.session.instruments import coils_off, find_instruments, identify_instruments, look_again, serve_bench
+from labcal.session.instruments import (
+    coils_off,
+    find_instruments,
+    identify_instruments,
+    look_again,
+    read_lab,
+    serve_bench,
+)
 from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
     check_store,
@@ -109,6 +116,7 @@ __all__ = [
     "one_cause",
     "paths",
     "read_audit",
+    "read_lab",
     "report",
     "resume",
     "revoke_keys",

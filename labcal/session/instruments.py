@@ -17,11 +17,19 @@ from labcal.record.person import check_person
 if TYPE_CHECKING:
     from labcal.bench.find import Found
     from labcal.bench.look_again import Looked
+    from labcal.bench.reading import InstrumentReading
 
 
 def identify_instruments(bench: Path) -> list[Identified]:
     """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
     return identify_all(bench)
+
+
+def read_lab(bench: Path, names: Sequence[str] = ()) -> list[InstrumentReading]:
+    """These instruments of a bench.toml as they are now (none named: all); nothing is set."""
+    from labcal.bench.reading import read_lab
+
+    return read_lab(bench, names)
 
 
 def find_instruments(

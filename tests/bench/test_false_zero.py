@@ -276,7 +276,7 @@ def test_a_run_over_a_false_zero_fails_and_says_so(tmp_path: Path) -> None:
 def test_a_zero_says_what_was_read(bench: Bench) -> None:
     with_ambient(bench)
     bench.clock.wait_until(bench.clock.now() + 5.0)
-    assert bench.state().sentence(bench.clock.now()).startswith("coils last read back from here below their zero")
+    assert bench.state().sentence(bench.clock.now()).startswith("coils confirmed at zero ")
     event = next(item for item in coils_off(bench) if isinstance(item, Event))
     assert event.text == AT_ZERO
     list(drive(bench, [0.2, 0.0, 0.0]))

@@ -109,7 +109,7 @@ def test_one_that_never_answers_is_not_confirmed_and_waited_for_once(lab: Served
         (
             AtZero("y", 0.0, True, None, 11.0),
             15.0,
-            "coils last read back from here below their zero 5 s ago, not since",
+            "coils read back at zero by the supply's word 5 s ago; not watched since",
         ),
         (AtZero("y", None, False, SILENT), 11.5, NOT_CONFIRMED),
     ],

@@ -165,7 +165,7 @@ def test_off_says_when_a_coil_was_read_back_where_that_is_not_just_now(capsys: p
     x, y, z, last = capsys.readouterr().out.splitlines()
     assert [line.endswith(": zero, open") for line in (x, z)] == [True, True]
     assert y.endswith(": zero, open, read back 3 s ago")
-    assert last == "coils last read back from here below their zero 3 s ago, not since"
+    assert last == "coils read back at zero by the supply's word 3 s ago; not watched since"
 
 
 def test_off_says_nothing_of_an_order_that_was_read_back_in_time(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,5 +1,6 @@
 """The bench page without a process: readings, the cage's vectors, reconnect, an instrument that is silent."""
 
+import re
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +11,7 @@ from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from labcal.bench.coils.state import FieldReading, Heard, LabState, unread
+from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, unread
 from labcal.gui.ipc.answers import CoilEnd, Doubt, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
@@ -30,24 +31,48 @@ def bench(still):
     return still.page("Bench")
 
 
-def test_the_parts_of_the_field_are_those_that_were_recorded_together(still, bench):
+def test_the_parts_of_the_field_are_those_that_the_panel_shows(still, bench):
+    now = time.monotonic()
+    coils = tuple(CoilReading(a, None, i, False, None, now) for a, i in zip("xyz", CURRENTS[0], strict=True))
+    field = FieldReading(None, tuple(FIELD[0]), now)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
-    blocks = (
-        Block("channel", "cage", ("i_coil_x", "i_coil_y", "i_coil_z"), T, CURRENTS),
-        Block("reference", "reference", ("ref_x", "ref_y", "ref_z"), T, FIELD),
-        Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), T, np.array([[1.0, 2.0, 3.0]])),
-    )
-    still.app_state.bench_worker.items.emit(blocks)
-    told(still)
+    block = Block("channel", "cage", ("i_coil_x", "i_coil_y", "i_coil_z"), T, CURRENTS * 2)  # as recorded before
+    dut = Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), T, np.array([[1.0, 2.0, 3.0]]))
+    still.app_state.bench_worker.items.emit((block, dut))
+    still.app_state.bench_worker.states.emit(LabState(coils, field=field))
     bench.show_readings()
     applied = np.asarray(still.app_state.facts.cage.matrix) @ CURRENTS[0]
     (_, first), (_, second), (_, third) = bench.cage.vectors
     np.testing.assert_allclose(first, applied)
     np.testing.assert_allclose(np.add(first, second), third)
     np.testing.assert_allclose(third, FIELD[0])
+    assert bench.when.text() == "all arrows to one scale"
     last = {bench.table.text(row, 1): bench.table.text(row, 4) for row in range(bench.table.rowCount())}
-    assert (last["supply_x"], last["dut"]) == ("+0.000 A", "+1.0  +2.0  +3.0 count")
+    assert (last["supply_x"], last["dut"]) == ("+0.500 A", "+1.0  +2.0  +3.0 count")
     assert "applied" in bench.cage_words.text()
+
+
+def test_no_ambient_field_is_made_of_readings_of_two_moments(still, bench):
+    now = time.monotonic()
+    coils = tuple(CoilReading(a, None, 0.0, True, None, now) for a in "xyz")
+    still.app_state.take_lab(LabState(coils, field=FieldReading(None, tuple(FIELD[0]), now - 30.0)))
+    bench.show_readings()
+    assert len(bench.cage.vectors) == 2  # applied and reference
+    assert bench.when.text() == "as read last, not now; all arrows to one scale"
+
+
+def test_who_is_led_here_reads_why(still, bench):
+    heard = (Heard("dut", None, "silent"),)
+    zero = tuple(CoilReading(a, None, 0.0, True, None, time.monotonic()) for a in "xyz")
+    still.app_state.take_lab(LabState(zero, instruments=heard))
+    bench.show_readings()
+    assert bench.to_do.text() == "dut: see to plug, power and cable. Read all asks again."
+    still.app_state.take_lab(LabState((*zero[:2], CoilReading("z", fault="silent"))))
+    bench.show_readings()
+    assert bench.to_do.text() == "✕ coils NOT confirmed at zero. Switch off by hand: supply_z."
+    still.app_state.take_lab(LabState(zero))
+    bench.show_readings()
+    assert bench.to_do.isHidden()
 
 
 def test_what_the_reference_read_last_is_what_the_panel_at_the_right_says(still, bench):
@@ -102,7 +127,10 @@ def test_who_has_checked_is_told_and_one_button_is_blue(qtbot, still, bench):
 
 @pytest.mark.parametrize(
     ("ago_s", "shown"),
-    [(0.0, "✓ coils at zero"), (3.2, "● coils last read back from here below their zero 3 s ago, not since")],
+    [
+        (0.0, "✓ coils at zero"),
+        (3.2, "◌ coils read back at zero by the supply's word at TIME (3 s ago); not watched since"),
+    ],
 )
 def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench, ago_s, shown):
     answers = (InstrumentAnswer("supply_x", "coil-x", "tcp://x", "a supply"),)
@@ -122,7 +150,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench,
     seen = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic() - ago_s) for axis in "xyz")
     still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, seen)))
     assert still.app_state.lab.state.message == "they agree again"
-    assert still.side.zero_words.text() == shown
+    assert re.sub(r"\d\d:\d\d:\d\d", "TIME", still.side.zero_words.text()) == shown
     assert not still.fault.isVisible()
     assert still.next.text() != "Next: See to the coils"
 

@@ -9,9 +9,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
 from labcal.errors import InstrumentError, LimitError
-from labcal.gui.ipc.answers import CoilEnd, SwitchedOff
+from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of, with_instrument_names
+from labcal.gui.viewmodels.lab_now import LONG_AGO_S
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.record.stream import Prompt
 
@@ -61,9 +62,10 @@ def test_what_was_read_grows_old_in_the_window(still):
     told(still)
     assert still.app_state.lab.state.now.coil_words == "coils at zero"
     told(still, age_s=7.0)
-    assert (
-        still.app_state.lab.state.now.coil_words == "coils last read back from here below their zero 7 s ago, not since"
-    )
+    said = still.app_state.lab.state.now.coil_words
+    assert said.startswith("coils confirmed at zero at ")
+    assert said.endswith(" (7 s ago); not watched since")
+    assert still.side.zero_words.text().startswith("● ")  # a run goes on, and has read nothing for 7 s
     told(still, verdict="disagrees")
     assert still.app_state.lab.state.now.coil_words.startswith("NOT at zero by the reference: it sees 20400")
     assert still.app_state.run.coils_at_zero is False
@@ -162,3 +164,16 @@ def test_the_words_of_a_question_go_when_the_run_fails_under_it(still):
     assert card.isVisible()
     assert not still.page("Run").live.prompt.isVisible()
     assert Path(still.app_state.bench).name == "simulated.toml"
+
+
+def test_after_a_run_its_zero_is_past_and_alarms_nobody(still):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    told(still, age_s=3.0)
+    assert still.side.zero_words.property("state") == "warning"
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    still.app_state.grow_old()
+    assert still.side.zero_words.text().startswith("◌ coils confirmed at zero at ")
+    assert still.side.zero_words.property("state") == "old"
+    still.app_state.take_lab(still.app_state.known.shifted(-LONG_AGO_S))
+    assert still.side.zero_words.text().endswith("(30 min ago); not watched since")
+    assert still.side.zero_words.property("state") == "warning"  # it is to be read again before anybody relies on it

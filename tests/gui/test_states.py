@@ -100,8 +100,10 @@ def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
     still.app_state.coils_off()
     failed = still.app_state.off_worker.asked[-1].failed
     failed(Fault("instrument", "supply_x does not answer."))
-    assert still.app_state.lab.state.now.coils_at_zero is None
-    assert "Switch the supplies off" in still.fault.remedy.text()
+    assert still.app_state.lab.state.now.coils_at_zero is False
+    assert still.side.zero_words.text() == "✕ coils NOT confirmed at zero"
+    assert still.fault.by_hand.text() == "Switch off by hand: supply_x, supply_y, supply_z"
+    assert "at its mains switch" in still.fault.remedy.text()
     assert still.fault.isVisible()
 
 

@@ -237,7 +237,7 @@ def test_a_dial_without_a_motor_is_turned_by_a_person_until_no_sector_is_missing
     found = ran("rotate-axis", "platform = { misreading_deg = 0.1 }", edits=[('"zaber"', '"manual"')], zero_s=2)
     asked = [i.drawing["angle_deg"] for i in found.items if isinstance(i, Prompt) and "angle_deg" in i.drawing]
     assert asked == pytest.approx([0.0, *(15.0 * n - 7.5 for n in range(1, 25))], abs=0.1)
-    assert found.measured["z-50uT: missing sectors"].verdict == "PASS"
+    assert found.measured["z+50uT: missing sectors"].verdict == "PASS"
 
 
 @pytest.mark.parametrize(

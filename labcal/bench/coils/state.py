@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
+from datetime import datetime
 from typing import Any, Literal
 
 from labcal.bench.coils.at_zero import FRESH_S as FRESH_S
@@ -18,6 +19,8 @@ MEAN_OF = 20  # readings of a reference are shown as one
 AT_ZERO = "coils at zero"
 BY_WORD = "zero by the supply's word only"
 NOT_CONFIRMED = "coils NOT confirmed at zero"
+WAS_ZERO = "coils confirmed at zero"  # when it was read, and the reference agreed then
+WAS_ZERO_BY_WORD = "coils read back at zero by the supply's word"
 NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
 NOT_SINCE = "coils not read back since another process was asked to switch them off"
@@ -149,20 +152,25 @@ class LabState:
         """What may be said of the platform at `now_s`; "" where none with a motor was read."""
         return "" if self.platform is None else self.platform.sentence(now_s)
 
-    def sentence(self, now_s: float) -> str:
-        """What may be said of the coils at `now_s`, and no more than was read back."""
+    def sentence(self, now_s: float, clock_s: float | None = None) -> str:
+        """What may be said of the coils at `now_s`, and no more than was read back.
+
+        `clock_s`: what the clock on the wall (POSIX seconds) shows then, where what is past is to be said by it.
+        """
         contradicted = f"{NOT_BY_REFERENCE}: {self.reference.words}. {self.reference.advice}"
         unread = [coil for coil in self.coils if coil.current_A is None]
         if self.reference.verdict == "disagrees":
             return f"{NOT_CONFIRMED}; {contradicted}" if unread else contradicted
         if unread:
             return NOT_CONFIRMED if any(coil.fault for coil in unread) else NOT_READ
+        if not self.coils:
+            return NOT_READ
         age_s = self.age_s(now_s)
         if flowing := [coil for coil in self.coils if not coil.zero]:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
             return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {ago(age_s)}")
         if age_s > FRESH_S:
-            return f"coils last read back from here below their zero {ago(age_s)}, not since"
+            return self._was_zero(age_s, clock_s)
         return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self._why(now_s)}"
 
     def at_zero(self, now_s: float) -> bool | None:
@@ -198,6 +206,16 @@ class LabState:
         plain: dict[str, Any] = json.loads(json.dumps(asdict(self.shifted(-now_s))))  # lists, as whoever reads it has
         del plain["field"], plain["platform"]
         return plain
+
+    def _was_zero(self, age_s: float, clock_s: float | None) -> str:
+        """That they were at zero, by whose word, and when; nobody has looked since."""
+        read_s = min(coil.read_s for coil in self.coils if coil.read_s is not None)
+        seen_s = self.reference.read_s
+        agreed = self.reference.verdict == "agrees" and seen_s is not None and abs(seen_s - read_s) <= FRESH_S
+        when = ago(age_s)
+        if clock_s is not None:
+            when = f"at {datetime.fromtimestamp(clock_s - age_s):%H:%M:%S} ({when})"
+        return f"{WAS_ZERO if agreed else WAS_ZERO_BY_WORD} {when}; not watched since"
 
     def _seconded(self, now_s: float) -> bool:
         seen_s = self.reference.read_s

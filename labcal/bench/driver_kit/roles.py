@@ -89,6 +89,15 @@ class Unacknowledged(CoilSupply, Protocol):
 
 
 @runtime_checkable
+class Releasable(Protocol):
+    """What goes over to remote control when it is spoken to, and can be given back to its own panel."""
+
+    def release(self) -> None:
+        """Give it back; nothing else about it changes."""
+        ...
+
+
+@runtime_checkable
 class PolarityRelay(Instrument, Protocol):
     """Reversing contacts that turn unipolar supplies into signed coil axes. Never switched under current."""
 

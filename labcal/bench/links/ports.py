@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import os
 import sys
+import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass
@@ -30,6 +31,7 @@ __all__ = [
 GUARDIAN = "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile."
 PROGRAM = "End it, then begin this step again."  # a labcal that talks to one instrument, and brings nothing to zero
 DRIVEN = "driven"  # in a guardian's card: the essentials of its bench, for who finds it dead
+BRIEF, BRIEF_S = "brief", 5.0  # in the card of who only reads and lets go at once: whoever wants the port waits so long
 BEFORE = "before"  # in the card of who came after it, and has not brought its coils to an end yet: that card
 
 
@@ -209,7 +211,7 @@ def claim(url: str) -> Callable[[], None]:
     if (mine := _held.get(port)) is not None:
         _take_device(url, mine)
         return mine.drop_device_that_is_gone
-    if (lock := _take(port)) is None:
+    if (lock := _take_patiently(port, url)) is None:
         raise _in_use(url, holder(url) or {})
     try:
         _take_device(url, lock)
@@ -218,6 +220,14 @@ def claim(url: str) -> Callable[[], None]:
         raise
     _say(lock, _card or {"pid": os.getpid(), "program": " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])})
     return lock.release
+
+
+def _take_patiently(port: str, url: str) -> Lock | None:
+    """The lock of a port; who only reads there and lets go of it at once is waited for."""
+    deadline = time.monotonic() + BRIEF_S
+    while (lock := _take(port)) is None and time.monotonic() < deadline and (holder(url) or {BRIEF: True}).get(BRIEF):
+        time.sleep(0.01)
+    return lock
 
 
 def _take(port: str) -> Lock | None:

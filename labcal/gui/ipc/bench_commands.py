@@ -28,11 +28,13 @@ from labcal.gui.ipc.answers import (
 )
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
+from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import (
     GoesOn,
     Identify,
     ListProcedures,
     ReadBench,
+    ReadLab,
     Rehearse,
     Rejoin,
     ResumeRun,
@@ -47,6 +49,7 @@ if TYPE_CHECKING:
     from labcal.bench.coils.zero import AtZero
     from labcal.bench.config import BenchConfig, CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
+    from labcal.bench.reading import InstrumentReading
     from labcal.runner import FoundProcedure, Outcome
 
 
@@ -98,7 +101,10 @@ def _earth(site: SiteConfig) -> Earth | None:
 def _cage(config: CageConfig) -> Cage:
     x, y, z = config.matrix.tolist()
     limits = config.limits
-    return Cage((x, y, z), config.matrix_nT_per_A is not None, config.calibration, limits.current_A, limits.field_nT)
+    return Cage(
+        *((x, y, z), config.matrix_nT_per_A is not None, config.calibration),
+        *(limits.current_A, limits.field_nT, limits.ramp_A_per_s),
+    )
 
 
 def identify(channel: Channel, asked: Identify) -> Identified:
@@ -115,6 +121,19 @@ def identify(channel: Channel, asked: Identify) -> Identified:
 def _instrument_answer(one: Answered) -> InstrumentAnswer:
     fault = None if one.fault is None else fault_of(one.fault)
     return InstrumentAnswer(one.name, one.role, one.link, one.identity, fault)
+
+
+def read_lab(channel: Channel, asked: ReadLab) -> tuple[InstrumentRead, ...]:
+    """Each instrument as it is now; nothing is set."""
+    from labcal import session
+
+    return tuple(map(_instrument_read, session.read_lab(Path(asked.bench), asked.names)))
+
+
+def _instrument_read(one: InstrumentReading) -> InstrumentRead:
+    fault = None if one.fault is None else fault_of(one.fault)
+    return InstrumentRead(one.name, one.role, one.link, one.identity, fault, one.held, one.read_s, one.current_A,
+                          one.zero, one.field_nT, one.angle_deg, one.moving)  # fmt: skip
 
 
 def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
@@ -223,6 +242,7 @@ def _procedure(found: FoundProcedure) -> Procedure:
 HANDLERS = (
     handles(ReadBench, read_bench),
     handles(Identify, identify),
+    handles(ReadLab, read_lab),
     handles(SwitchOff, switch_off),
     handles(RunProcedure, run),
     handles(ResumeRun, resume),

@@ -29,6 +29,7 @@ class Cage:
     calibration: str | None  # an approved cage calibration
     limit_A: tuple[float, ...]
     limit_nT: float
+    ramp_A_per_s: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,6 +18,7 @@ from labcal.gui.ipc.archive_messages import ListArchivedRuns as ListArchivedRuns
 from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
+from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.ipc.words import Abort as Abort
 from labcal.gui.ipc.words import Answer as Answer

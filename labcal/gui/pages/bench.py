@@ -18,18 +18,19 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, old_s
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, alarm_of, old_s
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
-from labcal.gui.widgets.common import Card, button, label, set_primary
+from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Table
 
 READINGS_MS = 500
+TOGETHER_S = 2  # read no further apart, currents and field are of one moment
 MOST_ROWS = 12  # of the table would like to be seen
 ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
 HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
@@ -55,7 +56,8 @@ class BenchPage(QWidget):
         self.faces.addWidget(self._bench())
         self.faces.addWidget(self.editor)
         column.addWidget(self.faces, 1)
-        app_state.bench_changed.connect(self._bench_known)
+        for changed in (app_state.bench_changed, app_state.watch.was_read):
+            changed.connect(self._bench_known)
         self._readings = QTimer(self, interval=READINGS_MS)
         self._readings.timeout.connect(self.show_readings)
         self._bench_known()
@@ -116,6 +118,9 @@ class BenchPage(QWidget):
             header, at = self.table.horizontalHeader(), HEADINGS.index(column)
             header.moveSection(header.visualIndex(at), 2)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
+        self.to_do = label("", wrap=True)
+        set_state(self.to_do, "bad")
+        card.body.addWidget(self.to_do)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
         card.body.addLayout(row)
@@ -285,21 +290,33 @@ class BenchPage(QWidget):
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
             text, colour = self._standing(name)
             self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
+        self._say_what_to_do()
         self._show_cage()
 
+    def _say_what_to_do(self) -> None:
+        """Why Next leads here: what does not answer, or coils that are not known to be at zero."""
+        now = self._app_state.lab.state.now
+        lost = ", ".join(name for name, light, _ in now.lights if light == "fault")
+        words = self.tr("{0}: see to plug, power and cable. Read all asks again.").format(lost) if lost else ""
+        if alarm := alarm_of(now.coil_words):
+            by_hand = self.tr("Switch off by hand: {0}").format(", ".join(self._app_state.by_hand()))
+            words = f"{alarm}. {by_hand}. {words}".strip()
+        self.to_do.setText(f"{words} {now.in_common}".strip())
+        self.to_do.setVisible(bool(words))
+
     def _show_cage(self) -> None:
-        """The field's parts as they were last recorded together: currents, and what the reference saw with them."""
-        facts, run = self._app_state.facts, self._app_state.run
-        now, last = self.tr("all arrows to one scale"), self.tr("as recorded last, not now; all arrows to one scale")
-        fresh = self._app_state.lab.state.now.field_old_s is None and self._app_state.lab.state.now.coil_old_s is None
-        self.when.setText(now if (run.alive and fresh) or not run.reading else last)
+        """The field's parts, of what the panel at the right shows; the ambient field where both were read together."""
+        facts, now = self._app_state.facts, self._app_state.lab.state.now
+        ages = now.coil_old_s, now.field_old_s
+        old = ages != (None, None)
+        self.when.setText(
+            self.tr("as read last, not now; all arrows to one scale") if old else self.tr("all arrows to one scale")
+        )
         if facts is None:
             return
-        applied = last_applied(run.reading.get("cage"), facts.cage.matrix)
-        name = next((n for n, one in facts.instruments.items() if one.role == "reference"), "")
-        reference = last_vector(run.reading.get(name))
+        applied, reference = applied_field(now.coil_A, facts.cage.matrix), now.field_measured_nT
         ambient: Triple | None = None
-        if applied is not None and reference is not None:
+        if applied is not None and reference is not None and abs((ages[0] or 0) - (ages[1] or 0)) <= TOGETHER_S:
             ambient = (reference[0] - applied[0], reference[1] - applied[1], reference[2] - applied[2])
         self.cage.show_vectors(applied, ambient, reference)
         words = self._legend((applied, ambient, reference)), self._expected(facts.earth), self._limits(facts.cage)
@@ -332,18 +349,9 @@ def reading_text(role: str, values: Any) -> str:
     return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit
 
 
-def last_vector(said: tuple[tuple[str, ...], Any] | None) -> Triple | None:
-    """The field that a vector reference sent last."""
-    if said is None or len(said[1]) < 3:
+def applied_field(current_A: tuple[float | None, ...], matrix_nT_per_A: Any) -> Triple | None:
+    """The field that these currents make; None where one is not known."""
+    if None in current_A:
         return None
-    x, y, z = (float(v) for v in said[1][:3])
-    return x, y, z
-
-
-def last_applied(said: tuple[tuple[str, ...], Any] | None, matrix_nT_per_A: Any) -> Triple | None:
-    """The field that the currents recorded last make."""
-    if said is None:
-        return None
-    currents = [float(said[1][said[0].index(f"i_coil_{axis}")]) for axis in "xyz"]
-    x, y, z = np.asarray(matrix_nT_per_A) @ currents
+    x, y, z = np.asarray(matrix_nT_per_A) @ np.asarray(current_A, dtype=float)
     return float(x), float(y), float(z)

@@ -287,6 +287,8 @@ class Live(QWidget):
         if fault is None:
             return self.fault.hide()
         self._say_coils_left()
+        if "begin this step again" in fault.remedy.lower():
+            self.fault.remedy.setText(f"{self.fault.remedy.text()} {self._where_to_begin_again()}")
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
@@ -295,6 +297,12 @@ class Live(QWidget):
             "Or Close, and begin anew."
         )
         return self.fault.text.setText(goes_on if self._run.status == "interrupted" else kept)
+
+    def _where_to_begin_again(self) -> str:
+        """By which button, now that the run has ended."""
+        if self._run.status == "interrupted":
+            return self.tr("Here that is Go on: what was finished is kept.")
+        return self.tr("This run has ended: Close, then Begin measures anew.")
 
     def _coils_known(self) -> None:
         """They were switched off after a run that failed: its card knows. No result stays under another's serial."""
@@ -321,8 +329,10 @@ class Live(QWidget):
         if platform_mark(now.platform_words)[1] == "bad":
             stop = self.tr("stop it at its controller, and see it stand")
             words = f"{words}. {in_words(now.platform_words)}: {stop}"
+        words = f"{words}. {now.in_common}" if now.in_common else words
         if self._app_state.lab.state.now.coils_at_zero is False:
-            return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
+            supplies = ", ".join(self._app_state.by_hand())
+            return self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.").format(words, supplies)
         return words
 
     def _ask(self) -> None:
@@ -360,14 +370,18 @@ class Live(QWidget):
     def _now(self) -> str:
         """What happens now, to be read from the cage."""
         run = self._run
+        lost = [name for name, light, _ in self._app_state.lab.state.now.lights if light == "fault"]
         if run.state == "ended":
             shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
-            return f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
+            ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
+            return self.tr("{0}: no answer from {1}").format(ended, ", ".join(lost)) if lost and shape == "✕" else ended
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]
         if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
             return alarm
+        if lost:
+            return self.tr("✕ No answer from {0}").format(", ".join(lost))
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
         wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised

@@ -52,7 +52,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch the supplies off at their mains switches.</source>
+        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -65,10 +69,6 @@
     </message>
     <message>
         <source>hands off, measuring</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>failed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -241,7 +241,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: see to plug, power and cable. Read all asks again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as read last, not now; all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -258,10 +270,6 @@
     </message>
     <message>
         <source>Instruments of {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as recorded last, not now; all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -676,11 +684,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <source>coils confirmed at zero {0}; not watched since</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils last read back from here below their zero {0}, not since</source>
+        <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -757,6 +769,10 @@
     </message>
     <message>
         <source>{0} h ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {0} ({1})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4965,6 +4981,14 @@
         <source>Put this card away</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>For who mends labcal; a problem report holds it:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -5382,6 +5406,21 @@
     </message>
 </context>
 <context>
+    <name>LabWatch</name>
+    <message>
+        <source>Reading every instrument; nothing is set …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} instruments were read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; another process has {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
@@ -5438,15 +5477,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Here that is Go on: what was finished is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run has ended: Close, then Begin measures anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>stop it at its controller, and see it stand</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
+        <source>{0} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} % of the circle</source>
+        <source>{0}: no answer from {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5503,6 +5554,10 @@
     </message>
     <message>
         <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6008,6 +6063,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6216,6 +6275,14 @@
     </message>
     <message>
         <source>COILS   A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7751,6 +7818,14 @@
     </message>
     <message>
         <source>Opening the simulated lab …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

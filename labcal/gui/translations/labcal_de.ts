@@ -52,8 +52,12 @@
         <translation>Zurückgelesen: {0}</translation>
     </message>
     <message>
-        <source>Switch the supplies off at their mains switches.</source>
-        <translation>Die Netzgeräte an ihren Netzschaltern ausschalten.</translation>
+        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <translation>An der Frontplatte oder am Netzschalter; dann noch einmal SPULEN AUS (F12).</translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation>Noch keine Antwort von: {0}</translation>
     </message>
     <message>
         <source>your turn</source>
@@ -66,10 +70,6 @@
     <message>
         <source>hands off, measuring</source>
         <translation>Hände weg, es wird gemessen</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>Fehler</translation>
     </message>
 </context>
 <context>
@@ -257,12 +257,20 @@
         <translation>{0}, simuliert</translation>
     </message>
     <message>
+        <source>{0}: see to plug, power and cable. Read all asks again.</source>
+        <translation>{0}: nach Stecker, Strom und Kabel sehen. „Alle lesen“ fragt wieder.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
         <translation>alle Pfeile in einem Maßstab</translation>
     </message>
     <message>
-        <source>as recorded last, not now; all arrows to one scale</source>
-        <translation>wie zuletzt aufgezeichnet, nicht jetzt; alle Pfeile in einem Maßstab</translation>
+        <source>as read last, not now; all arrows to one scale</source>
+        <translation>wie zuletzt gelesen, nicht jetzt; alle Pfeile in einem Maßstab</translation>
     </message>
     <message>
         <source>applied</source>
@@ -676,12 +684,16 @@
         <translation>Tisch steht bei {0}°, gelesen {1}</translation>
     </message>
     <message>
-        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
-        <translation>Noch verloren: {0}. Erst beheben: ein jetzt begonnener Schritt scheitert wieder.</translation>
+        <source>coils confirmed at zero {0}; not watched since</source>
+        <translation>Spulen bei Null bestätigt {0}; seitdem nicht beobachtet</translation>
     </message>
     <message>
-        <source>coils last read back from here below their zero {0}, not since</source>
-        <translation>Spulen von hier aus zuletzt {0} unter ihrer Null zurückgelesen, seither nicht</translation>
+        <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
+        <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}; seitdem nicht beobachtet</translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation>Noch verloren: {0}. Erst beheben: ein jetzt begonnener Schritt scheitert wieder.</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
@@ -758,6 +770,10 @@
     <message>
         <source>{0} h ago</source>
         <translation>vor {0} h</translation>
+    </message>
+    <message>
+        <source>at {0} ({1})</source>
+        <translation>um {0} ({1})</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -4965,6 +4981,14 @@
         <source>Put this card away</source>
         <translation>Diese Karte weglegen</translation>
     </message>
+    <message>
+        <source>For who mends labcal; a problem report holds it:</source>
+        <translation>Für die, die labcal reparieren; ein Problembericht enthält es:</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -5382,6 +5406,21 @@
     </message>
 </context>
 <context>
+    <name>LabWatch</name>
+    <message>
+        <source>Reading every instrument; nothing is set …</source>
+        <translation>Alle Geräte werden gelesen; nichts wird gestellt …</translation>
+    </message>
+    <message>
+        <source>{0} of {1} instruments were read</source>
+        <translation>{0} von {1} Geräten wurden gelesen</translation>
+    </message>
+    <message>
+        <source>; another process has {0}</source>
+        <translation>; ein anderer Prozess hat {0}</translation>
+    </message>
+</context>
+<context>
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
@@ -5482,6 +5521,18 @@
         <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
     </message>
     <message>
+        <source>Here that is Go on: what was finished is kept.</source>
+        <translation>Hier ist das „Weiter“: Was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>This run has ended: Close, then Begin measures anew.</source>
+        <translation>Diese Messung ist zu Ende: „Ablegen“, dann misst „Beginnen“ von vorn.</translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
+        <translation>{0}. SPULEN AUS (F12) drücken oder {1} von Hand ausschalten.</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weiter</translation>
     </message>
@@ -5494,12 +5545,12 @@
         <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
     </message>
     <message>
-        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
-        <translation>{0}. SPULEN AUS (F12) drücken oder die Netzgeräte am Netz ausschalten.</translation>
-    </message>
-    <message>
         <source>{0} % of the circle</source>
         <translation>{0} % des Kreises</translation>
+    </message>
+    <message>
+        <source>{0}: no answer from {1}</source>
+        <translation>{0}: keine Antwort von {1}</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -5512,6 +5563,10 @@
     <message>
         <source>Paused</source>
         <translation>Pausiert</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation>✕ Keine Antwort von {0}</translation>
     </message>
     <message>
         <source>Hands off</source>
@@ -6008,6 +6063,10 @@
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
     </message>
     <message>
+        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Übersprungen fehlt es: Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
+    </message>
+    <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
     </message>
@@ -6217,6 +6276,14 @@
     <message>
         <source>COILS   A</source>
         <translation>SPULEN   A</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Alle lesen</translation>
+    </message>
+    <message>
+        <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
+        <translation>Jetzt jedes Gerät lesen: Ströme, Feld, Winkel, wer antwortet. Nichts wird gestellt oder bewegt.</translation>
     </message>
     <message>
         <source>INSTRUMENTS</source>
@@ -7752,6 +7819,14 @@
     <message>
         <source>Opening the simulated lab …</source>
         <translation>Das simulierte Labor wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <translation>Alle {0} Geräte an {1} schweigen: zuerst nach ihrer gemeinsamen Leitung sehen.</translation>
+    </message>
+    <message>
+        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <translation>Alle {0} Geräte schweigen: zuerst nach dem sehen, was sie gemeinsam haben (Adapter, Netzwerk, Strom).</translation>
     </message>
 </context>
 <context>

@@ -52,8 +52,12 @@
         <translation>Relu : {0}</translation>
     </message>
     <message>
-        <source>Switch the supplies off at their mains switches.</source>
-        <translation>Coupez les alimentations à leur interrupteur secteur.</translation>
+        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <translation>Sur sa face avant ou à son interrupteur secteur ; puis BOBINES À ZÉRO (F12) encore une fois.</translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation>Pas encore de réponse de : {0}</translation>
     </message>
     <message>
         <source>your turn</source>
@@ -66,10 +70,6 @@
     <message>
         <source>hands off, measuring</source>
         <translation>mains éloignées, mesure en cours</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>échec</translation>
     </message>
 </context>
 <context>
@@ -257,12 +257,20 @@
         <translation>{0}, simulé</translation>
     </message>
     <message>
+        <source>{0}: see to plug, power and cable. Read all asks again.</source>
+        <translation>{0} : voyez la prise, l&apos;alimentation et le câble. « Tout lire » redemande.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
         <translation>toutes les flèches à la même échelle</translation>
     </message>
     <message>
-        <source>as recorded last, not now; all arrows to one scale</source>
-        <translation>tel qu&apos;enregistré en dernier, pas maintenant ; toutes les flèches à la même échelle</translation>
+        <source>as read last, not now; all arrows to one scale</source>
+        <translation>comme lu en dernier, pas maintenant ; toutes les flèches à la même échelle</translation>
     </message>
     <message>
         <source>applied</source>
@@ -676,12 +684,16 @@
         <translation>la plate-forme est arrêtée à {0}°, lue {1}</translation>
     </message>
     <message>
-        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
-        <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
+        <source>coils confirmed at zero {0}; not watched since</source>
+        <translation>bobines confirmées à zéro {0} ; non surveillées depuis</translation>
     </message>
     <message>
-        <source>coils last read back from here below their zero {0}, not since</source>
-        <translation>bobines relues d&apos;ici sous leur zéro {0}, pas depuis</translation>
+        <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0} ; non surveillées depuis</translation>
+    </message>
+    <message>
+        <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
+        <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
@@ -758,6 +770,10 @@
     <message>
         <source>{0} h ago</source>
         <translation>il y a {0} h</translation>
+    </message>
+    <message>
+        <source>at {0} ({1})</source>
+        <translation>à {0} ({1})</translation>
     </message>
     <message>
         <source>Open the outputs that can open, or switch the supplies off at their mains</source>
@@ -4965,6 +4981,14 @@
         <source>Put this card away</source>
         <translation>Ranger cette carte</translation>
     </message>
+    <message>
+        <source>For who mends labcal; a problem report holds it:</source>
+        <translation>Pour qui répare labcal ; un rapport de problème le contient :</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -5382,6 +5406,21 @@
     </message>
 </context>
 <context>
+    <name>LabWatch</name>
+    <message>
+        <source>Reading every instrument; nothing is set …</source>
+        <translation>Lecture de tous les appareils ; rien n&apos;est réglé …</translation>
+    </message>
+    <message>
+        <source>{0} of {1} instruments were read</source>
+        <translation>{0} appareils sur {1} ont été lus</translation>
+    </message>
+    <message>
+        <source>; another process has {0}</source>
+        <translation>; un autre processus tient {0}</translation>
+    </message>
+</context>
+<context>
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
@@ -5482,6 +5521,18 @@
         <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
     </message>
     <message>
+        <source>Here that is Go on: what was finished is kept.</source>
+        <translation>Ici, c&apos;est « Continuer » : ce qui est terminé est gardé.</translation>
+    </message>
+    <message>
+        <source>This run has ended: Close, then Begin measures anew.</source>
+        <translation>Cette mesure est finie : « Fermer », puis « Démarrer » mesure de nouveau.</translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
+        <translation>{0}. Appuyez sur BOBINES À ZÉRO (F12), ou coupez {1} à la main.</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Continuer</translation>
     </message>
@@ -5494,12 +5545,12 @@
         <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
     </message>
     <message>
-        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
-        <translation>{0}. Pressez BOBINES À ZÉRO (F12), ou coupez les alimentations au secteur.</translation>
-    </message>
-    <message>
         <source>{0} % of the circle</source>
         <translation>{0} % du cercle</translation>
+    </message>
+    <message>
+        <source>{0}: no answer from {1}</source>
+        <translation>{0} : pas de réponse de {1}</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -5512,6 +5563,10 @@
     <message>
         <source>Paused</source>
         <translation>En pause</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation>✕ Pas de réponse de {0}</translation>
     </message>
     <message>
         <source>Hands off</source>
@@ -6008,6 +6063,10 @@
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
     </message>
     <message>
+        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Sautée, elle manque : le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
+    </message>
+    <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
     </message>
@@ -6217,6 +6276,14 @@
     <message>
         <source>COILS   A</source>
         <translation>BOBINES   A</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Tout lire</translation>
+    </message>
+    <message>
+        <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
+        <translation>Lire chaque appareil maintenant : courants, champ, angle, qui répond. Rien n&apos;est réglé ni déplacé.</translation>
     </message>
     <message>
         <source>INSTRUMENTS</source>
@@ -7752,6 +7819,14 @@
     <message>
         <source>Opening the simulated lab …</source>
         <translation>Ouverture du laboratoire simulé …</translation>
+    </message>
+    <message>
+        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <translation>Les {0} appareils à {1} se taisent tous : voyez d&apos;abord leur ligne commune.</translation>
+    </message>
+    <message>
+        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <translation>Les {0} appareils se taisent tous : voyez d&apos;abord ce qu&apos;ils ont en commun (adaptateur, réseau, alimentation).</translation>
     </message>
 </context>
 <context>

@@ -34,7 +34,8 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "platform turns, at {0}°"),
     QT_TRANSLATE_NOOP("Data", "platform stands at {0}°"),
     QT_TRANSLATE_NOOP("Data", "platform stands at {0}°, read {1}"),
-    QT_TRANSLATE_NOOP("Data", "coils last read back from here below their zero {0}, not since"),
+    QT_TRANSLATE_NOOP("Data", "coils confirmed at zero {0}; not watched since"),
+    QT_TRANSLATE_NOOP("Data", "coils read back at zero by the supply's word {0}; not watched since"),
     QT_TRANSLATE_NOOP("Data", "taking the coils to zero: ordered, not read back yet …"),
     QT_TRANSLATE_NOOP("Data", "waiting for a guardian that takes the order of zero …"),
     QT_TRANSLATE_NOOP("Data", "no reference was asked"),
@@ -59,6 +60,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "{0} s ago"),
     QT_TRANSLATE_NOOP("Data", "{0} min ago"),
     QT_TRANSLATE_NOOP("Data", "{0} h ago"),
+    QT_TRANSLATE_NOOP("Data", "at {0} ({1})"),
     QT_TRANSLATE_NOOP("Data", "Open the outputs that can open, or switch the supplies off at their mains"),
 )
 QUESTIONS = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from traceback import format_exception
@@ -16,40 +16,32 @@ from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench import serials
 from labcal.bench.coils import state
+from labcal.bench.named_links import named_links
 from labcal.files.atomic import absolute
-from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.client import WATCHED, Client
+from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import Command, GoesOn, Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.handed_out import HandedOut
+from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, coil_read, lab_now, reference_U, switched_off
+from labcal.gui.viewmodels.lab_now import reference_U, switched_off
+from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.operator_name import name_objection
-from labcal.gui.viewmodels.path import Next, PathViewModel
+from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
 AGES_MS = 250  # what was read grows old
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
-
-
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """A procedure to be shown on the Run page: `names` apart by |, the first that there is; its `plan` too."""
-
-    names: str
-    plan: bool = False
-
-
-def window_settings() -> QSettings:
-    """What the window remembers between two days."""
-    return QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
 
 
 class AppState(QObject):
@@ -75,6 +67,14 @@ class AppState(QObject):
         self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
+        self.watch_worker = Client(self)
+        self.watch = LabWatch(
+            self.watch_worker,
+            self.lab,
+            self._may_be_read,
+            lambda: lab_heard.wrong(self.known, self.facts),
+            self._take_read,
+        )
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -83,13 +83,10 @@ class AppState(QObject):
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
         self._said_of_dut, self._dut_stated = "", False  # below of the serial at the top; by a person or the run's
-        self._asked_off = False  # of this bench, and no answer has come
-        self.known: state.LabState | None = None  # the lab as a worker sent it last, by the computer's monotonic clock
-        self._known_s = 0.0  # and when it did
+        self._kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self.warning_shown = False  # the card that says so
-        self._dut_stated = False  # by a person, or by the run that is gone on with
         self.age_timer = QTimer(self, interval=AGES_MS)
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
@@ -129,6 +126,7 @@ class AppState(QObject):
         self.lab.update(bench=facts.name, simulated=facts.simulated)
         self.propose_dut()
         self.grow_old()
+        self.off_worker.request(ReadBench(path), lambda _: None, lambda _: None)  # loaded before it is needed
         self.bench_changed.emit()
 
     def propose_dut(self) -> None:
@@ -153,22 +151,22 @@ class AppState(QObject):
 
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
-        self.known = self._taken = self._unconfirmed = None
-        self._asked_off = False
+        self._taken = self._unconfirmed = None
+        self._kept = KnownLab()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered, now = {one.name: one for one in said.instruments}, time.monotonic()
-        heard = tuple(
-            state.Heard(one.name, None if one.fault else now, one.fault.text if one.fault else "")
-            for one in said.instruments
-        )
-        before = replace(self.known or state.LabState(state.unread()), instruments=heard, guardian=None)
-        lifted = said.doubt if said.doubt is not None and said.doubt.lifted else None
-        if lifted is not None:  # by the reference, which was looked at after the coils
-            agrees = state.Witness("agrees", "", read_s=now)
-            before = replace(before, coils=tuple(map(coil_read, lifted.coils)) or before.coils, reference=agrees)
-        self.take_lab(before, lifted=lifted is not None)
+        self.answered = {one.name: one for one in said.instruments}
+        known, lifted = lab_heard.identified(self.known, said)
+        self.take_lab(known, lifted=lifted)
+
+    def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
+        self.answered |= lab_heard.answers(said)
+        self.take_lab(lab_heard.read(self.known, said))
+
+    def _may_be_read(self) -> str:
+        """The bench, where nobody but this window has to do with it now; "" else."""
+        return "" if self.facts is None or self.run.alive or self._kept.ordered_s else self.bench
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -279,12 +277,15 @@ class AppState(QObject):
 
     def coils_off(self) -> None:
         """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
+        self.watch.stop()
+        self._kept.order(time.monotonic())
         if self.run.alive:
             self.run.abort()
             self.force_timer.start()
         elif self.bench:
             self._switch_off()
         else:
+            self._kept.answered()
             self.lab.update(message=self.tr("Coils off: no bench is open, this window drives no coil."))
 
     def _off_by_force(self) -> None:
@@ -302,59 +303,71 @@ class AppState(QObject):
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
         fault = self.run.fault
-        if fault is not None:
-            self._blame(fault)
+        if fault is not None and (blamed := lab_heard.blamed(self.known, fault, self.facts)) is not None:
+            self.take_lab(blamed)
         if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
-            self._switch_off()
+            return self._switch_off()
+        return self._kept.answered()
 
     def _switch_off(self) -> None:
-        self._asked_off = True
+        self._kept.order(time.monotonic(), asked=True)
         self.lab.update(message=self.tr("Coils off: reading them back …"))
         self.grow_old()
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
     def _off_known(self, said: SwitchedOff) -> None:
-        words = "; ".join(f"{axis.axis}: {in_words(axis.words)}" for axis in said.coils)
-        self.lab.update(message=self.tr("Read back: {0}").format(words))
-        self._asked_off, zero = False, all(axis.ok for axis in said.coils)
+        named = (f"{one.axis}: {in_words(named_links(one.words, self.run.links, brief=True))}" for one in said.coils)
+        self.lab.update(message=self.tr("Read back: {0}").format(words := "; ".join(named)))
+        zero = all(axis.ok for axis in said.coils)
+        self._kept.answered()
         self.take_lab(switched_off(self.known or state.LabState(()), said, self.facts))
         if said.doubt or not zero:
-            self._off_failed(Fault("coils", words))
+            self._warn(Fault("coils", words))
         if said.doubt and zero:  # it is older than this zero: the reference is looked at again
             self.off_worker.request(Identify(self.bench), self.take_identified, self.fault.emit)
 
     def _off_failed(self, fault: Fault) -> None:
-        remedy = self.tr("Switch the supplies off at their mains switches.")
-        self._unconfirmed = Fault("coils", fault.text, remedy, fault.details)
+        """Who was to switch them off did not: how they are is not known."""
+        known = self._kept.missed()
+        self._kept.answered()
+        self.take_lab(known)
+        self._warn(fault)
+
+    def _warn(self, fault: Fault) -> None:
+        remedy = self.tr("At its panel, or at its mains switch; then COILS OFF (F12) once more.")
+        self._unconfirmed = replace(fault, kind="coils", remedy=remedy)
         self.fault.emit(self._unconfirmed)
-        self.lab.update(message=fault.text)
+        self.lab.update(message=self._unconfirmed.text)
 
     def says_unconfirmed(self, fault: Fault | None) -> bool:
         """Whether this card is about coils that are not known to be at zero."""
         return fault is not None and fault is self._unconfirmed
 
+    def by_hand(self) -> tuple[str, ...]:
+        """The supplies that a person has to switch off, by name."""
+        return self._kept.by_hand(self.facts, time.monotonic())
+
     def coil_words(self) -> str:
         """What may be said of the coils now."""
-        return self._now().coil_words or state.NOT_READ
+        return self.lab.state.now.coil_words or state.NOT_READ
+
+    @property
+    def known(self) -> state.LabState | None:
+        """The lab as a worker sent it last, by the computer's monotonic clock."""
+        return self._kept.state
 
     def take_lab(self, known: state.LabState, *, lifted: bool = False) -> None:
         """From here on this is how the lab is; `lifted`: a doubt about zero was, however long ago it was read."""
-        self.known, self._known_s = known, time.monotonic()
+        self._kept.take(known, time.monotonic())
         self.grow_old(lifted)
-
-    def _now(self) -> LabNow:
-        """What may be said of the lab now. Where somebody was asked to switch the coils off, what was read is past."""
-        known = self.known
-        if self._asked_off:
-            known = replace(known or state.LabState(()), coils=state.unread(), field=state.FieldReading())
-        roles = {} if self.facts is None else {name: one.role for name, one in self.facts.instruments.items()}
-        now = lab_now(known, self._known_s, roles, time.monotonic())
-        return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
 
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
-        now = self._now()
+        now = self._kept.now(self.facts, time.monotonic(), driven=self.run.alive)
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
+        if self._kept.late(self.facts, time.monotonic()) and not self._kept.warned:
+            self._kept.warned = True
+            self._warn(Fault("coils", self.tr("No answer yet from: {0}").format(", ".join(self.by_hand()))))
         if self._unconfirmed is not None and (lifted or now.coils_at_zero):
             over, self._unconfirmed = self._unconfirmed, None
             self.fault_over.emit(over)
@@ -365,23 +378,11 @@ class AppState(QObject):
         if run.state == "idle":
             return
         if run.lab is not None and run.lab is not self._taken:
-            self._taken, self._asked_off = run.lab, False
+            self._taken, self._kept.asked = run.lab, False
             self.take_lab(run.lab)
-        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused")}
-        if run.segment is not None:
-            waits["running"] = self.tr("hands off, measuring")
+        measuring = self.tr("hands off, measuring") if run.segment is not None else ""
+        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}
         self.lab.update(message=run.message, waiting=waits.get(run.state, ""))
-
-    def _blame(self, fault: Fault) -> None:
-        """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
-        if self.facts is None or fault.kind != "instrument" or fault.text.startswith(state.NOT_BY_REFERENCE):
-            return  # a limit that is not met may name one, and says nothing against it
-        known = self.known or state.LabState(state.unread())
-        heard = {one.name: one for one in known.instruments}
-        for name in self.facts.instruments:
-            if name in fault.text:
-                heard[name] = replace(heard.get(name) or state.Heard(name), fault=self.tr("failed"))
-        self.take_lab(replace(known, instruments=tuple(heard.values())))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
@@ -391,8 +392,9 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self.age_timer):
+        for timer in (self.force_timer, self.age_timer, self.watch.timer):
             timer.stop()
         self.bench_worker.close(8000)
-        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.archived):
+        self.watch.stop()
+        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.watch_worker, self.archived):
             worker.close(500)

@@ -25,6 +25,7 @@ class LabState:
     bench: str = ""
     opening: bool = False  # a bench
     simulated: bool = False
+    reading: bool = False  # every instrument, because a person asked
     now: LabNow = NOT_TOLD
     field_U_nT: float | None = None  # k = 2
     unit: FieldUnit = "nT"

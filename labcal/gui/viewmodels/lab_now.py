@@ -24,6 +24,7 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "absent": ("○", "", "not asked"),
 }
 GUARDIAN = "guardian"
+LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "heard before"),
@@ -31,6 +32,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} min ago"),
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
+    QT_TRANSLATE_NOOP("Words", "failed"),
 )
 
 
@@ -45,6 +47,8 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    driven: bool = False  # by a run of this window
+    in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
@@ -52,21 +56,32 @@ class LabNow:
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
 
+    @property
+    def at_rest(self) -> bool:
+        """No run goes on, and the coils were read not long ago."""
+        return not self.driven and (self.coil_old_s or 0) < LONG_AGO_S
+
 
 NOT_TOLD = LabNow()
 
 
-def lab_now(lab: state.LabState | None, received_s: float, roles: Mapping[str, str], now_s: float) -> LabNow:
-    """The state `lab` at `received_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in."""
+def lab_now(
+    lab: state.LabState | None, received_s: float, roles: Mapping[str, str], now_s: float, *, driven: bool = False
+) -> LabNow:
+    """The state `lab` at `received_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in.
+
+    `driven`: by a run of this window.
+    """
     if lab is None:
-        return LabNow(lights=tuple((name, "absent", "") for name in roles))
+        return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
     known = any(coil.current_A is not None for coil in lab.coils)
     at_zero = all(coil.zero for coil in lab.coils)
     return LabNow(
         coil_A=tuple(coil.current_A for coil in lab.coils),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
-        coil_words=lab.sentence(now_s),
+        coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
+        driven=driven,
         platform_words=lab.platform_sentence(now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
@@ -85,12 +100,17 @@ def age_words(old_s: int | None) -> str:
     return translated("{0} min ago" if old_s < 7200 else "{0} h ago").format(old_s // (60 if old_s < 7200 else 3600))
 
 
-def mark_of(coil_words: str) -> tuple[str, str]:
-    """Shape and state that go with what is said of the coils: all clear only where a reference has seen it."""
+def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:
+    """Shape and state that go with what is said of the coils: all clear only where a reference has seen it.
+
+    That they were at zero when they were read last alarms nobody while the lab is `at_rest`.
+    """
     if not coil_words:
         return "", ""
     if coil_words == state.AT_ZERO:
         return "✓", "good"
+    if at_rest and coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
+        return "◌", "old"
     bad = coil_words.startswith((state.NOT_BY_REFERENCE, state.NOT_CONFIRMED))
     return ("✕", "bad") if bad else ("●", "warning")
 

@@ -40,6 +40,14 @@ class Next:
     presses: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A procedure to be shown on the Run page: `names` apart by |, the first that there is; its `plan` too."""
+
+    names: str
+    plan: bool = False
+
+
 class PathViewModel(QObject):
     """Marks of the pages Bench to Certificate for the DUT at the top, from what the pages have learned of the store."""
 

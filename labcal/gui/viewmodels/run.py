@@ -306,6 +306,8 @@ class RunViewModel(QObject):
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
+                if item.key.startswith("failed-"):  # what was seen of this turn counts no more
+                    self.sectors, _ = set(), self.locus.pop(item.key.removeprefix("failed-"), None)
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)

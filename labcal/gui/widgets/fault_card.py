@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
@@ -37,6 +39,8 @@ class FaultCard(Card):
     def __init__(self, closable: bool = True) -> None:
         super().__init__(" ")
         self.fault: Fault | None = None
+        self.by_hand = label("", "large", wrap=True)
+        set_state(self.by_hand, "bad")
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
         self.details = QPlainTextEdit()
         self.details.setReadOnly(True)
@@ -58,7 +62,7 @@ class FaultCard(Card):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(close)
-        for part in (self.text, self.coils, self.remedy, self.details):
+        for part in (self.by_hand, self.text, self.coils, self.remedy, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -69,6 +73,8 @@ class FaultCard(Card):
             return None
         self.fault = fault
         self.coils.hide()
+        self.by_hand.hide()
+        self.text.show()
         if fault is None:
             return self.hide()
         self.heading.setText(translated(TITLES[fault.kind]))
@@ -79,7 +85,8 @@ class FaultCard(Card):
         self.text.setText(in_words(fault.text))
         self.remedy.setText(in_words(fault.remedy))
         self.remedy.setVisible(bool(fault.remedy))
-        self.details.setPlainText(fault.details)
+        for_others = self.tr("For who mends labcal; a problem report holds it:") if "Traceback" in fault.details else ""
+        self.details.setPlainText(f"{for_others}\n\n{fault.details}".strip())
         self.fold.setVisible(bool(fault.details) and not stopped)
         self.fold.setChecked(False)
         self.details.hide()
@@ -94,10 +101,23 @@ class FaultCard(Card):
         if holder is not None and self.isVisible():
             holder.ensureWidgetVisible(self)
 
-    def say_coils(self, words: str) -> None:
-        """How the coils are left, below what happened."""
+    def say_coils(self, words: str, supplies: Sequence[str] = (), common: str = "") -> None:
+        """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
+
+        The figures of it stand in the details then. `common`: what to look at first where several are silent.
+        """
         self.coils.setText(in_words(words))
         self.coils.show()
+        self.by_hand.setVisible(bool(supplies))
+        self.text.setVisible(not supplies)
+        if supplies and self.fault is not None:
+            self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
+            short = in_words(words.partition(";")[0].partition(":")[0])
+            self.coils.setText(f"{short}. {common}" if common else short)
+            said = dict.fromkeys((in_words(words), in_words(self.fault.text), self.fault.details))  # figures first
+            if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
+                self.details.setPlainText(details)
+            self.fold.show()
 
     def _close(self) -> None:
         self.hide()

@@ -190,6 +190,11 @@ class PromptCard(Card):
         self._buttons.addStretch()
         held = [b for b in (*self.choices.values(), self.send) if isinstance(b, HoldButton)]
         by_key = self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else ""
+        if "skip" in prompt.choices:
+            cost = self.tr(
+                "Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell."
+            )
+            by_key = f"{by_key} {cost}".strip()
         self.hint.setText(
             self.tr("A scan answers by itself; what is typed is sent by Enter.") if SERIAL in prompt.drawing else by_key
         )

@@ -1,0 +1,38 @@
+"""What the window asks of a lab that no run drives: how it is now. Nothing is set by it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from labcal.gui.ipc.bench_facts import Triple
+from labcal.gui.ipc.kinds import Command
+from labcal.gui.ipc.wire import Fault
+
+
+@dataclass(frozen=True, slots=True)
+class InstrumentRead:
+    """One instrument as it was read at `read_s` (monotonic clock). None was not read, or is not its to say.
+
+    `held`: another process has it, and nothing was asked.
+    """
+
+    name: str
+    role: str
+    link: str
+    identity: str = ""
+    fault: Fault | None = None
+    held: bool = False
+    read_s: float | None = None
+    current_A: float | None = None
+    zero: bool = False
+    field_nT: Triple | None = None
+    angle_deg: float | None = None
+    moving: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ReadLab(Command[tuple[InstrumentRead, ...]]):
+    """Read these instruments of a bench, all where none is named."""
+
+    bench: str
+    names: tuple[str, ...] = ()

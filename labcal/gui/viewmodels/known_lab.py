@@ -1,0 +1,109 @@
+"""The lab as it was heard of last, and as it may be shown now: what was read before COILS OFF is past, and soon missed.
+
+Times are by the computer's monotonic clock.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from labcal.bench.coils import state
+from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.viewmodels.in_common import in_common
+from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+
+ANSWERS_S = 2.0  # so long after its ramp a supply has to be read back at zero; then it is said that it was not
+
+
+class KnownLab:
+    """`state` as a worker sent it last; None where none did, or of another bench."""
+
+    def __init__(self) -> None:
+        self.state: state.LabState | None = None
+        self._received_s = 0.0
+        self.asked = False  # another worker was asked to switch the coils off, and has not answered
+        self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
+        self.warned = False  # that this takes too long
+
+    def take(self, known: state.LabState, now_s: float) -> None:
+        """From here on this is how the lab is."""
+        self.state, self._received_s = known, now_s
+
+    def order(self, now_s: float, *, asked: bool = False) -> None:
+        """Somebody says off; where that was said before and stands, its time counts."""
+        if self.ordered_s is None:
+            self.ordered_s, self.warned = now_s, False
+        self.asked = self.asked or asked
+
+    def answered(self) -> None:
+        """How the coils ended is known, or nobody will say it any more."""
+        self.asked, self.ordered_s = False, None
+
+    def late(self, facts: Bench | None, now_s: float) -> bool:
+        """Whether a supply that answers would have been read back at zero by now, and one was not."""
+        if self.ordered_s is None or now_s - self.ordered_s <= ANSWERS_S + self._ramp_s(facts):
+            return False
+        return self.state is None or bool(self._silent())
+
+    def missed(self) -> state.LabState:
+        """The lab with what has not answered since zero was ordered: nobody knows what that carries."""
+        known, silent = self.state or state.LabState(state.unread()), self._silent()
+        coils = tuple(_unknown(coil) if self.state is None or coil in silent else coil for coil in known.coils)
+        return replace(known, coils=coils)
+
+    def as_now(self, facts: Bench | None, now_s: float) -> state.LabState | None:
+        """What may be said to be known at `now_s`."""
+        if self.late(facts, now_s):
+            return self.missed()
+        if not self.asked:
+            return self.state
+        return replace(self.state or state.LabState(()), coils=state.unread(), field=state.FieldReading())
+
+    def now(self, facts: Bench | None, now_s: float, *, driven: bool) -> LabNow:
+        """What may be said at `now_s`; `driven`: by a run of this window."""
+        roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
+        known = self.as_now(facts, now_s)
+        now = lab_now(known, self._received_s, roles, now_s, driven=driven)
+        now = replace(now, in_common=_in_common(known, facts))
+        return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
+
+    def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
+        """The supplies that are not known to be at zero, by name: a person switches them off. All where none is known.
+
+        Where the reference sees a field that the supplies do not own to, those that could make it.
+        """
+        supplies = {} if facts is None else _supplies(facts)
+        if (known := self.as_now(facts, now_s)) is None:
+            return tuple(supplies.values())
+        on = {coil.axis for coil in known.coils if not coil.zero}
+        if known.reference.verdict == "disagrees":
+            on |= {axis for axis, name in supplies.items() if name in known.reference.advice} or set(supplies)
+        return tuple(name for axis, name in supplies.items() if axis in on)
+
+    def _silent(self) -> list[state.CoilReading]:
+        coils, since_s = () if self.state is None else self.state.coils, self.ordered_s or 0.0
+        return [coil for coil in coils if not coil.zero or coil.read_s is None or coil.read_s < since_s]
+
+    def _ramp_s(self, facts: Bench | None) -> float:
+        """How long the way down takes from what flowed last, as the bench file has it."""
+        rates, coils = () if facts is None else facts.cage.ramp_A_per_s, () if self.state is None else self.state.coils
+        return max((abs(coil.current_A or 0.0) / r for coil, r in zip(coils, rates, strict=False)), default=0.0)
+
+
+def _unknown(coil: state.CoilReading) -> state.CoilReading:
+    return replace(coil, current_A=None, zero=False, fault=coil.fault or "silent")
+
+
+def _in_common(known: state.LabState | None, facts: Bench | None) -> str:
+    """Of those that do not answer."""
+    if known is None or facts is None:
+        return ""
+    supplies = _supplies(facts)
+    silent = {one.name for one in known.instruments if one.fault}
+    silent |= {supplies[coil.axis] for coil in known.coils if coil.fault and coil.axis in supplies}
+    return in_common(silent, {name: one.link for name, one in facts.instruments.items()})
+
+
+def _supplies(facts: Bench) -> dict[str, str]:
+    """By axis."""
+    return {one.role[-1]: name for name, one in facts.instruments.items() if one.role.startswith("coil-")}

@@ -1,0 +1,82 @@
+"""The lab's state with what somebody who is no run has heard of it: who answered, what was read, what has failed."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+from labcal.bench.coils import state
+from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
+from labcal.gui.ipc.lab_messages import InstrumentRead
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import coil_read
+
+
+def identified(before: state.LabState | None, said: Identified) -> tuple[state.LabState, bool]:
+    """Who answered, and who did not; whether a doubt about zero was lifted by the reference, which looked again."""
+    now = time.monotonic()
+    heard = tuple(
+        state.Heard(one.name, None if one.fault else now, one.fault.text if one.fault else "")
+        for one in said.instruments
+    )
+    after = replace(before or state.LabState(state.unread()), instruments=heard, guardian=None)
+    if said.doubt is None or not said.doubt.lifted:
+        return after, False
+    coils = tuple(map(coil_read, said.doubt.coils)) or after.coils
+    return replace(after, coils=coils, reference=state.Witness("agrees", "", read_s=now)), True
+
+
+def read(before: state.LabState | None, said: tuple[InstrumentRead, ...]) -> state.LabState:
+    """The lab with what was read of these instruments; what another process has stays as it was known."""
+    after = before or state.LabState(state.unread())
+    coils = {coil.axis: coil for coil in after.coils}
+    heard = {one.name: one for one in after.instruments}
+    for one in said:
+        if one.held:
+            continue
+        fault = "" if one.fault is None else one.fault.text
+        heard[one.name] = state.Heard(one.name, None if fault else one.read_s, fault)
+        if one.role.startswith("coil-"):
+            axis, known = one.role[-1], one.current_A is not None
+            coils[axis] = state.CoilReading(axis, None, one.current_A, one.zero, None, one.read_s if known else None,
+                                            fault)  # fmt: skip
+        if one.field_nT is not None:
+            after = replace(after, field=state.FieldReading(None, one.field_nT, one.read_s))
+        if one.moving is not None:
+            after = replace(after, platform=state.PlatformReading(one.angle_deg, one.moving, one.read_s))
+    return replace(after, coils=tuple(coils.values()), instruments=tuple(heard.values()), guardian=None)
+
+
+def answers(said: tuple[InstrumentRead, ...]) -> dict[str, InstrumentAnswer]:
+    """Who said who it is, or why it did not, by name."""
+    return {
+        one.name: InstrumentAnswer(one.name, one.role, one.link, one.identity, one.fault)
+        for one in said
+        if one.identity or one.fault
+    }
+
+
+def wrong(known: state.LabState | None, facts: Bench | None) -> tuple[str, ...]:
+    """Who is to be read again: coils that are not known to be at zero, what has failed, a platform that may turn."""
+    if known is None or facts is None:
+        return ()
+    on = {"coil-x", "coil-y", "coil-z"} if not all(coil.zero for coil in known.coils) else set[str]()  # at one moment
+    turns = {"platform"} if known.platform is not None and known.platform.moving is not False else set[str]()
+    failed = {one.name for one in known.instruments if one.fault}
+    return tuple(name for name, one in facts.instruments.items() if one.role in on | turns or name in failed)
+
+
+def blamed(known: state.LabState | None, fault: Fault, facts: Bench | None) -> state.LabState | None:
+    """Instruments that a run failed over are shown so until they are heard again; None where it says that of nobody.
+
+    A witness has not failed; a limit that is not met may name an instrument, and says nothing against it.
+    """
+    if facts is None or fault.kind != "instrument" or fault.text.startswith(state.NOT_BY_REFERENCE):
+        return None
+    before = known or state.LabState(state.unread())
+    heard = {one.name: one for one in before.instruments}
+    for name in facts.instruments:
+        if name in fault.text:
+            heard[name] = replace(heard.get(name) or state.Heard(name), fault=translated("failed"))
+    return replace(before, instruments=tuple(heard.values()))

@@ -1,0 +1,90 @@
+"""The lab is looked at on while no run goes on, until the coils are read back at zero and everybody answers.
+
+Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from labcal.gui.ipc.client import Worker
+from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.lab import LabViewModel
+
+LOOK_MS = 2000
+Readings = tuple[InstrumentRead, ...]
+
+
+class LabWatch(QObject):
+    """`bench`: the file of the bench that may be read now, "" where none may. `wrong`: whom to look at again."""
+
+    was_read = Signal()
+
+    def __init__(
+        self,
+        worker: Worker,
+        lab: LabViewModel,
+        bench: Callable[[], str],
+        wrong: Callable[[], tuple[str, ...]],
+        take: Callable[[Readings], object],
+    ) -> None:
+        super().__init__()
+        self._worker, self._lab, self._bench, self._wrong, self._take = worker, lab, bench, wrong, take
+        self._asked: ReadLab | None = None
+        self.timer = QTimer(self, interval=LOOK_MS)
+        self.timer.timeout.connect(self.look)
+        self.timer.start()
+
+    def look(self) -> None:
+        """Read again what is wrong, if anything is, and nobody else has the lab."""
+        if self._asked is None and (bench := self._bench()) and (names := self._wrong()):
+            self._ask(ReadLab(bench, names))
+
+    def read_all(self) -> None:
+        """Everybody, whatever is known of them; a person asked."""
+        if not self._lab.state.reading and (bench := self._bench()):
+            self._lab.update(reading=True, message=self.tr("Reading every instrument; nothing is set …"))
+            self._ask(ReadLab(bench))
+
+    def stop(self) -> None:
+        """Let go of every line at once: somebody wants them."""
+        if self._asked is not None:
+            self._over()
+            self._worker.kill()
+
+    def _ask(self, asked: ReadLab) -> None:
+        self._asked = asked
+        self._worker.request(asked, lambda said: self._read(asked, said), lambda fault: self._failed(asked, fault))
+
+    def _read(self, asked: ReadLab, said: Readings) -> None:
+        """What came too late, for a run has begun or another bench is open, says nothing of now."""
+        if asked is not self._asked:
+            return
+        for_a_person = not asked.names
+        self._over()
+        if asked.bench != self._bench():
+            return
+        self._take(said)
+        if for_a_person:
+            self._lab.update(message=self._words(said))
+        self.was_read.emit()
+
+    def _words(self, said: Readings) -> str:
+        silent = [one.name for one in said if one.fault is not None]
+        held = [one.name for one in said if one.held]
+        words = self.tr("{0} of {1} instruments were read").format(len(said) - len(silent + held), len(said))
+        words += f": ✕ {', '.join(silent)}" if silent else ""
+        return words + (self.tr("; another process has {0}").format(", ".join(held)) if held else "")
+
+    def _failed(self, asked: ReadLab, fault: Fault) -> None:
+        if asked is self._asked:
+            self._over()
+            if not asked.names:
+                self._lab.update(message=fault.text)
+
+    def _over(self) -> None:
+        self._asked = None
+        self._lab.update(reading=False)

@@ -1,0 +1,61 @@
+"""Several silent instruments that share a line are said to do so; nobody is blamed alone."""
+
+import time
+from dataclasses import replace
+
+import pytest
+
+from labcal.bench.coils.state import CoilReading, Heard, LabState, unread
+from labcal.gui.viewmodels.in_common import in_common
+
+LINKS = {
+    "supply_x": "tcp://10.0.0.7:5001",
+    "supply_y": "tcp://10.0.0.7:5002",
+    "supply_z": "modbus-rtu:///dev/ttyUSB1?baud=9600",
+    "reversers": "modbus-rtu:///dev/ttyUSB1?baud=9600",
+    "dut": "serial:///dev/ttyUSB3",
+    "stage": "manual://",
+}
+
+
+@pytest.mark.parametrize(
+    ("silent", "said"),
+    [
+        ((), ""),
+        (("dut",), ""),
+        (("supply_x",), ""),
+        (("supply_x", "dut"), ""),
+        (("supply_x", "supply_y"), "All 2 instruments at 10.0.0.7 are silent: look at their common line first."),
+        (
+            ("supply_x", "supply_z", "reversers"),
+            "All 2 instruments at /dev/ttyUSB1 are silent: look at their common line first.",
+        ),
+        (
+            ("supply_x", "supply_y", "supply_z", "reversers", "dut"),
+            "All 5 instruments are silent: look at what they have in common first (adapter, network, power).",
+        ),
+    ],
+)
+def test_what_the_silent_ones_share_is_said(silent, said):
+    assert in_common(silent, LINKS) == said
+
+
+def test_of_one_computer_alone_it_is_that():
+    links = {name: f"tcp://lab:{k}" for k, name in enumerate("abcd")}
+    assert in_common("abcd", links).startswith("All 4 instruments at lab are silent")
+    assert in_common("abc", links) == ""
+    assert in_common("ab", dict.fromkeys("ab", "emulated://")) == ""
+
+
+def test_the_panel_and_the_cards_say_it(still):
+    app_state = still.app_state
+    instruments = {n: replace(one, link="tcp://lab:1") for n, one in app_state.facts.instruments.items()}
+    app_state.facts = replace(app_state.facts, instruments=instruments)
+    app_state.take_lab(LabState(unread(), instruments=tuple(Heard(name, None, "silent") for name in instruments)))
+    said = "All 7 instruments at lab are silent: look at their common line first."
+    assert still.side.legend.text() == said
+    assert still.side.legend.property("state") == "bad"
+    now = time.monotonic()
+    zero = tuple(CoilReading(axis, 0.0, 0.0, True, True, now) for axis in "xyz")
+    app_state.take_lab(LabState(zero, instruments=(Heard("dut", None, "silent"),)))
+    assert said not in still.side.legend.text()

@@ -1,0 +1,134 @@
+"""After a run that ended badly the lab is read on until it is at zero; one button reads all; both yield at once."""
+
+import time
+
+import pytest
+from lab_states import told
+from PySide6.QtCore import Qt
+
+from labcal.bench.coils.state import Heard, LabState, PlatformReading, unread
+from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
+from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
+from labcal.gui.ipc.wire import Fault
+
+SUPPLIES = ("supply_x", "supply_y", "supply_z")
+LOST = Fault("instrument", "supply_z: the link was lost.", "Look at its cable.")
+
+
+def read(still, **currents):
+    """Answer what is asked: everybody is there, coils carry these currents (None: silent), 0 A else."""
+    facts, now = still.app_state.facts, time.monotonic()
+    (asked,) = still.app_state.watch_worker.commands(ReadLab)
+    said = []
+    for name, one in facts.instruments.items():
+        if asked.names and name not in asked.names:
+            continue
+        coil = one.role[-1] if one.role.startswith("coil-") else ""
+        current = currents.get(coil, 0.0) if coil else None
+        silent = Fault("instrument", f"{name}: silent") if coil and current is None else None
+        field = (2e4, 0.0, 4e4) if one.role == "reference" else None
+        said.append(
+            InstrumentRead(name, one.role, one.link, "" if silent else f"a {name}", silent, False, now, current,
+                           current is not None and abs(current) < 0.005, field)
+        )  # fmt: skip
+    still.app_state.watch_worker.answer(ReadLab, tuple(said))
+    return asked
+
+
+def lost_in_a_run(still):
+    """A run has ended over a supply, with a coil on; nobody could switch it off."""
+    app_state = still.app_state
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    told(still, (0.0, 0.0, None))
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
+    ends = (*(CoilEnd(a, 0.0, "zero, open", True, time.monotonic()) for a in "xy"), CoilEnd("z", None, "silent", False))
+    app_state.off_worker.answer(SwitchOff, SwitchedOff(ends))
+    return app_state
+
+
+def test_after_a_lost_run_the_lab_is_read_until_it_is_at_zero(still):
+    app_state = lost_in_a_run(still)
+    assert still.fault.isVisible()
+    app_state.watch.look()
+    assert read(still, z=None).names == SUPPLIES  # at one moment: what was read before the others is not fresh
+    assert still.side.zero_words.text().startswith("✕ coils NOT confirmed at zero")
+    app_state.watch.look()
+    assert read(still, z=1.1).names == SUPPLIES
+    assert still.side.zero_words.text() == "● coils on: z +1.1000 A"
+    assert still.side.coils.values[2].text() == "+1.100"
+    app_state.watch.look()
+    read(still)
+    assert still.side.zero_words.text().startswith("● zero by the supply's word only")
+    assert not still.fault.isVisible()
+    app_state.watch.look()
+    assert app_state.watch_worker.commands(ReadLab) == []  # nothing is wrong: the lines are left alone
+    assert next(light for name, light, _ in app_state.lab.state.now.lights if name == "supply_z") == "ok"
+
+
+def test_a_plug_that_is_back_is_seen_and_a_platform_that_may_turn_is_looked_at(still):
+    app_state = still.app_state
+    app_state.take_lab(
+        LabState(unread(), instruments=(Heard("dut", None, "no samples"),), platform=PlatformReading(fault="silent"))
+    )
+    app_state.watch.look()
+    (asked,) = app_state.watch_worker.commands(ReadLab)
+    assert set(asked.names) == {"supply_x", "supply_y", "supply_z", "dut", "stage"}
+    now = time.monotonic()
+    dut = InstrumentRead("dut", "dut", "", "an RM3100", None, False, now)
+    said = (dut, InstrumentRead("stage", "platform", "", "a stage", None, False, now, angle_deg=41.0, moving=True))
+    app_state.watch_worker.answer(ReadLab, said)
+    assert app_state.lab.state.now.platform_words == "platform turns, at 41°"
+    app_state.watch.look()
+    assert "dut" not in app_state.watch_worker.commands(ReadLab)[0].names
+    assert "stage" in app_state.watch_worker.commands(ReadLab)[0].names
+
+
+@pytest.mark.parametrize("wants", ["F12", "a run"])
+def test_whoever_wants_the_lines_has_them(qtbot, still, wants):
+    app_state = lost_in_a_run(still)
+    app_state.watch.look()
+    assert app_state.watch_worker.commands(ReadLab)
+    if wants == "F12":
+        qtbot.keyClick(still, Qt.Key.Key_F12)
+        assert app_state.watch_worker.killed == 1  # at once: its process lets go of every port
+        assert app_state.off_worker.commands(SwitchOff)
+    else:
+        app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    before = app_state.known
+    read(still, z=1.1)  # what comes too late
+    assert app_state.known is before
+    app_state.watch.look()
+    assert app_state.watch_worker.commands(ReadLab) == []
+
+
+def test_one_button_reads_all_and_says_who_answered(qtbot, still):
+    bench = still.page("Bench")
+    assert still.side.read_all.isEnabled()
+    qtbot.mouseClick(still.side.read_all, Qt.MouseButton.LeftButton)
+    assert not still.side.read_all.isEnabled()
+    assert read(still, y=None).names == ()
+    assert still.side.read_all.isEnabled()
+    assert still.message.text() == "6 of 7 instruments were read: ✕ supply_y"
+    assert still.side.field.values[1].text() != "–"
+    assert bench.table.text(list(still.app_state.facts.instruments).index("dut"), 3).startswith("a dut")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.grow_old()
+    assert not still.side.read_all.isEnabled()  # the run reads them itself
+
+
+def test_what_another_process_has_stays_as_it_was_known(still):
+    app_state = lost_in_a_run(still)
+    app_state.watch.read_all()
+    before = app_state.known.coils
+    held = tuple(InstrumentRead(n, i.role, i.link, held=True) for n, i in app_state.facts.instruments.items())
+    app_state.watch_worker.answer(ReadLab, held)
+    assert app_state.known.coils == before
+    assert "another process has supply_x, supply_y" in still.message.text()
+
+
+def test_a_worker_that_broke_says_so_and_the_button_is_back(still):
+    still.app_state.watch.read_all()
+    still.app_state.watch_worker.asked[-1].failed(Fault("ended", "The work was killed (signal 9, SIGKILL)."))
+    assert still.side.read_all.isEnabled()
+    assert still.message.text() == "The work was killed (signal 9, SIGKILL)."

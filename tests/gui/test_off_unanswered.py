@@ -1,0 +1,127 @@
+"""COILS OFF that nobody answers is red after two seconds, with the names of the supplies to be switched off by hand."""
+
+import time
+
+import pytest
+from lab_states import told
+from PySide6.QtCore import Qt
+
+from labcal.bench.coils.state import CoilReading, LabState, Witness
+from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
+from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels import app_state as module
+from labcal.gui.viewmodels.known_lab import ANSWERS_S
+
+ALL = "Switch off by hand: supply_x, supply_y, supply_z"
+DOUBT = "it sees 20567 1260 12860 nT, 20366 1132 -43695 nT expected: 98.90 µT apart, 2.00 µT allowed"
+ADVICE = "It is as if +1.10 A flowed in coil z: open the output of supply_z at its panel, or switch it off at its mains"
+
+
+@pytest.fixture
+def later(still, monkeypatch):
+    """Lets so many seconds go by, for what grows old."""
+    passed = [0.0]
+    clock = staticmethod(lambda: time.monotonic() + passed[0])
+    monkeypatch.setattr(module, "time", type("Later", (), {"monotonic": clock}))
+
+    def go(seconds):
+        passed[0] += seconds
+        still.app_state.grow_old()
+
+    return go
+
+
+def ends(**silent):
+    """As a worker says it: at zero but those that are named, with why."""
+    return tuple(
+        CoilEnd(a, None, silent[a], False)
+        if a in silent
+        else CoilEnd(a, 0.0, "zero, open", True, module.time.monotonic())
+        for a in "xyz"
+    )
+
+
+def test_with_every_line_silent_it_is_red_as_soon_as_an_answer_is_missed(qtbot, still, later):
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    later(ANSWERS_S - 0.5)
+    assert not still.fault.isVisible()
+    assert still.side.zero_words.property("state") == "warning"
+    later(1.0)
+    assert still.fault.isVisible()
+    assert (still.fault.heading.text(), still.fault.by_hand.text()) == ("✕ The coils may be on", ALL)
+    assert still.side.zero_words.text() == "✕ coils NOT confirmed at zero"
+    assert still.next.text() == "Next: See to the coils"
+
+
+def test_a_supply_that_answers_in_time_alarms_nobody(qtbot, still, later):
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends()))
+    later(1.9)
+    assert not still.fault.isVisible()
+    later(20.0)
+    assert not still.fault.isVisible()
+    assert still.side.zero_words.text().startswith("◌ coils read back at zero")
+
+
+def test_a_slow_ramp_is_waited_for(qtbot, still, later):
+    cage = still.app_state.facts.cage
+    coils = tuple(CoilReading(a, None, 1.5, False, None, time.monotonic()) for a in "xyz")
+    still.app_state.take_lab(LabState(coils))
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    ramp_s = 1.5 / min(cage.ramp_A_per_s)
+    later(ANSWERS_S + ramp_s - 0.3)
+    assert not still.fault.isVisible()
+    later(0.6)
+    assert still.fault.isVisible()
+
+
+def test_in_a_run_who_was_read_back_is_not_named(qtbot, still, later):
+    app_state = still.app_state
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    told(still, (1.0, 1.0, 1.0))
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    later(0.1)
+    told(still, (0.0, 0.0, 1.0), age_s=-0.1)
+    later(3.5)
+    assert still.fault.by_hand.text() == "Switch off by hand: supply_z"
+    told(still, age_s=-3.6)
+    assert not still.fault.isVisible()  # the reference agrees: it is over
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", Fault("stopped", "stopped by the operator")))
+    later(30.0)
+    assert not still.fault.isVisible()
+
+
+def test_the_supply_is_named_as_long_as_it_is_true_and_figures_are_a_click_deeper(qtbot, still, later):
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    later(2.5)
+    raw = "tcp://127.0.0.1:9: no reply in 1.5 s, nothing came."
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends(z=raw)))
+    card = still.fault
+    assert card.by_hand.text() == "Switch off by hand: supply_z"
+    assert card.by_hand.objectName() == "large"
+    assert card.coils.text() == "coils NOT confirmed at zero"
+    assert card.text.isHidden()
+    assert raw in card.details.toPlainText()
+    assert card.details.isHidden()
+    still.app_state.fault.emit(Fault("instrument", "dut: silent"))  # what else goes wrong
+    assert card.by_hand.isVisible()
+    assert card.heading.text() == "✕ The coils may be on"
+    later(60.0)
+    assert card.by_hand.text() == "Switch off by hand: supply_z"
+    still.app_state.watch.look()
+    now = module.time.monotonic()
+    three = tuple(
+        InstrumentRead(f"supply_{a}", f"coil-{a}", "", "a supply", None, False, now, 0.0, True) for a in "xyz"
+    )
+    still.app_state.watch_worker.answer(ReadLab, three)
+    assert card.isHidden()
+
+
+def test_of_a_field_that_no_supply_owns_to_the_one_that_could_make_it_is_named(still, later):
+    coils = tuple(CoilReading(a, None, 0.0, True, True, time.monotonic()) for a in "xyz")
+    still.app_state.take_lab(LabState(coils, Witness("disagrees", DOUBT, advice=ADVICE)))
+    assert still.app_state.by_hand() == ("supply_z",)
+    still.app_state.take_lab(LabState(coils, Witness("disagrees", DOUBT)))
+    assert still.app_state.by_hand() == ("supply_x", "supply_y", "supply_z")

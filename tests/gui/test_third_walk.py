@@ -1,0 +1,82 @@
+"""What a stranger stumbled over on a served lab: what is lost is in the headline, words name buttons that are there."""
+
+import time
+
+import numpy as np
+from lab_states import told
+
+from labcal.bench.coils.state import CoilReading, Heard, LabState
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.record import Segment
+from labcal.record.stream import Block, Prompt, SegmentOpened
+from labcal.runner.rehearsal import Rehearsal
+
+LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then begin this step again.")
+
+
+def begun(still):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    return still.page("Run").live
+
+
+def says(still, *faulty):
+    now = time.monotonic()
+    coils = tuple(CoilReading(a, None, 0.0, True, None, now) for a in "xyz")
+    still.app_state.bench_worker.states.emit(
+        LabState(coils, instruments=tuple(Heard(n, now, "silent") for n in faulty))
+    )
+
+
+def test_what_is_lost_is_in_the_largest_letters_while_the_run_goes_on_and_after_it(still):
+    live = begun(still)
+    still.app_state.bench_worker.items.emit((SegmentOpened(1.0, Segment("x+20uT", "rotation")),))
+    says(still, "dut")
+    live.draw()
+    assert live.headline.text() == "✕ No answer from dut"
+    says(still)
+    live.draw()
+    assert live.headline.text().startswith("Hands off")
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
+    live.draw()
+    assert live.headline.text() == "✕ Interrupted: no answer from dut"
+
+
+def test_a_step_to_be_begun_again_is_said_by_the_button_that_is_there(still):
+    live = begun(still)
+    told(still)
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
+    assert live.fault.remedy.text().endswith("Here that is Go on: what was finished is kept.")
+    live = begun(still)
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r2", "failed: dut", LOST))
+    assert live.fault.remedy.text().endswith("This run has ended: Close, then Begin measures anew.")
+
+
+def test_a_turn_that_is_tried_again_begins_with_an_empty_circle(still):
+    begun(still)
+    worker, run = still.app_state.bench_worker, still.app_state.run
+    turn = Block("angle", "stage", ("angle_deg",), np.array([1.0, 2.0]), np.array([[0.0], [90.0]]))
+    worker.items.emit((SegmentOpened(1.0, Segment("x+20uT", "rotation")), turn))
+    assert run.coverage() > 0
+    worker.items.emit((Prompt(3.0, "failed-x+20uT", "x+20uT: lost", ("stop", "retry", "skip")),))
+    assert run.coverage() == 0
+    assert "x+20uT" not in run.locus
+    card = still.page("Run").live.prompt
+    assert "Skipped, it is missing" in card.hint.text()
+
+
+def test_a_traceback_is_said_to_be_for_others(qtbot):
+    card = FaultCard(closable=False)
+    qtbot.addWidget(card)
+    card.show_fault(Fault("crash", "It broke.", "", "Traceback (most recent call last): …"))
+    assert card.details.toPlainText().startswith("For who mends labcal; a problem report holds it:\n\nTraceback")
+    card.show_fault(Fault("input", "No.", "", "/lab/bench.toml: line 3"))
+    assert card.details.toPlainText() == "/lab/bench.toml: line 3"
+
+
+def test_a_plan_says_the_rate_that_was_typed():
+    for rate, said in ((20.2, "20 °/s"), (2.4, "2.4 °/s"), (0.5, "0.5 °/s"), (121.0, "120 °/s")):
+        plan = Rehearsal("preflight", "x", angles_deg=(0.0, 360.0), rate_deg_per_s=rate)
+        assert any(line.endswith(f"at up to {said}") for line in plan.lines())
