@@ -81,7 +81,7 @@ class Search:
     def of(cls, pool: CandidateSet, accepted: Sequence[Candidate], term: Term) -> Search:
         """For a term beside base and accepted effects, on the rows of a set."""
         form = term.kernel, term.parameters, term.channels, tuple(one.name for one in term.shape)
-        directions, at = pool.store.memo.get("of zeros", form, lambda: _all_directions(pool.problem, term))
+        directions, at = pool.store.memo.get("directions", form, lambda: _all_directions(pool.problem, term))
         here = directions[pool.rows]
         kept = np.einsum("nqr,nqr->r", here, here) > SAME  # none of a mounting that has no row here
         new = beside(_spanned(pool, accepted), here[..., kept])
