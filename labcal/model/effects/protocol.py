@@ -91,6 +91,7 @@ class Family:
     modes: Callable[[Term], Sequence[str]] | None = None  # the power modes that it has parameters of
     reach_s: Callable[[Term], float | None] = memory.reach_s  # how far it looks; None: at the row itself alone
     secant_s: Callable[[Term, Array], Array] = memory.secant_s  # how far ahead each row looks, of rows at t_s (n,)
+    unsure: Callable[[Term, Scene], Array] | None = None  # how far its columns (n, 3, p) may be off by themselves
     in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
 
     # How it flies
