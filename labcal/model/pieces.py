@@ -119,8 +119,8 @@ class Walk:
             if self._left.get("") and not self._recording.begins_known:  # it is a state, that begins somewhere
                 begun = [self._columns(rows, self.effect.term, one) @ self.effect.beta for one in EITHER_WAY]
                 variance[usable] = np.mean([np.square(one - value[usable]) for one in begun], axis=0)
-            if (unsure := self.effect.family.unsure) is not None:
-                missed = self._columns(rows, self.effect.term, "unsure", partial(unsure, self.effect.term))
+            if (off := self.effect.family.unsure) is not None:
+                missed = self._columns(rows, self.effect.term, "unsure", partial(off, self.effect.term))
                 variance[usable] += np.square(missed @ self.effect.beta)
         if self._record.domain:
             flags["domain"] = flags.get("domain", False) | self._outside(rows)
@@ -173,7 +173,8 @@ class Walk:
         """
         if term.of(LESS_ITSELF) is None:
             return self._driven(rows, term, variant, columns_of, 0.0)
-        went_before, held, change = self._left.get(variant, {}), 0.0, np.inf
+        went_before, change = self._left.get(variant, {}), np.inf
+        held: Array | float = 0.0
         for _ in range(ROUNDS):
             self._left[variant] = went_before
             columns = self._driven(rows, term, variant, columns_of, held)

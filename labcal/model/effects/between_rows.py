@@ -15,7 +15,7 @@ ROUNDING = 1e-9
 
 
 def between(t: Array, v: Array, at: Array) -> tuple[Array, Array]:
-    """v (n, ...) at other times (m,) than its own t (n,), and the same through a row less.
+    """The values v (n, ...) at other times (m,) than their own t (n,), and the same through a row less.
 
     Beyond the ends, both with the slope there.
     """
