@@ -12,9 +12,9 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.between_rows import MOST
 from labcal.model.calibration import Calibration
 from labcal.model.effects import DELAY, LESS_ITSELF, Fitted, Scene, Shape, Term, load_shipped
-from labcal.model.effects.between_rows import MOST
 from labcal.model.effects.inputs import channels_of, outside
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.effects.between_rows import between
+from labcal.model.between_rows import between
 from labcal.model.effects.memory import LEAD
 from labcal.model.effects.past import Past
 from labcal.model.effects.recursion import affine_recursion
