@@ -1,8 +1,9 @@
 """What of an effect of the rig the map of the device takes as well: no run of this kind tells how the two share it.
 
 Iron beside the cage may answer the field alike in all directions, and so does a gain of the device. The fit gives all
-of that to the map, and nothing says that it should: an effect that was found along some directions is as large, for all
-that is known, along those where it was not. The map carries that as its uncertainty, for it flies and the rig does not.
+of that to the map, but for sums that are zero in most bodies (`Family.sums_to_zero`), and little says that it should:
+an effect that was found along some directions is as large, for all that is known, along those where it was not. The map
+carries that as its uncertainty, for it flies and the rig does not.
 """
 
 from __future__ import annotations

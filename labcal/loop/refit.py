@@ -21,7 +21,7 @@ from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.unseen_switching import misses_more, ways_of
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
-from labcal.model.effects import BEGINNING, BEGINNING_ON, Term, family
+from labcal.model.effects import BEGINNING, BEGINNING_ON, LESS_ITSELF, Term, family
 from labcal.record import Run
 
 Mask = NDArray[np.bool_]
@@ -106,7 +106,7 @@ def _term(run: Run, effect: EffectRecord) -> Term:
 
 def _shapes(term: Term) -> list[str]:
     """The names of what it does not depend on linearly; files of before do not say how loops begin."""
-    return [shape.name for shape in term.shape if shape.kind not in (BEGINNING, BEGINNING_ON)]
+    return [shape.name for shape in term.shape if shape.kind not in (BEGINNING, BEGINNING_ON, LESS_ITSELF)]
 
 
 def _alike(term: Term, stated: Term) -> bool:

@@ -5,15 +5,16 @@ What follows as a state is carried from piece to piece; what looks at rows near 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.between_rows import MOST
 from labcal.model.calibration import Calibration
-from labcal.model.effects import DELAY, Fitted, Scene, Shape, Term, load_shipped
+from labcal.model.effects import DELAY, LESS_ITSELF, Fitted, Scene, Shape, Term, load_shipped
 from labcal.model.effects.inputs import channels_of, outside
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
@@ -22,7 +23,8 @@ from labcal.model.records import EffectRecord
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 EITHER_WAY = {"begun high": 1.0, "begun low": -1.0}  # standard deviations of a state of which nothing is known yet
-BESIDE = 3  # usable rows beyond an effect's reach that a piece has on either side: a cubic's, and its slopes'
+ROUNDS, SETTLED_nT = 100, 1e-7  # of a field without the effect that it drives; and the change that ends them
+BESIDE = MOST  # usable rows beyond an effect's reach that a piece has on either side: what lies between rows needs them
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -117,6 +119,9 @@ class Walk:
             if self._left.get("") and not self._recording.begins_known:  # it is a state, that begins somewhere
                 begun = [self._columns(rows, self.effect.term, one) @ self.effect.beta for one in EITHER_WAY]
                 variance[usable] = np.mean([np.square(one - value[usable]) for one in begun], axis=0)
+            if (off := self.effect.family.unsure) is not None:
+                missed = self._columns(rows, self.effect.term, "unsure", partial(off, self.effect.term))
+                variance[usable] += np.square(missed @ self.effect.beta)
         if self._record.domain:
             flags["domain"] = flags.get("domain", False) | self._outside(rows)
         if self._record.basis is not None:  # what has no name is no more than it was seen to be
@@ -159,8 +164,36 @@ class Walk:
         steps = {s.name: s.step(t_s) for s in searched if u[s.name] > 0}
         return {name: step for name, step in steps.items() if np.isfinite(step) and step > 0}
 
-    def _columns(self, rows: slice, term: Term, variant: str = "") -> Array:
-        """A term's columns in the usable ones of the rows; what it leaves is where that variant goes on from."""
+    def _columns(
+        self, rows: slice, term: Term, variant: str = "", columns_of: Callable[[Scene], Array] | None = None
+    ) -> Array:
+        """A term's columns in the usable ones of the rows; what it leaves is where that variant goes on from.
+
+        Of an effect that the field without it drives, where that field holds no more than was taken off it.
+        """
+        if term.of(LESS_ITSELF) is None:
+            return self._driven(rows, term, variant, columns_of, 0.0)
+        went_before, change = self._left.get(variant, {}), np.inf
+        held: Array | float = 0.0
+        for _ in range(ROUNDS):
+            self._left[variant] = went_before
+            columns = self._driven(rows, term, variant, columns_of, held)
+            value = columns @ self.effect.beta
+            last, change = change, float(np.max(np.abs(value - held), initial=0.0))
+            held = value
+            if change < SETTLED_nT or not change < last:
+                break
+        return columns
+
+    def _driven(
+        self,
+        rows: slice,
+        term: Term,
+        variant: str,
+        columns_of: Callable[[Scene], Array] | None,
+        less_nT: Array | float,
+    ) -> Array:
+        """The same in the field less so much (m, 3)."""
         around = self._near(rows) if self._reach_s and not self.at_once else rows
         while True:
             usable = self._usable(around)
@@ -168,7 +201,7 @@ class Walk:
             before, own = int(usable[:first].sum()), int(usable[first:last].sum())
             astray = EITHER_WAY.get(variant, 0.0)
             past = Past(own, self._left.get(variant, {}), astray=astray, ends=self._ends)
-            columns = term.columns(self._scene(around, usable, past))
+            columns = (columns_of or term.columns)(self._scene(around, usable, past).moved(-less_nT))
             if not self._beyond(around.stop, past.until_s):
                 self._left[variant] = past.after
                 return columns[before : before + own]

@@ -10,8 +10,14 @@ def log_uniform(rng, low, high):
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
-def follow(t, drive, tau):
-    """First-order response on the rows' own times, carried over the gaps."""
+def follow(s, name, tau):
+    """First-order response to a channel at the rows: it goes on between recordings as the quantity itself does."""
+    t, drive = s.clocks[name]
+    return np.interp(s.t, t, followed(t, drive, tau))
+
+
+def followed(t, drive, tau):
+    """First-order response on fine times."""
     out, state = np.empty_like(drive), drive[0]
     for i in range(len(t)):
         if i:
@@ -69,8 +75,8 @@ def sensor_effect(kind, rng, names, S, span):
 
         def effect(s):
             i = value(s, "load")
-            fast = follow(s.t, i, tau) if tau else i
-            return (fast + 0.5 * follow(s.t, i, slow) if slow else fast)[:, None] * c
+            fast = follow(s, names["load"], tau) if tau else i
+            return (fast + 0.5 * follow(s, names["load"], slow) if slow else fast)[:, None] * c
 
         return effect
     if kind == "offset-current-squared":
@@ -80,8 +86,8 @@ def sensor_effect(kind, rng, names, S, span):
         curve = log_uniform(rng, 0.003, 0.03) if rng.random() < 1 / 3 else 0.0
 
         def effect(s):
-            T = value(s, "temperature") - 22
-            T = follow(s.t, T, tau) if tau else T
+            T = follow(s, names["temperature"], tau) if tau else value(s, "temperature")
+            T = T - 22
             return (T + curve * T**2)[:, None] * c
 
         return effect

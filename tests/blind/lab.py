@@ -47,6 +47,7 @@ class Scene:
     segment: Any = None
     mode: Any = None
     channels: dict = field(default_factory=dict)  # name -> (values on all rows, unit, quantity)
+    clocks: dict = field(default_factory=dict)  # name -> (times, values) of the quantity itself, between recordings too
 
     def gather(self):
         """Lay the segments end to end."""
@@ -141,11 +142,10 @@ def record(rng, *, statics, long, modes):
     return Scene(rng, parts).gather(), Scene(rng, fresh[:-1]).gather(), now
 
 
-def on_clock(run, fresh, end, make):
-    """A quantity on one fine clock, read by both recordings."""
+def on_clock(end, make):
+    """A quantity on one fine clock: times and values."""
     grid = np.arange(0.0, end + 10, 0.25)
-    values = make(grid)
-    return [np.interp(s.t, grid, values) for s in (run, fresh)]
+    return grid, make(grid)
 
 
 def load_current(rng, levels=2):
@@ -195,7 +195,9 @@ def add_channels(rng, run, fresh, end, wanted):
     for number, index in enumerate(rng.permutation(len(chosen)), start=1):
         make, unit, quantity = makers[chosen[index]]
         names[chosen[index]] = name = f"hk{number:02d}"
-        for scene, values in zip((run, fresh), on_clock(run, fresh, end, make), strict=True):
+        clock = on_clock(end, make)
+        for scene in (run, fresh):
+            values, scene.clocks[name] = np.interp(scene.t, *clock), clock
             step = {"A": 0.002, "degC": 0.0625, "V": 0.004}[unit]
             scene.channels[name] = (np.round(values / step) * step, unit, quantity, values)
     return names

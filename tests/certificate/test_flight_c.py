@@ -40,7 +40,7 @@ NONE = ((), {})
 NINE = tuple(product("xyz", "xyz"))
 PINNED = {"a_nT": 12000.0, "pinning_nT": 5000.0}
 BAR = {"lon_deg": 30.0, "lat_deg": 20.0, "kept": 1.0}
-KNOWN = ("secant_s", "kept", "begins_on", "begins", "t_ref_s")  # exactly
+KNOWN = ("secant_s", "kept", "begins_on", "begins", "less_itself", "t_ref_s")  # exactly
 
 
 def each(**values: float) -> dict[str, float]:
@@ -73,6 +73,8 @@ FORMS = {
     "across-body": (("cross-field", *NONE, {"body_q_x:xy": 1e-7, "body_q_z:yy": -2e-7}),),
     "dahl": (("hysteresis", *NONE, {**C, "w_nT": 4000.0}),),
     "stop": (("hysteresis", *NONE, {"c_x": 0.02, "c_y": 0.03, "c_z": 0.01, "r_nT": 4000.0}),),
+    "stop-alone": (("hysteresis", *NONE, each(c=0.3) | {"r_nT": 4000.0, "less_itself": 1.0}),),
+    "core-alone": (("hysteresis", *NONE, each(c=2000.0, t1=900.0) | PINNED | {"less_itself": 1.0}),),
     "kept": (("hysteresis", *NONE, {f"c{r}_{a}": 0.02 for r in (500, 4000) for a in "xyz"} | {"kept": 1.0}),),
     "anew": (("hysteresis", *NONE, {f"body_c{r}_{a}": 0.02 for r in (500, 4000) for a in "xyz"} | {"kept": 0.0}),),
     "play": (

@@ -103,7 +103,7 @@ def test_a_loop_as_wide_as_the_field_is_no_field_that_the_map_could_undo(started
     run = problem.run
     problem = prepare(replace(run, dut=replace(run.dut, noise_nT=None)))[0]
     loops = (c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "hysteresis")
-    loop = next(term for term in loops if {s.name for s in term.shape} == {"r_nT", "kept", "begins"})
+    loop = next(term for term in loops if {s.name for s in term.shape} == {"r_nT", "kept", "begins", "less_itself"})
     wide = replace(loop, shape=tuple(replace(s, value=1e6) if s.name == "r_nT" else s for s in loop.shape))
     for made, smallest in ((problem.all_columns(wide), 0.0), (problem.columns(wide), 0.3)):
         A = np.concatenate([problem.T, made], axis=2).reshape(problem.y.size, -1)

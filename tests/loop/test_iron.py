@@ -15,6 +15,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.selection.equivalents import equally_likely
+from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.stepwise import stepwise_forward
 from labcal.model.effects import family
 from labcal.model.effects.iron import table_axes
@@ -182,3 +183,22 @@ def test_what_iron_on_the_table_answers_has_harmonics_up_to_the_second(making: M
     flat = in_cage.reshape(len(angle), -1)
     left = flat - waves @ np.linalg.lstsq(waves, flat, rcond=None)[0]
     assert np.abs(left).max() < 1e-6 * np.abs(flat).max()
+
+
+@pytest.mark.parametrize("kind", ["b", "t"], ids=["beside", "on the table"])
+def test_the_gain_is_that_beside_which_the_iron_s_answer_has_no_trace(
+    making: ModuleType, tmp_path: Path, kind: str
+) -> None:
+    """The field of a dipole has none, and a run does not tell an answer alike in all directions from a gain."""
+    table, away = Table(making), np.array([0.8, 0.36, -0.48])
+    answer = 6e-3 * (3 * np.outer(away, away) - np.eye(3))
+    driven = table.rows["ref"] if kind == "b" else np.einsum("nij,nj->ni", table.to_table, table.rows["ref"])
+    made = driven @ answer.T + REMANENT_nT
+    in_table = np.einsum("nij,nj->ni", table.to_table, made) if kind == "b" else made
+    problem = table.problem(tmp_path, in_table)
+    diagonal = [f"{kind}{a}_{a}" for a in ("xyz" if kind == "b" else "uvw")]
+    forms = [t for t in family("cage-field").candidates(problem.run) if {*diagonal} <= {n for n, _ in t.parameters}]
+    found = joint_fit(problem, forms[:1])
+    assert np.abs(np.diag(found.problem.affine.K) * 1.05 - 1).max() < 2e-4
+    names = [name for name, _ in forms[0].parameters]
+    assert abs(sum(found.beta[0][names.index(name)] for name in diagonal)) < 1e-9

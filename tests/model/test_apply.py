@@ -11,6 +11,7 @@ from labcal.fit import draft_calibration
 from labcal.fit.result import Fit
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.apply import apply, needed_columns
+from labcal.model.effects.hysteresis import stop
 from labcal.model.plausibility import bends, second_difference_outliers
 from labcal.model.readings import Applied, Readings
 from labcal.model.smooth import Domain
@@ -358,3 +359,32 @@ def test_a_shape_s_uncertainty_is_in_that_of_the_field() -> None:
     )
     grown = np.sqrt(np.maximum(unsure**2 - sure**2, 0.0)).max()
     assert grown == pytest.approx(80.0 * 2 * np.pi * 1e-4 * 100.0 / np.sqrt(3), rel=0.1)
+
+
+def test_a_loop_that_a_reference_drove_is_undone_where_it_is_a_third_of_the_field_s_way() -> None:
+    """The reading holds the loop; where that drove it, what is undone would be another loop."""
+    t = np.arange(600) * 0.5
+    wave = np.sin(0.11 * t) + 0.4 * np.sin(0.29 * t)
+    field = np.column_stack([20e3 * wave, 15e3 * np.roll(wave, 40), np.full(600, 9e3)])
+    loop = stop(field, 2500.0) * [0.33, -0.25, 0.2] @ K.T
+    parameters = {"body_c_x": (0.33, 0.0), "body_c_y": (-0.25, 0.0), "body_c_z": (0.2, 0.0), "r_nT": (2500.0, 0.0)}
+    seen = readings(field + loop, t_s=t, segment=np.full(600, "new"))
+    alone = apply(calibration(effect("hysteresis", **parameters, less_itself=(1.0, 0.0))), seen)
+    assert np.abs(alone.field_nT - field).max() < 1e-3
+    by_the_reading = apply(calibration(effect("hysteresis", **parameters)), seen)
+    assert np.abs(by_the_reading.field_nT - field).max() > 100.0
+
+
+def test_a_lag_is_undone_between_rows_that_lie_far_apart_and_what_is_missed_is_in_u() -> None:
+    """A table that turns by twenty degrees from row to row, and by sixty."""
+    t, lag = np.arange(400) * 1.0, 0.4
+    cal = calibration(effect("lag", secant_s=(lag, 0.0), lag_s=(lag, 0.0)))
+    for degrees, most in ((20.0, 1.0), (60.0, 200.0)):
+        w = np.radians(degrees)
+        now, then = (30e3 * np.column_stack([np.cos(w * (t - d)), np.sin(w * (t - d)), 0 * t]) for d in (0.0, lag))
+        found = apply(cal, readings(then, t_s=t, segment=np.full(400, "new")))
+        off = (found.field_nT - now)[8:-8]
+        assert np.abs(off).max() < most
+        still = apply(cal, readings(np.full_like(then, 17e3), t_s=t, segment=np.full(400, "new"))).u_nT[8:-8]
+        more = np.sqrt(np.maximum(found.u_nT[8:-8] ** 2 - still**2, 0.0))
+        assert np.sqrt(np.mean(off**2)) <= np.sqrt(np.mean(more**2)) + 0.1

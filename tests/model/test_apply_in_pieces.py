@@ -42,6 +42,7 @@ CORE = (
     {},
     {f"{name}_{a}": 30.0 for name in ("c", "t1") for a in "xyz"} | {"a_nT": 1e4, "pinning_nT": 4e3},
 )
+ALONE = ("hysteresis", (), {}, {"c_x": 0.2, "c_y": 0.3, "c_z": 0.1, "r_nT": 4000.0, "less_itself": 1.0})
 ANEW = ("hysteresis", (), {}, {**STOPS[3], "kept": 0.0})
 PLAY = (
     "hysteresis",
@@ -114,12 +115,12 @@ def written(field_nT: np.ndarray, u_nT: np.ndarray) -> list[str]:
     [
         *((), (CURRENT, WARMTH), (DRIFT, MODES, CURRENT), (LAG,), (LOOP, CURRENT), (LATE, LAG)),
         *((DELAYED,), (AHEAD, FAR_LAG), (SEVERAL,), (HEAT, CURVED), (LEADING,), (SLOW_GAIN,)),
-        *((DAHL,), (STOPS,), (KEPT,), (ANEW,), (PLAY,), (CORE,), (BAR,)),
+        *((DAHL,), (STOPS,), (KEPT,), (ANEW,), (ALONE,), (PLAY,), (CORE,), (BAR,)),
     ],
     ids=[
         *("map", "channels", "time-and-mode", "lag", "loop", "late"),
         *("delayed", "ahead", "several", "curved", "leading", "slow-gain"),
-        *("dahl", "stops", "kept", "anew", "play", "core", "bar"),
+        *("dahl", "stops", "kept", "anew", "alone", "play", "core", "bar"),
     ],
 )
 @settings(max_examples=12)

@@ -15,14 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.certificate.flight.c_helpers import HELPERS, STATES
-from labcal.certificate.flight.c_templates import HEADER, SOURCE
+from labcal.certificate.flight.c_templates import HEADER, SETTLED, SOURCE
 from labcal.certificate.flight.content import Content, Flown, stamps
 from labcal.certificate.flight.vectors import Vectors, seen
 from labcal.errors import InputError
 from labcal.model.apply import ends_of_channels, left_out_variance, reading_noise, temperature_channel
 from labcal.model.effects.c_form import CForm, Input, enumerator, given, mode_enumerator, real
 from labcal.model.effects.c_smooth import seen_in_c
-from labcal.model.effects.shape import DELAY
+from labcal.model.effects.shape import DELAY, LESS_ITSELF
+from labcal.model.pieces import ROUNDS, SETTLED_nT
 from labcal.model.plausibility import stated_limits
 
 Array = NDArray[np.float64]
@@ -270,9 +271,18 @@ def _functions(program: Program) -> Iterator[str]:
         yield f"static void effect_{n}({', '.join(_parameters(one))})\n{{"
         yield "    (void)now;\n" + ("    (void)shape;\n" if term.shape else "") + textwrap.indent(one.form.body, "    ")
         yield "}\n"
+        if one.flown.effect.term.of(LESS_ITSELF) is not None:
+            p = len(one.flown.effect.beta)
+            yield _settled(n, p)
         if one.flown.record.basis is not None:
             inside = textwrap.indent(seen_in_c(one.flown.record.domain)[0], "    ")
             yield f"static int seen_{n}(const labcal_now *now)\n{{\n{inside}\n}}\n"
+
+
+def _settled(number: int, parameters: int) -> str:
+    """The function that works an effect out in the field without it, from the same state until that changes nothing."""
+    values = {"N": str(number), "P": str(parameters), "ROUNDS": str(ROUNDS), "SETTLED": repr(SETTLED_nT)}
+    return _filled(SETTLED, values)
 
 
 def _parameters(one: Instance) -> list[str]:
@@ -301,7 +311,8 @@ def _blocks(program: Program) -> Iterator[str]:
     for one in program.instances:
         n, p = one.number, len(one.flown.effect.beta)
         names = [q.name for q in one.flown.record.parameters]
-        calls = [f"effect_{n}({', '.join(_arguments(one, i))});" for i in range(1 + len(one.steps))]
+        how = "settled" if one.flown.effect.term.of(LESS_ITSELF) is not None else "effect"
+        calls = [f"{how}_{n}({', '.join(_arguments(one, i))});" for i in range(1 + len(one.steps))]
         known, seen_there = _known(program, one), f"seen_{n}(&now)" if one.flown.record.basis is not None else ""
         lines = [f"if ({known}{f' && {seen_there}' if seen_there else ''}) {{"]
         lines += [f"    labcal_real e[{p}][3], value[3];", "    now.late = 0;"]

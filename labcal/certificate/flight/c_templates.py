@@ -181,3 +181,31 @@ unsigned labcal_apply(labcal_state *state, const labcal_row *row, labcal_field *
     return flags;
 }
 """
+SETTLED = """\
+/* The same in the field without it. */
+static void settled_@N@(const double shape[], labcal_effect_@N@ *state, const labcal_now *now, labcal_real e[][3])
+{
+    const labcal_effect_@N@ before = *state;
+    labcal_now alone = *now;
+    labcal_real held[3] = {R(0.0), R(0.0), R(0.0)}, value[3];
+    double last = INFINITY, change = INFINITY;
+    for (int round = 0; round < @ROUNDS@; ++round) {
+        *state = before;
+        memset(e, 0, @P@ * sizeof e[0]);
+        effect_@N@(shape, state, &alone, e);
+        sum(e, BETA_@N@, @P@, value);
+        last = change;
+        change = 0.0;
+        for (int j = 0; j < 3; ++j) {
+            change = fmax(change, fabs((double)value[j] - (double)held[j]));
+            held[j] = value[j];
+            alone.field[j] = now->field[j] - held[j];
+        }
+        for (int j = 0; j < 3; ++j)
+            alone.along[j] =
+                ALONG[j][0] * alone.field[0] + ALONG[j][1] * alone.field[1] + ALONG[j][2] * alone.field[2];
+        if (change < @SETTLED@ || !(change < last))
+            break;
+    }
+}
+"""

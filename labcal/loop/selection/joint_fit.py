@@ -18,7 +18,7 @@ from labcal.loop.noise.nuisance import inverse_gram, ols_with_nuisance
 from labcal.loop.selection.crossval import residual_lengths
 from labcal.loop.selection.moment import u_of_moment
 from labcal.model import Parameter
-from labcal.model.effects import Scene, Term
+from labcal.model.effects import Scene, Term, families
 
 Array = NDArray[np.float64]
 STEPS = 8
@@ -108,7 +108,33 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
         here, terms, beta = there
         if _negligible(A, step):
             break
+    here, terms, beta = _summed_to_zero(here, terms, beta, used)
     return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
+
+
+def _summed_to_zero(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]
+) -> Point:
+    """The same residual with sums at zero that are so by what the effect is, where the map takes what they are not."""
+    base, start, step = here.T.shape[2], here.T.shape[2], np.zeros(here.T.shape[2] + sum(map(len, beta)))
+    least = _min_new_share(here, terms, beta, used)
+    for term, own in zip(terms, beta, strict=True):
+        names = [name for name, _ in term.parameters]
+        summed = next((f.sums_to_zero(term) for f in families() if f.kernel is term.kernel), ())
+        places = [names.index(name) for name in summed]
+        if places:
+            column = -here.all_columns(term)[used][:, :, places].sum(axis=2).ravel()
+            T = here.T[used].reshape(-1, base)
+            carried = np.linalg.lstsq(T, column, rcond=None)[0]
+            mean = float(np.mean(own[places]))
+            if np.sum((column - T @ carried) ** 2) <= least * np.sum(column**2):
+                step[:base] += carried * mean
+                step[[start + place for place in places]] -= mean
+        start += len(own)
+    if not step.any():
+        return here, terms, beta
+    bare, stepped = _stepped(here, terms, beta, step)
+    return _relinearised(bare, terms, stepped), terms, stepped
 
 
 def in_sample_rms(fitted: JointFit) -> float:

@@ -161,6 +161,7 @@ FAMILY = Family(
     shapes=(STEP, *(_zero(number) for number in range(2, MOST_MOUNTINGS + 1))),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
     responds={"bare platform": 1.0},
+    sums_to_zero=lambda term: iron.diagonal([name for name, _ in term.parameters]),
     confounded=(CAGE_OR_ZERO, IRON_OR_LEAN),
     drawn_against="angle",
 )

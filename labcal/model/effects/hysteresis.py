@@ -9,6 +9,8 @@ saturation, and powers for what is uneven in it. A core whose walls are pinned f
 Each segment starts at rest in the field it is in; with `kept`, demagnetised before the field came on: each segment
 (0), or the first alone, its memory kept from one to the next (1). The loop follows the field along the sensor's own
 axes, or along those of the body (`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
+Loops that a reference drove in the run are driven by the field without themselves (`less_itself`), others by the
+field a that holds them.
 A soft bar follows the field along one direction of the body, `lon_deg` from x to y and `lat_deg` towards z, and its own
 field points anywhere.
 """
@@ -39,7 +41,7 @@ from labcal.model.effects.regressors import (
     stretches,
 )
 from labcal.model.effects.scene import Scene
-from labcal.model.effects.shape import ANGLE, BEGINNING, BEGINNING_ON, GIVEN, SCALE, THRESHOLD, Shape
+from labcal.model.effects.shape import ANGLE, BEGINNING, BEGINNING_ON, GIVEN, LESS_ITSELF, SCALE, THRESHOLD, Shape
 from labcal.model.effects.term import Term
 from labcal.record import Run, offers
 
@@ -59,6 +61,7 @@ LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "
 KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
 CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("pinning_nT", 0.0, "nT", kind=THRESHOLD)
 ON_CURVE = Shape("begins_on", 1.0, "1", kind=BEGINNING_ON)  # the part of its curve that a core begins with
+ALONE = Shape("less_itself", 1.0, "1", kind=LESS_ITSELF)  # as a reference drives it in the fit
 BEGINS = Shape("begins", 1.0, "1", kind=BEGINNING)  # how far from rest, or from demagnetised; 1: anywhere
 
 
@@ -254,7 +257,8 @@ def candidates(run: Run) -> list[Term]:
     if bars:
         bar = _stops(f"{BODY}c", bars)
         found += [Term(kernel, bar, shape=(LON, LAT, kept)) for kept in (KEPT, replace(KEPT, value=1.0))]
-    return [replace(term, shape=(*term.shape, BEGINS)) for term in found]
+    common = (BEGINS, ALONE) if _by_reference(run) else (BEGINS,)
+    return [replace(term, shape=(*term.shape, *common)) for term in found]
 
 
 def _above(least: float, grid: tuple[float, ...]) -> tuple[float, ...]:
@@ -291,7 +295,12 @@ def _narrowest(run: Run) -> float:
     parts = [known.reading[rows] for rows in stretches(known.segment_index)]
     if max(float(np.ptp(part, axis=0).max()) for part in parts) * run.dut.nominal_nT_per_unit < far:
         return np.inf
-    return 0.0 if all(offers(run, segment) == "vector" for segment in run.segments) else far
+    return 0.0 if _by_reference(run) else far
+
+
+def _by_reference(run: Run) -> bool:
+    """Whether a reference drives loops: its vector does not hold what they do to the readings."""
+    return all(offers(run, segment) == "vector" for segment in run.segments)
 
 
 def _noise(run: Run) -> float:
@@ -304,7 +313,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(STOP, WIDTH, SATURATION, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS),
+    shapes=(STOP, WIDTH, SATURATION, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS, ALONE),
     of_field=True,
     follows_reference=True,
     extends=("nonlinearity",),

@@ -7,6 +7,7 @@ and 2 of the platform angle, within one mounting it is the device's own soft iro
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
@@ -20,6 +21,15 @@ TABLE = ("u", "v", "w")  # axes that turn with the table, w along the platform's
 REMANENT = tuple((f"t_{a}", "nT") for a in TABLE)
 BESIDE: Names = tuple((f"b{driven}_{a}", "1") for driven, a in product(AXES, AXES))
 ON_TABLE: Names = (*REMANENT, *((f"t{driven}_{a}", "1") for driven, a in product(TABLE, TABLE)))
+
+
+def diagonal(names: Sequence[str]) -> tuple[str, ...]:
+    """The diagonal of the tensor that these parameters are; none where they are no whole one.
+
+    A dipole's field tensor has no trace, nor has its product with the answer of a body that is alike in all directions.
+    """
+    wholes = ([f"b{a}_{a}" for a in AXES], [f"t{a}_{a}" for a in TABLE])
+    return next((tuple(whole) for whole in wholes if set(whole) <= set(names)), ())
 
 
 def table_axes(rig: Rig) -> Array:

@@ -10,7 +10,7 @@ from labcal.model.effects.axis_tilt import LAG_OR_TILT
 from labcal.model.effects.c_form import CForm
 from labcal.model.effects.displaced import displaced
 from labcal.model.effects.protocol import Array, Confounded, Family
-from labcal.model.effects.regressors import shifted
+from labcal.model.effects.regressors import shifted, shifted_and_unsure
 from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import GIVEN, SECANT, Shape
 from labcal.model.effects.term import Term
@@ -43,14 +43,30 @@ def kernel(term: Term, scene: Scene) -> Array:
 
     A lag that drifts is lag_s + drift_ppm (t − t_ref_s) / 10⁶, its secant in each row over as much there.
     """
-    step = secant_s(term, scene.t_s)
-    step = np.where(np.abs(step) < LEAST_s, LEAST_s, step) if drifts(term) else step
+    step = _step_s(term, scene)
     if scene.rig is not None:
         p = scene.rig.prediction_nT
         secant = (displaced(scene.t_s, scene.segment, p, -step) - p) / step[:, None]
     else:
         a = scene.driving_field_nT
         secant = (a - shifted(scene.t_s, scene.segment, a, step)) / step[:, None]
+    return _by_each(term, scene, secant)
+
+
+def unsure(term: Term, scene: Scene) -> Array:
+    """How far the secant may be off: the field lies between two rows, and may have turned far from one to the next."""
+    step = _step_s(term, scene)
+    _, off = shifted_and_unsure(scene.t_s, scene.segment, scene.driving_field_nT, step)
+    return _by_each(term, scene, off / step[:, None])
+
+
+def _step_s(term: Term, scene: Scene) -> Array:
+    step = secant_s(term, scene.t_s)
+    return np.where(np.abs(step) < LEAST_s, LEAST_s, step) if drifts(term) else step
+
+
+def _by_each(term: Term, scene: Scene, secant: Array) -> Array:
+    """The columns by lag_s and, where it drifts, by drift_ppm."""
     grows = [(scene.t_s - term.at(FROM.name)) * PPM] if drifts(term) else []
     return np.stack([secant, *(secant * one[:, None] for one in grows)], axis=2)
 
@@ -103,6 +119,7 @@ FAMILY = Family(
     bound_form=drifts,
     reach_s=reach_s,
     secant_s=secant_s,
+    unsure=unsure,
     in_pieces=True,
     in_c=in_c,
     drawn_against="angle",

@@ -38,6 +38,11 @@ def no_form(term: Term) -> bool:
     return False
 
 
+def no_parameters(term: Term) -> Sequence[str]:
+    """None of a term's parameters."""
+    return ()
+
+
 @dataclass(frozen=True, slots=True)
 class Confounded:
     """Two explanations of one run that no fit can separate, and what does."""
@@ -77,6 +82,7 @@ class Family:
     second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
     extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
+    sums_to_zero: Callable[[Term], Sequence[str]] = no_parameters  # linear parameters whose sum is, where no run tells
     time_constants: Callable[[Term], Sequence[float]] = memory.time_constants  # of its responses [s]: each settles
 
     # What separates it from others
@@ -91,6 +97,7 @@ class Family:
     modes: Callable[[Term], Sequence[str]] | None = None  # the power modes that it has parameters of
     reach_s: Callable[[Term], float | None] = memory.reach_s  # how far it looks; None: at the row itself alone
     secant_s: Callable[[Term, Array], Array] = memory.secant_s  # how far ahead each row looks, of rows at t_s (n,)
+    unsure: Callable[[Term, Scene], Array] | None = None  # how far its columns (n, 3, p) may be off by themselves
     in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
 
     # How it flies

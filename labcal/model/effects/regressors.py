@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.between_rows import between
 from labcal.model.effects.memory import LEAD
 from labcal.model.effects.past import Past
 from labcal.model.effects.recursion import affine_recursion
@@ -264,23 +265,18 @@ def delayed(t_s: Array, segment: NDArray[np.intp], drive: Array, by_s: float) ->
 
 
 def shifted(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: Array | float) -> Array:
-    """`values` (n, ...) at t + by_s, a cubic through the neighbours in the same segment; held slope beyond its ends."""
-    out, at_s = np.array(values, dtype=float), t_s + by_s
+    """`values` (n, ...) at t + by_s, through the neighbours in the same segment; held slope beyond its ends."""
+    return shifted_and_unsure(t_s, segment, values, by_s)[0]
+
+
+def shifted_and_unsure(
+    t_s: Array, segment: NDArray[np.intp], values: Array, by_s: Array | float
+) -> tuple[Array, Array]:
+    """The same, and how far it may be off (n, ...): what the last rows on either side changed."""
+    out, unsure, at_s = np.array(values, dtype=float), np.zeros(np.shape(values)), t_s + by_s
     for rows in stretches(segment):
         t, v = t_s[rows], values[rows]
         if len(t) > 2 and np.all(np.diff(t) > 0):
-            out[rows] = _cubic(t, v, at_s[rows])
-    return out
-
-
-def _cubic(t: Array, v: Array, at: Array) -> Array:
-    """Hermite's cubic through v (n, ...) at t, with the slopes of neighbours, at other times (n,)."""
-    slope = np.gradient(v, t, axis=0)
-    inside = np.clip(at, t[0], t[-1])
-    left = np.clip(np.searchsorted(t, inside, side="right") - 1, 0, len(t) - 2)
-    column = (slice(None), *[None] * (v.ndim - 1))
-    step, beyond = (t[left + 1] - t[left])[column], (at - inside)[column]
-    u = ((inside - t[left]) / (t[left + 1] - t[left]))[column]
-    ends = (1 + 2 * u) * (1 - u) ** 2 * v[left] + u**2 * (3 - 2 * u) * v[left + 1]
-    slopes = u * (1 - u) * ((1 - u) * slope[left] - u * slope[left + 1])
-    return np.asarray(ends + step * slopes + beyond * np.where(beyond < 0, slope[0], slope[-1]))
+            out[rows], with_less = between(t, v, at_s[rows])
+            unsure[rows] = out[rows] - with_less
+    return out, unsure
