@@ -30,6 +30,14 @@ class InputError(ValueError):
         super().__init__(f"{', '.join(place)}: {what}" if place else what)
 
 
+class OutOfControl(InputError):
+    """The check standard keeps a run from beginning: `words` say why. A person may answer for it."""
+
+    def __init__(self, words: str, remedy: str, *, file: object = None) -> None:
+        self.words = words
+        super().__init__(f"{words}. {remedy}", file=file)
+
+
 class InstrumentError(RuntimeError):
     """An instrument failed: what happened and what to do. How the coils are, whoever shows it says from a reading.
 

@@ -14,7 +14,7 @@ from labcal import certificate
 from labcal.bench.check_standard import CheckStandardConfig
 from labcal.bench.config import read_config
 from labcal.certificate.agent import signed
-from labcal.errors import InputError
+from labcal.errors import InputError, OutOfControl
 from labcal.files.home import home
 from labcal.quality.control_chart import Chart, control_chart
 from labcal.record.person import check_person
@@ -107,8 +107,9 @@ def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override:
     said = "; ".join(f"{name}: {reason}" for name, reason in out.items())
     words = f"the check standard {config.check_standard.serial} is out of control ({said})"
     if override is None:
-        raise InputError(
-            f"{words}. No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
+        raise OutOfControl(
+            words,
+            f"No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
             "let a person answer for it: --override NAME --because TEXT",
             file=path,
         )

@@ -15,6 +15,7 @@ from test_compare import side
 from test_path import RUN, calibration
 
 from labcal.bench.coils.state import FieldReading, Heard
+from labcal.errors import OutOfControl
 from labcal.gui.ipc.answers import Checked, Comparison, Ended, FitFigures, Fitted, Look
 from labcal.gui.ipc.messages import (
     CloseLoop,
@@ -28,7 +29,7 @@ from labcal.gui.ipc.messages import (
     LookAt,
     RunProcedure,
 )
-from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.translations import translate
 from labcal.record import Segment
 from labcal.record.stream import Block, Measurement, Prompt, SegmentOpened, Step
@@ -167,6 +168,16 @@ def traced(window):
     return "Loop"
 
 
+def kept_from_beginning(window):
+    window.open_page("Run")
+    window.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    words = "the check standard CS-1 is out of control (offset x: a point beyond 3 sigma)"
+    window.app_state.bench_worker.asked[-1].failed(fault_of(OutOfControl(words, "", file="/a/bench.toml")))
+    window.app_state.quick_worker.answer(ListKeys, ("roe", "jdoe@lab"))
+    window.page("Run").live.answer_for.key.setCurrentIndex(1)
+    return "Run"
+
+
 def certificate(window, keys=("jdoe@lab",), **standing):
     window.open_page("Certificate")
     window.app_state.quick_worker.answer(ListCalibrations, (calibration(**standing),))
@@ -188,6 +199,7 @@ STATES = {
     "Start, coils in doubt": doubted,
     "Bench": lambda window: "Bench",
     "Bench, a fault": broken,
+    "Run, kept from beginning": kept_from_beginning,
     "Run, to choose": lambda window: "Run",
     "Run, a scan": scanned,
     "Run, refused settings": refused,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import traceback
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -155,9 +156,18 @@ def run(channel: Channel, asked: RunProcedure) -> Ended:
     """Run a procedure, in simulated time after the run `after`; answers, stop and all else come in by `channel`."""
     from labcal import session
 
+    by = asked.answered_for
+    lets = None if by is None else session.Override(by.who, by.because, by.key or None, by.passphrase)
+
     def work(**common: Any) -> Outcome:
         return session.run(
-            asked.procedure, Path(asked.bench), asked.given, dut=asked.dut, operator=asked.operator, **common
+            asked.procedure,
+            Path(asked.bench),
+            asked.given,
+            dut=asked.dut,
+            operator=asked.operator,
+            override=lets,
+            **common,
         )
 
     return _on_bench(channel, asked, work, asked.after)
@@ -207,6 +217,7 @@ def _going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
     order = asked
     if isinstance(order, ResumeRun):
         order = RunProcedure(order.procedure, order.bench, {}, order.dut, order.operator, order.pace, order.seed)
+    order = replace(order, answered_for=None)  # its passphrase has been used
     return GoesOn(order, f"{datetime.now():%Y-%m-%d %H:%M}", read_bench(channel, ReadBench(asked.bench)))
 
 

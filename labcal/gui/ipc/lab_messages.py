@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from labcal.gui.ipc import answers
 from labcal.gui.ipc.bench_facts import Triple
 from labcal.gui.ipc.kinds import Command
 from labcal.gui.ipc.wire import Fault
@@ -28,6 +29,13 @@ class InstrumentRead:
     field_nT: Triple | None = None
     angle_deg: float | None = None
     moving: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Identify(Command[answers.Identified]):
+    """Ask every instrument of a bench who it is."""
+
+    bench: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,12 +12,14 @@ from typing import Any, Literal
 
 from labcal.bench.coils.state import LabState
 from labcal.gui.ipc import answers
+from labcal.gui.ipc.answered_for import AnswersFor as AnswersFor
 from labcal.gui.ipc.archive_messages import FetchRun as FetchRun
 from labcal.gui.ipc.archive_messages import ListArchivedCalibrations as ListArchivedCalibrations
 from labcal.gui.ipc.archive_messages import ListArchivedRuns as ListArchivedRuns
 from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
+from labcal.gui.ipc.lab_messages import Identify as Identify
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.ipc.words import Abort as Abort
@@ -35,13 +37,6 @@ from labcal.uncertainty.conformity import Changes
 @dataclass(frozen=True, slots=True)
 class ReadBench(Command[answers.Bench]):
     """What a bench file states."""
-
-    bench: str
-
-
-@dataclass(frozen=True, slots=True)
-class Identify(Command[answers.Identified]):
-    """Ask every instrument of a bench who it is."""
 
     bench: str
 
@@ -72,7 +67,10 @@ class FindOnLines(Command[tuple[str, ...]]):
 
 @dataclass(frozen=True, slots=True)
 class RunProcedure(Command[answers.Ended]):
-    """Run a procedure. `given` holds settings as text; simulated time goes on after the run `after`."""
+    """Run a procedure. `given` holds settings as text; simulated time goes on after the run `after`.
+
+    `answered_for`: by whom, where the check standard keeps runs from beginning.
+    """
 
     procedure: str
     bench: str
@@ -82,6 +80,7 @@ class RunProcedure(Command[answers.Ended]):
     pace: str = "at once"
     seed: int | None = None
     after: str = ""
+    answered_for: AnswersFor | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,12 +15,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.named_links import named_links
-from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped, words_of_system
+from labcal.errors import (
+    InputError,
+    InstrumentError,
+    LimitError,
+    LimitNotMet,
+    OutOfControl,
+    Stopped,
+    words_of_system,
+)
 from labcal.record.stream import Item
 from labcal.runner.control import Left
 
 BROKEN = ("crash", "ended")  # kinds of fault after which nobody knows what the work left behind
 MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
+ANSWERED_FOR = "No procedure begins on this bench: measure the check standard again, or let a person answer for it."
 NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
     "disk full": "record",
     "store slow": "record",
@@ -53,8 +62,8 @@ def item_from_json(said: list[Any]) -> Item:
 class Fault:
     """What went wrong, for a card.
 
-    `kind` is input, instrument, record (which is not kept), guardian, clock, coils (that may be on), limit, stopped,
-    left (by whoever ran it), page, crash or ended (its process).
+    `kind` is input, standard (check standard out of control), instrument, record (which is not kept), guardian, clock,
+    coils (that may be on), limit, stopped, left (by whoever ran it), page, crash or ended (its process).
     """
 
     kind: str
@@ -68,6 +77,8 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
     if isinstance(error, InstrumentError):
         kind = "input" if isinstance(error, LimitError) else NO_INSTRUMENT.get(error.fault, "instrument")
         return Fault(kind, error.what, error.remedy, details)
+    if isinstance(error, OutOfControl):
+        return Fault("standard", error.words, ANSWERED_FOR, details or str(error))
     kinds: tuple[tuple[type[BaseException], str], ...] = (
         (InputError, "input"), (LimitNotMet, "limit"), (Left, "left"),
         (Stopped, "stopped"), (KeyboardInterrupt, "stopped"),

@@ -17,10 +17,10 @@ from labcal.gui.viewmodels.key_rules import approver_objection, key_objection
 from labcal.gui.viewmodels.signing import SigningStep, awaited
 from labcal.gui.widgets.common import button, combo_box, say_wanted
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.secret import secret_entry
 from labcal.gui.widgets.stated_fields import StatedFields
 from labcal.gui.widgets.step_card import StepCard, StepRow
 from labcal.record.person import perhaps_one_person
-from labcal.system.private_memory import kept_private
 
 R = TypeVar("R")
 
@@ -96,12 +96,7 @@ class SigningSteps(StepRow):
         return card
 
     def _secret(self, name: str, tip: str) -> QLineEdit:
-        entry = QLineEdit()
-        entry.setPlaceholderText(name)
-        entry.setAccessibleName(name)
-        entry.setToolTip(tip)
-        entry.setEchoMode(QLineEdit.EchoMode.Password)
-        entry.textEdited.connect(lambda _: kept_private())  # no core dump holds what is typed
+        entry = secret_entry(name, tip)
         entry.textChanged.connect(self.check)
         return entry
 

@@ -23,6 +23,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
+from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
@@ -141,7 +142,8 @@ class Live(QWidget):
         self._picture = self._live_card()
         self.verdict = VerdictCard(self._theme)
         self.verdict.details_wanted.connect(self._show_details)
-        for widget in (self._picture, self.prompt, self.verdict):
+        self.answer_for = AnswerForCard(self._app_state)
+        for widget in (self._picture, self.prompt, self.verdict, self.answer_for):
             self.middle.addWidget(widget)
         holder = QWidget()
         column = QVBoxLayout(holder)
@@ -284,6 +286,7 @@ class Live(QWidget):
 
     def _show_fault(self, fault: Fault | None) -> None:
         self.fault.show_fault(fault)
+        self.answer_for.show_fault(fault)
         if fault is None:
             return self.fault.hide()
         self._say_coils_left()
@@ -339,7 +342,8 @@ class Live(QWidget):
         prompt = self._run.prompt
         self.prompt.show_prompt(prompt)
         decided = self._run.state == "ended" and not self._details
-        shown = self.prompt if prompt is not None else self.verdict if decided else self._picture
+        over = self.answer_for if self.answer_for.asks else self.verdict
+        shown = self.prompt if prompt is not None else over if decided else self._picture
         self.middle.setCurrentWidget(shown)
         if prompt is not None and prompt is not self._asked:
             QApplication.alert(self)

@@ -60,6 +60,10 @@ FAULTS = (  # of several that fit the first counts
         "{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again "
         "(--dut {3}), or let a person answer for it: --override NAME --because TEXT",
     ),
+    QT_TRANSLATE_NOOP("Data", "the check standard {0} is out of control ({1})"),
+    QT_TRANSLATE_NOOP(
+        "Data", "No procedure begins on this bench: measure the check standard again, or let a person answer for it."
+    ),
     QT_TRANSLATE_NOOP("Data", "aborted by the operator"),
     QT_TRANSLATE_NOOP("Data", "stopped by the operator"),
     QT_TRANSLATE_NOOP("Data", "whoever ran this is gone"),

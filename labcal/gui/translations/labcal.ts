@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" sourcelanguage="en">
 <context>
+    <name>AnswerForCard</name>
+    <message>
+        <source>Answer for this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It begins though the check standard is out of control. Name and reason stand in its record and in the audit log; with a key they are signed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who answers for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The person who lets this run begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why it may begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of the check standard: it was dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose key signs it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of this key; asked each time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let it begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin this run; it is noted who answered for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no key: not signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>AppState</name>
     <message>
         <source>A run goes on; open another bench after it.</source>
@@ -1249,6 +1300,14 @@
     </message>
     <message>
         <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the check standard {0} is out of control ({1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6966,6 +7025,10 @@
     </message>
     <message>
         <source>✕ The record is not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The check standard is out of control</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

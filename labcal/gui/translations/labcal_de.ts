@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AnswerForCard</name>
+    <message>
+        <source>Answer for this run</source>
+        <translation>Für diesen Lauf einstehen</translation>
+    </message>
+    <message>
+        <source>It begins though the check standard is out of control. Name and reason stand in its record and in the audit log; with a key they are signed.</source>
+        <translation>Er beginnt, obwohl das Prüfnormal außer Kontrolle ist. Name und Grund stehen in seiner Aufzeichnung und im Prüfprotokoll; mit einem Schlüssel sind sie signiert.</translation>
+    </message>
+    <message>
+        <source>Who answers for it</source>
+        <translation>Wer dafür einsteht</translation>
+    </message>
+    <message>
+        <source>The person who lets this run begin</source>
+        <translation>Die Person, die diesen Lauf beginnen lässt</translation>
+    </message>
+    <message>
+        <source>Why it may begin</source>
+        <translation>Warum er beginnen darf</translation>
+    </message>
+    <message>
+        <source>What is known of the check standard: it was dropped</source>
+        <translation>Was man vom Prüfnormal weiß: es ist heruntergefallen</translation>
+    </message>
+    <message>
+        <source>Whose key signs it</source>
+        <translation>Wessen Schlüssel es signiert</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Kennwort</translation>
+    </message>
+    <message>
+        <source>Of this key; asked each time</source>
+        <translation>Dieses Schlüssels; jedes Mal gefragt</translation>
+    </message>
+    <message>
+        <source>Let it begin</source>
+        <translation>Beginnen lassen</translation>
+    </message>
+    <message>
+        <source>Begin this run; it is noted who answered for it</source>
+        <translation>Diesen Lauf beginnen; es wird notiert, wer dafür einsteht</translation>
+    </message>
+    <message>
+        <source>no key: not signed</source>
+        <translation>kein Schlüssel: nicht signiert</translation>
+    </message>
+</context>
+<context>
     <name>AppState</name>
     <message>
         <source>A run goes on; open another bench after it.</source>
@@ -1250,6 +1301,14 @@
     <message>
         <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
         <translation>{0}: das Prüfnormal {1} ist außer Kontrolle ({2}). Auf diesem Messplatz beginnt keine Prozedur: es noch einmal messen (seine Nummer als Prüfling; --dut {3}), oder jemand steht auf der Befehlszeile dafür ein: --override NAME --because TEXT</translation>
+    </message>
+    <message>
+        <source>the check standard {0} is out of control ({1})</source>
+        <translation>das Prüfnormal {0} ist außer Kontrolle ({1})</translation>
+    </message>
+    <message>
+        <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
+        <translation>Auf diesem Messplatz beginnt keine Prozedur: das Prüfnormal noch einmal messen, oder eine Person dafür einstehen lassen.</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -6967,6 +7026,10 @@
     <message>
         <source>✕ The record is not kept</source>
         <translation>✕ Die Aufzeichnung wird nicht gesichert</translation>
+    </message>
+    <message>
+        <source>✕ The check standard is out of control</source>
+        <translation>✕ Das Prüfnormal ist außer Kontrolle</translation>
     </message>
     <message>
         <source>✕ The guardian failed</source>

@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>AnswerForCard</name>
+    <message>
+        <source>Answer for this run</source>
+        <translation>Répondre de cette mesure</translation>
+    </message>
+    <message>
+        <source>It begins though the check standard is out of control. Name and reason stand in its record and in the audit log; with a key they are signed.</source>
+        <translation>Elle commence bien que l’étalon de contrôle soit hors de contrôle. Le nom et la raison figurent dans son enregistrement et dans le journal d’audit ; avec une clé, ils sont signés.</translation>
+    </message>
+    <message>
+        <source>Who answers for it</source>
+        <translation>Qui en répond</translation>
+    </message>
+    <message>
+        <source>The person who lets this run begin</source>
+        <translation>La personne qui laisse commencer cette mesure</translation>
+    </message>
+    <message>
+        <source>Why it may begin</source>
+        <translation>Pourquoi elle peut commencer</translation>
+    </message>
+    <message>
+        <source>What is known of the check standard: it was dropped</source>
+        <translation>Ce que l’on sait de l’étalon de contrôle : il est tombé</translation>
+    </message>
+    <message>
+        <source>Whose key signs it</source>
+        <translation>Dont la clé signe</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Phrase de passe</translation>
+    </message>
+    <message>
+        <source>Of this key; asked each time</source>
+        <translation>De cette clé ; demandée à chaque fois</translation>
+    </message>
+    <message>
+        <source>Let it begin</source>
+        <translation>Laisser commencer</translation>
+    </message>
+    <message>
+        <source>Begin this run; it is noted who answered for it</source>
+        <translation>Commencer cette mesure ; on note qui en répond</translation>
+    </message>
+    <message>
+        <source>no key: not signed</source>
+        <translation>pas de clé : non signé</translation>
+    </message>
+</context>
+<context>
     <name>AppState</name>
     <message>
         <source>A run goes on; open another bench after it.</source>
@@ -1250,6 +1301,14 @@
     <message>
         <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
         <translation>{0} : l’étalon de contrôle {1} est hors de contrôle ({2}). Aucune procédure ne commence sur ce banc : le mesurer à nouveau (son numéro comme DUT ; --dut {3}), ou quelqu’un en répond sur la ligne de commande : --override NAME --because TEXT</translation>
+    </message>
+    <message>
+        <source>the check standard {0} is out of control ({1})</source>
+        <translation>l’étalon de contrôle {0} est hors de contrôle ({1})</translation>
+    </message>
+    <message>
+        <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
+        <translation>Aucune procédure ne commence sur ce banc : mesurer de nouveau l’étalon de contrôle, ou laisser une personne en répondre.</translation>
     </message>
     <message>
         <source>the window stood still for more than a second</source>
@@ -6967,6 +7026,10 @@
     <message>
         <source>✕ The record is not kept</source>
         <translation>✕ L&apos;enregistrement n&apos;est pas conservé</translation>
+    </message>
+    <message>
+        <source>✕ The check standard is out of control</source>
+        <translation>✕ L’étalon de contrôle est hors de contrôle</translation>
     </message>
     <message>
         <source>✕ The guardian failed</source>

@@ -53,6 +53,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "✕ This cannot be done as asked"),
     QT_TRANSLATE_NOOP("Words", "✕ An instrument failed"),
     QT_TRANSLATE_NOOP("Words", "✕ The record is not kept"),
+    QT_TRANSLATE_NOOP("Words", "✕ The check standard is out of control"),
     QT_TRANSLATE_NOOP("Words", "✕ The guardian failed"),
     QT_TRANSLATE_NOOP("Words", "✕ The clock was set back"),
     QT_TRANSLATE_NOOP("Words", "✕ The coils may be on"),

@@ -140,9 +140,9 @@ class RunViewModel(QObject):
         """Whether the open question is which DUT stands on the platform."""
         return self.prompt is not None and SERIAL in self.prompt.drawing
 
-    def start(self, order: RunProcedure) -> None:
-        """Begin. One run at a time."""
-        self._begin(order, order)
+    def start(self, order: RunProcedure, command: RunProcedure | None = None) -> None:
+        """Begin, by `command` where it says more than is kept. One run at a time."""
+        self._begin(order, command or order)
         self._begins = True
 
     def resume(self, run_id: str, order: RunProcedure) -> None:

@@ -15,6 +15,7 @@ from labcal.gui.widgets.common import Card, button, label, set_state
 
 TITLES = {
     "input": "✕ This cannot be done as asked",
+    "standard": "✕ The check standard is out of control",
     "instrument": "✕ An instrument failed",
     "record": "✕ The record is not kept",
     "guardian": "✕ The guardian failed",
