@@ -31,11 +31,13 @@ class InputError(ValueError):
 
 
 class OutOfControl(InputError):
-    """The check standard keeps a run from beginning: `words` say why. A person may answer for it."""
+    """The check standard keeps a run from beginning: `words` say why, `how` what is typed then. A person may answer for it."""
 
-    def __init__(self, words: str, remedy: str, *, file: object = None) -> None:
+    remedy = "No procedure begins on this bench: measure the check standard again, or let a person answer for it."
+
+    def __init__(self, words: str, how: str, *, file: object = None) -> None:
         self.words = words
-        super().__init__(f"{words}. {remedy}", file=file)
+        super().__init__(f"{words}. {how}", file=file)
 
 
 class InstrumentError(RuntimeError):

@@ -29,7 +29,6 @@ from labcal.runner.control import Left
 
 BROKEN = ("crash", "ended")  # kinds of fault after which nobody knows what the work left behind
 MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
-ANSWERED_FOR = "No procedure begins on this bench: measure the check standard again, or let a person answer for it."
 NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
     "disk full": "record",
     "store slow": "record",
@@ -78,7 +77,7 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
         kind = "input" if isinstance(error, LimitError) else NO_INSTRUMENT.get(error.fault, "instrument")
         return Fault(kind, error.what, error.remedy, details)
     if isinstance(error, OutOfControl):
-        return Fault("standard", error.words, ANSWERED_FOR, details or str(error))
+        return Fault("standard", error.words, error.remedy, details or str(error))
     kinds: tuple[tuple[type[BaseException], str], ...] = (
         (InputError, "input"), (LimitNotMet, "limit"), (Left, "left"),
         (Stopped, "stopped"), (KeyboardInterrupt, "stopped"),
