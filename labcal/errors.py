@@ -31,7 +31,7 @@ class InputError(ValueError):
 
 
 class OutOfControl(InputError):
-    """The check standard keeps a run from beginning: `words` say why, `how` what to type. A person may answer for it."""
+    """The check standard keeps a run from beginning: `words` say why, `how` what to type to answer for it."""
 
     remedy = "No procedure begins on this bench: measure the check standard again, or let a person answer for it."
 
