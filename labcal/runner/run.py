@@ -10,6 +10,7 @@ import traceback
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from datetime import datetime
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -111,7 +112,7 @@ def run_procedure(
     refuse_overdue(bench)
     identities = bench.identities()
     header = RunHeader(
-        run_id=run_id or new_run_id(bench),
+        run_id=run_id or new_run_id(bench, store),
         started_utc=iso(bench.clock.utc()),
         simulated=bench.config.unreal,
         operator=operator,
@@ -196,14 +197,18 @@ def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
             bench.config.dut.limits.refuse_mode(mode)
 
 
-def new_run_id(bench: Bench) -> str:
-    """The UTC time of its start and four letters: 20261121T070000-3f9c."""
-    return run_id_at(bench.clock.utc())
+def new_run_id(bench: Bench, store: Store) -> str:
+    """The UTC time of its start and four letters: 20261121T070000-3f9c.
+
+    Simulated runs begin at one moment, hundreds of them: where another has these letters, more are drawn.
+    """
+    utc = bench.clock.utc()
+    return next(drawn for size in count(2) if not store.has(drawn := run_id_at(utc, size)))
 
 
-def run_id_at(utc: datetime) -> str:
-    """The same of a moment."""
-    return f"{utc:%Y%m%dT%H%M%S}-{secrets.token_hex(2)}"
+def run_id_at(utc: datetime, size: int = 2) -> str:
+    """The same of a moment, with twice as many letters as `size`."""
+    return f"{utc:%Y%m%dT%H%M%S}-{secrets.token_hex(size)}"
 
 
 def _drive(
