@@ -11,9 +11,9 @@ from test_choose import looked_at, told_by_the_loop
 from test_path import calibration
 
 from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
-from labcal.gui.pages import certificate_steps
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.loop_words import MEANS, as_a_drop, said_plainly
+from labcal.gui.widgets import secret
 from labcal.gui.window import chosen_theme
 from labcal.loop.narrative import why_accepted, why_rejected
 
@@ -91,8 +91,9 @@ def test_where_nobody_has_a_key_one_is_made_first_and_no_passphrase_stays(still,
 def test_from_the_first_letter_of_a_passphrase_the_window_leaves_no_core_dump(still, qtbot, monkeypatch):
     still.open_page("Certificate")
     page, kept = still.page("Certificate"), []
-    monkeypatch.setattr(certificate_steps, "kept_private", lambda: kept.append(True))
-    for entry in (page.steps.passphrase, page.steps.new_words, page.steps.again):
+    monkeypatch.setattr(secret, "kept_private", lambda: kept.append(True))
+    answers = still.page("Run").live.answer_for.passphrase
+    for entry in (page.steps.passphrase, page.steps.new_words, page.steps.again, answers):
         entry.setEnabled(True)
         kept.clear()
         qtbot.keyClicks(entry, "a")
