@@ -10,7 +10,7 @@ from labcal.errors import OutOfControl, Stopped
 from labcal.gui.ipc.bench_commands import run
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.messages import AnswersFor, ListKeys, RunProcedure
-from labcal.gui.ipc.wire import fault_of
+from labcal.gui.ipc.wire import Fault, fault_of
 
 WORDS = "the check standard CS-1 is out of control (offset x: a point beyond 3 sigma)"
 REFUSED = OutOfControl(WORDS, "Measure it again (--dut CS-1)", file="/home/jdoe/bench.toml")
@@ -60,6 +60,18 @@ def test_a_passphrase_goes_to_the_worker_and_stays_nowhere(still, kept_from_begi
     assert begun(still).answered_for == AnswersFor("J. Doe", "it was dropped", "roe", SECRET)
     assert SECRET not in repr(begun(still))
     assert (card.passphrase.text(), still.app_state.run.order.answered_for) == ("", None)
+
+
+def test_where_the_key_does_not_open_it_is_asked_for_again(still, kept_from_beginning, qtbot):
+    card = kept_from_beginning
+    card.because.setText("it was dropped")
+    card.key.setCurrentIndex(1)
+    card.passphrase.setText("another key's")
+    qtbot.mouseClick(card.begin, Qt.MouseButton.LeftButton)
+    still.app_state.bench_worker.asked[-1].failed(Fault("input", "roe.pem: does not open"))
+    assert card.isVisible()
+    assert (card.because.text(), card.key.currentData(), card.passphrase.text()) == ("it was dropped", "roe", "")
+    assert still.page("Run").live.fault.text.text() == "roe.pem: does not open"
 
 
 def test_another_fault_asks_nobody_to_answer_for_it(still, kept_from_beginning):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLineEdit
 
-from labcal.gui.ipc.messages import AnswersFor, ListKeys
+from labcal.gui.ipc.messages import AnswersFor, ListKeys, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.operator_name import name_objection
@@ -23,6 +23,7 @@ class AnswerForCard(Card):
     def __init__(self, app_state: AppState) -> None:
         super().__init__(self.tr("Answer for this run"))
         self._app_state, self.asks = app_state, False
+        self._answered: RunProcedure | None = None  # this order, and it may not have begun yet
         words = label(
             self.tr(
                 "It begins though the check standard is out of control. Name and reason stand in its record and in the "
@@ -65,12 +66,14 @@ class AnswerForCard(Card):
         self.check()
 
     def show_fault(self, fault: Fault | None) -> None:
-        """Ask where the check standard is what is against the run; else no passphrase waits here."""
-        order, asked = self._app_state.run.order, self.asks
-        self.asks = fault is not None and fault.kind == "standard" and order is not None
+        """Ask where the check standard is against the run, and again where a key did not open; else forget the words."""
+        run, asked = self._app_state.run, self.asks
+        order, again = run.order, run.order is not None and self._answered is run.order and not run.run_id
+        kind = "" if fault is None else fault.kind
+        self.asks = order is not None and (kind == "standard" or (again and kind == "input"))
         if not self.asks:
             self.passphrase.clear()
-        elif not asked and order is not None:
+        elif not asked and not again and order is not None:
             self._app_state.request(ListKeys(), self.offer)
             self.who.setText(order.operator)
             self.because.clear()
@@ -89,5 +92,6 @@ class AnswerForCard(Card):
             self.who.text().strip(), self.because.text().strip(), key, self.passphrase.text() if key else ""
         )
         self.passphrase.clear()
+        self._answered = order
         if order is not None:
             self._app_state.run.start(order, replace(order, answered_for=by))
