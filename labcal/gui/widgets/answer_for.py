@@ -66,7 +66,7 @@ class AnswerForCard(Card):
         self.check()
 
     def show_fault(self, fault: Fault | None) -> None:
-        """Ask where the check standard is against the run, and again where a key did not open; else forget the words."""
+        """Ask where the check standard is against the run, and again where a key did not open; else keep none."""
         run, asked = self._app_state.run, self.asks
         order, again = run.order, run.order is not None and self._answered is run.order and not run.run_id
         kind = "" if fault is None else fault.kind
