@@ -8,14 +8,14 @@ does.
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.certificate.flight.c_helpers import HELPERS, STATES
-from labcal.certificate.flight.c_templates import HEADER, SETTLED, SOURCE
+from labcal.certificate.flight.c_templates import HEADER, SETTLED, SOURCE, filled
 from labcal.certificate.flight.content import Content, Flown, stamps
 from labcal.certificate.flight.vectors import Vectors, seen
 from labcal.errors import InputError
@@ -121,7 +121,7 @@ def header(program: Program) -> str:
         "EFFECTS": "\n".join(_state_types(program)),
         "MEMBERS": "\n".join(_state_members(program)),
     }
-    return _filled(HEADER, values)
+    return filled(HEADER, values)
 
 
 def source(program: Program) -> str:
@@ -146,7 +146,7 @@ def source(program: Program) -> str:
         "BLOCKS": "\n".join(_blocks(program)),
         "RANGE": "\n".join(_ranges(program)),
     }
-    return _filled(SOURCE, values)
+    return filled(SOURCE, values)
 
 
 def _largest(one: Instance, content: Content, vectors: Vectors) -> float:
@@ -272,8 +272,7 @@ def _functions(program: Program) -> Iterator[str]:
         yield "    (void)now;\n" + ("    (void)shape;\n" if term.shape else "") + textwrap.indent(one.form.body, "    ")
         yield "}\n"
         if one.flown.effect.term.of(LESS_ITSELF) is not None:
-            p = len(one.flown.effect.beta)
-            yield _settled(n, p)
+            yield _settled(n, len(one.flown.effect.beta))
         if one.flown.record.basis is not None:
             inside = textwrap.indent(seen_in_c(one.flown.record.domain)[0], "    ")
             yield f"static int seen_{n}(const labcal_now *now)\n{{\n{inside}\n}}\n"
@@ -282,7 +281,7 @@ def _functions(program: Program) -> Iterator[str]:
 def _settled(number: int, parameters: int) -> str:
     """The function that works an effect out in the field without it, from the same state until that changes nothing."""
     values = {"N": str(number), "P": str(parameters), "ROUNDS": str(ROUNDS), "SETTLED": repr(SETTLED_nT)}
-    return _filled(SETTLED, values)
+    return filled(SETTLED, values)
 
 
 def _parameters(one: Instance) -> list[str]:
@@ -394,10 +393,3 @@ def _doubles(name: str, rows: Sequence[Array]) -> str:
 
 def _row(name: str, values: Sequence[float] | Array) -> str:
     return f"static const labcal_real {name}[{len(values)}] = {{{', '.join(map(real, values))}}};\n"
-
-
-def _filled(template: str, values: dict[str, str]) -> str:
-    for name, value in values.items():
-        template = template.replace(f"@{name}@", value)
-    lines: Iterable[str] = (line.rstrip() for line in template.splitlines())
-    return "\n".join(lines) + "\n"

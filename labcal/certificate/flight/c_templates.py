@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 HEADER = """\
 /*
 @ABOUT@
@@ -209,3 +211,10 @@ static void settled_@N@(const double shape[], labcal_effect_@N@ *state, const la
     }
 }
 """
+
+
+def filled(template: str, values: Mapping[str, str]) -> str:
+    """A template with the value of each name in the place of @NAME@, no line ending in blanks."""
+    for name, value in values.items():
+        template = template.replace(f"@{name}@", value)
+    return "\n".join(line.rstrip() for line in template.splitlines()) + "\n"
