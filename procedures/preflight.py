@@ -215,7 +215,8 @@ def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
     """The DUT mounted along `axis`: by a person now, or as it `stood` before the interruption where it still does."""
     if axis == stood:
         text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
-        drawing = {"body_from_cage": attitude(bench, axis).tolist()}
+        up = list(bench.config.platform.axis_cage)
+        drawing = {"body_from_cage": attitude(bench, axis).tolist(), "axis_cage": up}
         if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":
             return
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))

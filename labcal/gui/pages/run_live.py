@@ -317,7 +317,7 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         now = self._app_state.lab.state.now
-        self.prompt.say_lab(now.coil_words, now.platform_words)
+        self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
         if self._run.fault is not None:
             self._say_coils_left()
 

@@ -5846,6 +5846,14 @@
         <source>Drawing of a dial</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>drawn for platform angle 0°; where it stands is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform at {0}°</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Paper</name>

@@ -5846,6 +5846,14 @@
         <source>Drawing of a dial</source>
         <translation>Zeichnung einer Skale</translation>
     </message>
+    <message>
+        <source>drawn for platform angle 0°; where it stands is not known</source>
+        <translation>gezeichnet für Tischwinkel 0°; wo er steht, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>platform at {0}°</source>
+        <translation>Tisch bei {0}°</translation>
+    </message>
 </context>
 <context>
     <name>Paper</name>

@@ -896,11 +896,11 @@
     </message>
     <message>
         <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster than {1} deg/s.</source>
-        <translation>Tourner le plateau à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort). Pas plus vite que {1} deg/s.</translation>
+        <translation>Tourner le plate-forme à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort). Pas plus vite que {1} deg/s.</translation>
     </message>
     <message>
         <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort).</source>
-        <translation>Tourner le plateau à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort).</translation>
+        <translation>Tourner le plate-forme à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort).</translation>
     </message>
     <message>
         <source>Warm the DUT within its limits, then let it cool.</source>
@@ -5845,6 +5845,14 @@
     <message>
         <source>Drawing of a dial</source>
         <translation>Dessin d&apos;un cadran</translation>
+    </message>
+    <message>
+        <source>drawn for platform angle 0°; where it stands is not known</source>
+        <translation>dessiné pour l’angle 0° de la plate-forme ; où elle se trouve n’est pas connu</translation>
+    </message>
+    <message>
+        <source>platform at {0}°</source>
+        <translation>plate-forme à {0}°</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,7 @@ class LabNow:
     driven: bool = False  # by a run of this window
     in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
+    platform_deg: float | None = None  # as it was read last; None where it is not known
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
@@ -83,6 +84,7 @@ def lab_now(
         coils_at_zero=lab.at_zero(now_s),
         driven=driven,
         platform_words=lab.platform_sentence(now_s),
+        platform_deg=None if lab.platform is None else lab.platform.angle_deg,
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
         field_old_s=old_s(lab.field.read_s, now_s),

@@ -32,6 +32,7 @@ class Mounting(QWidget):
         super().__init__()
         self._theme = theme
         self._drawing: dict[str, Any] = {}
+        self.platform_deg: float | None = None  # None: not known
         self.setMinimumSize(QSize(128, 200))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -45,8 +46,27 @@ class Mounting(QWidget):
         self._drawing = dict(drawing)
         self.setVisible("body_from_cage" in drawing or "angle_deg" in drawing)
         up = self._up()
+        self.setToolTip(self.platform_words() if up else "")
         self.setAccessibleName(self.tr("Drawing: body {0} up").format(up) if up else self.tr("Drawing of a dial"))
         self.update()
+
+    def show_platform(self, angle_deg: float | None) -> None:
+        """Draw the DUT as it stands on a platform that stands there; None: nobody knows, and the picture says so."""
+        if angle_deg != self.platform_deg:
+            self.platform_deg = angle_deg
+            self.setToolTip(self.platform_words() if "body_from_cage" in self._drawing else "")
+            self.update()
+
+    def platform_words(self) -> str:
+        """At which angle of the platform the DUT is drawn."""
+        if self.platform_deg is None:
+            return self.tr("drawn for platform angle 0°; where it stands is not known")
+        return self.tr("platform at {0}°").format(str(round(self.platform_deg)).replace("-", "−"))
+
+    def body(self) -> Array:
+        """The DUT's axes (3, 3) in C as drawn, one a row: as stated for angle 0, turned with the platform."""
+        stated = np.asarray(self._drawing["body_from_cage"], dtype=float)
+        return rotate(self._axis(), np.full(3, radians(self.platform_deg or 0.0)), stated)
 
     def _up(self) -> str:
         if "body_from_cage" not in self._drawing:
@@ -74,12 +94,15 @@ class Mounting(QWidget):
         )
 
     def _paint_mounting(self, painter: QPainter) -> None:
-        body, axis = np.asarray(self._drawing["body_from_cage"], dtype=float), self._axis()
+        body, axis = self.body(), self._axis()
         self._paint_platform(painter, axis)
         centre = axis * float(np.abs(body @ axis) @ BOX)
         self._paint_box(painter, body, centre)
         self._paint_axes(painter, body, centre)
         self._paint_turn(painter, axis)
+        painter.setPen(QColor(self._theme.muted))
+        below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom | Qt.TextFlag.TextWordWrap
+        painter.drawText(QRectF(self.rect()), below, self.platform_words())
 
     def _paint_platform(self, painter: QPainter, axis: Array) -> None:
         side = unit(np.cross(axis, (0.3, 0.9, 0.2)))

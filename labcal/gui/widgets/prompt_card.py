@@ -155,8 +155,9 @@ class PromptCard(Card):
         if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
-    def say_lab(self, coil_words: str, platform_words: str = "") -> None:
+    def say_lab(self, coil_words: str, platform_words: str = "", platform_deg: float | None = None) -> None:
         """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
+        self.drawing.show_platform(platform_deg)
         marks = {coil_words: mark_of(coil_words), platform_words: platform_mark(platform_words)}
         self.lab.setText(
             "\n".join(f"{shape} {in_words(words)}".strip() for words, (shape, _) in marks.items() if words)
