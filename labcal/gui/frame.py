@@ -27,8 +27,9 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.top_bar import TopBar
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_mark, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
 from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
@@ -155,7 +156,8 @@ class SidePanel(Surface):
         set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
-            row.setText(f"{shape} {name}  {words}".strip())
+            row.setText(f"{shape} {shown_name(name)}  {words}".strip())
+            row.setToolTip(guardian_is(name))
             set_state(row, colour)
             row.show()
         for row in self.instrument_rows[len(state.now.lights) :]:

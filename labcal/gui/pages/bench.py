@@ -17,8 +17,9 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.guardian import GUARDIAN, guardian_is
 from labcal.gui.viewmodels.lab import Triple
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, alarm_of, old_s
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, alarm_of, old_s, shown_name
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
@@ -296,8 +297,12 @@ class BenchPage(QWidget):
     def _say_what_to_do(self) -> None:
         """Why Next leads here: what does not answer, or coils that are not known to be at zero."""
         now = self._app_state.lab.state.now
-        lost = ", ".join(name for name, light, _ in now.lights if light == "fault")
+        guardian = shown_name(GUARDIAN)
+        lost = ", ".join(name for name in now.failed if name != guardian)
         words = self.tr("{0}: see to plug, power and cable. Read all asks again.").format(lost) if lost else ""
+        if guardian in now.failed:
+            alone = self.tr("The guardian is lost. COILS OFF (F12) works without it.")
+            words = f"{alone} {guardian_is(GUARDIAN)} {words}".strip()
         if alarm := alarm_of(now.coil_words):
             by_hand = self.tr("Switch off by hand: {0}").format(", ".join(self._app_state.by_hand()))
             words = f"{alarm}. {by_hand}. {words}".strip()

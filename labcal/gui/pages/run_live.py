@@ -374,7 +374,7 @@ class Live(QWidget):
     def _now(self) -> str:
         """What happens now, to be read from the cage."""
         run = self._run
-        lost = [name for name, light, _ in self._app_state.lab.state.now.lights if light == "fault"]
+        lost = self._app_state.lab.state.now.failed
         if run.state == "ended":
             shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
             ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"

@@ -153,7 +153,7 @@ class StartPage(QWidget):
         now = self._app_state.lab.state.now
         if mark_of(now.coil_words)[1] == "bad":
             return self.tr("✕ Not ready: see what is said of the coils.")
-        failed = ", ".join(name for name, light, _ in now.lights if light == "fault")
+        failed = ", ".join(now.failed)
         return self.tr("✕ Not ready: {0}. See the Bench page.").format(failed) if failed else ""
 
     def _bench_known(self) -> None:

@@ -296,6 +296,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Switch off by hand: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7897,6 +7901,14 @@
     </message>
     <message>
         <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guardian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -312,6 +312,10 @@
         <translation>{0}: nach Stecker, Strom und Kabel sehen. „Alle lesen“ fragt wieder.</translation>
     </message>
     <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
+    </message>
+    <message>
         <source>Switch off by hand: {0}</source>
         <translation>Von Hand ausschalten: {0}</translation>
     </message>
@@ -7898,6 +7902,14 @@
     <message>
         <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
         <translation>Alle {0} Geräte schweigen: zuerst nach dem sehen, was sie gemeinsam haben (Adapter, Netzwerk, Strom).</translation>
+    </message>
+    <message>
+        <source>guardian</source>
+        <translation>Wächter</translation>
+    </message>
+    <message>
+        <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
+        <translation>Der Wächter ist ein eigenes Programm neben labcal: Er hält die Leitungen der Netzgeräte und bringt jede Spule auf null, wenn eine Sitzung endet, abbricht oder nicht mehr antwortet.</translation>
     </message>
 </context>
 <context>

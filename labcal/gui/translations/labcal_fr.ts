@@ -312,6 +312,10 @@
         <translation>{0} : voyez la prise, l&apos;alimentation et le câble. « Tout lire » redemande.</translation>
     </message>
     <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation>Le gardien est perdu. BOBINES À ZÉRO (F12) fonctionne sans lui.</translation>
+    </message>
+    <message>
         <source>Switch off by hand: {0}</source>
         <translation>Couper à la main : {0}</translation>
     </message>
@@ -7898,6 +7902,14 @@
     <message>
         <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
         <translation>Les {0} appareils se taisent tous : voyez d&apos;abord ce qu&apos;ils ont en commun (adaptateur, réseau, alimentation).</translation>
+    </message>
+    <message>
+        <source>guardian</source>
+        <translation>gardien</translation>
+    </message>
+    <message>
+        <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
+        <translation>Le gardien est un programme à part, à côté de labcal : il tient les lignes des alimentations et ramène chaque bobine à zéro quand une session se termine, s’interrompt ou ne répond plus.</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@ from labcal.bench.coils import state
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.guardian import GUARDIAN
 
 Light = Literal["ok", "old", "waiting", "fault", "absent"]
 Lights = tuple[tuple[str, Light, str], ...]  # instrument, light, words
@@ -23,7 +24,6 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "fault": ("✕", "bad", "failed"),
     "absent": ("○", "", "not asked"),
 }
-GUARDIAN = "guardian"
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
 TEXTS = (
@@ -58,12 +58,22 @@ class LabNow:
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
 
     @property
+    def failed(self) -> list[str]:
+        """Whose light is red, as they are called here."""
+        return [shown_name(name) for name, light, _ in self.lights if light == "fault"]
+
+    @property
     def at_rest(self) -> bool:
         """No run goes on, and the coils were read not long ago."""
         return not self.driven and (self.coil_old_s or 0) < LONG_AGO_S
 
 
 NOT_TOLD = LabNow()
+
+
+def shown_name(name: str) -> str:
+    """What an instrument is called by the bench file; the guardian, of which none speaks, in the window's language."""
+    return translated(name) if name == GUARDIAN else name
 
 
 def lab_now(

@@ -140,7 +140,7 @@ class PathViewModel(QObject):
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
         if mark_of(state.now.coil_words)[1] == "bad":
             return Next("Bench", self.tr("See to the coils"), presses=True)
-        if failed := [name for name, light, _ in state.now.lights if light == "fault"]:
+        if failed := state.now.failed:
             return Next("Bench", self.tr("See to {0}").format(failed[0]), presses=True)
         if not state.dut_serial or state.dut_objection:
             return Next("Start", self.tr("Say which DUT"))

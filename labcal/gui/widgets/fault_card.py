@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.widgets.common import Card, button, label, set_state
 
 TITLES = {
@@ -43,6 +44,7 @@ class FaultCard(Card):
         self.by_hand = label("", "large", wrap=True)
         set_state(self.by_hand, "bad")
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
+        self.meaning = label("", "caption", wrap=True)  # of a word that stands above, and in no manual of an instrument
         self.details = QPlainTextEdit()
         self.details.setReadOnly(True)
         self.details.hide()
@@ -63,7 +65,7 @@ class FaultCard(Card):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(close)
-        for part in (self.by_hand, self.text, self.coils, self.remedy, self.details):
+        for part in (self.by_hand, self.text, self.coils, self.remedy, self.meaning, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -86,6 +88,8 @@ class FaultCard(Card):
         self.text.setText(in_words(fault.text))
         self.remedy.setText(in_words(fault.remedy))
         self.remedy.setVisible(bool(fault.remedy))
+        self.meaning.setText(guardian_is(fault.kind, fault.text, fault.remedy))
+        self.meaning.setVisible(bool(self.meaning.text()))
         for_others = self.tr("For who mends labcal; a problem report holds it:") if "Traceback" in fault.details else ""
         self.details.setPlainText(f"{for_others}\n\n{fault.details}".strip())
         self.fold.setVisible(bool(fault.details) and not stopped)
