@@ -208,7 +208,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
             yield from coils_off(bench)
             yield from standstill(bench)
             text = f"{name}: {said} ({bench.sentence()})"
-            drawing = {FAULT: bench.named(str(fault), brief=True)}  # who sees the coils and the step need not read it
+            drawing = _of_fault(bench, fault)
             choices = ("stop", "retry", "skip")
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
             if answer == "retry" and (still := bench.still_wrong()):
@@ -220,6 +220,15 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
                 reason = yield Prompt(bench.clock.now(), f"skip-{name}", f"Why is {name} skipped?", ())
                 yield Event(bench.clock.now(), "skip", f"{name} skipped: {reason}", {"step": name, "reason": reason})
                 return None
+
+
+def _of_fault(bench: Bench, fault: InstrumentError) -> dict[str, str]:
+    """What is shown of it to who sees coils and step beside it: the whole, its parts, and who does not answer."""
+    what = bench.named(fault.what, brief=True)
+    name = what.partition(":")[0]
+    lost = fault.fault in ("link lost", "silent") and name in bench.config.instruments
+    said = {FAULT: bench.named(str(fault), brief=True), "what": what, "remedy": fault.remedy}
+    return said | ({"no_answer": name} if lost else {})
 
 
 def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:

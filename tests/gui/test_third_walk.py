@@ -80,3 +80,47 @@ def test_a_plan_says_the_rate_that_was_typed():
     for rate, said in ((20.2, "20 °/s"), (2.4, "2.4 °/s"), (0.5, "0.5 °/s"), (121.0, "120 °/s")):
         plan = Rehearsal("preflight", "x", angles_deg=(0.0, 360.0), rate_deg_per_s=rate)
         assert any(line.endswith(f"at up to {said}") for line in plan.lines())
+
+
+def failed(still, **said):
+    live = begun(still)
+    drawing = {"fault": "the whole sentence", **said}
+    still.app_state.bench_worker.items.emit(
+        (Prompt(3.0, "failed-z+20uT", "z+20uT: …", ("stop", "retry", "skip"), drawing=drawing),)
+    )
+    return live.prompt
+
+
+def test_a_lost_link_is_short_in_the_headline_and_its_advice_names_the_button_that_is_there(still):
+    card = failed(
+        still,
+        no_answer="supply_z",
+        what="supply_z: the link was lost (Input/output error).",
+        remedy="Plug it in, see that nobody else has opened it, then begin this step again.",
+    )
+    assert card.text.text() == "✕ No answer from supply_z"
+    assert card.details.text() == (
+        "supply_z: the link was lost. Plug it in, see that nobody else has opened it, then begin this step again. "
+        "Here that is “Hands off: try again”."
+    )
+    assert "Hands off: try again" in card.choices["retry"].text()
+    assert card.text.toolTip() == "the whole sentence"
+
+
+def test_what_failed_otherwise_is_the_headline_without_what_the_system_says(still):
+    card = failed(still, what="stage: it stands at 40° (status 0x17).", remedy="Look for what holds it.")
+    assert card.text.text() == "stage: it stands at 40°."
+    assert card.details.text() == "Look for what holds it. Then “Hands off: try again”."
+
+
+def test_a_question_that_is_no_failure_has_no_details(still):
+    live = begun(still)
+    still.app_state.bench_worker.items.emit((Prompt(3.0, "ready", "The coils go on. Hands off?", acts=True),))
+    assert live.prompt.details.isHidden()
+
+
+def test_of_a_silent_dut_plug_and_power_are_named_in_the_panel(still):
+    begun(still)
+    says(still, "dut")
+    (row,) = [row.text() for row in still.side.instrument_rows if row.text().startswith("✕ dut")]
+    assert row.startswith("✕ dut  silent (plug? power?)")

@@ -133,3 +133,20 @@ def test_nor_is_a_procedure_that_cannot_skip_what_it_has_done(bench_file: BenchF
     ended = begun(bench_file(), "field-hold", pulled("reference"), {"duration_s": "60"}, "held")
     assert ended.status.startswith("failed: reference: ")
     assert not ended.resumable
+
+
+@pytest.mark.parametrize(("name", "lost"), [("reference", True), ("stage", True)])
+def test_the_question_about_a_lost_line_has_its_parts_apart(bench_file: BenchFile, name: str, lost: bool) -> None:
+    drawings = list[dict[str, Any]]()
+
+    def answer(prompt: Prompt) -> str:
+        if prompt.key == f"failed-{SECOND}":
+            drawings.append(dict(prompt.drawing))
+        return yes_to_all(True)(prompt)
+
+    begun(bench_file(), "preflight", pulled(name), TWO_FIELDS, SECOND, answer)
+    (drawn,) = drawings
+    assert drawn["no_answer"] == name
+    assert drawn["what"].startswith(f"{name}: ")
+    assert drawn["remedy"] and drawn["remedy"] not in drawn["what"]
+    assert drawn["fault"] == f"{drawn['what']} {drawn['remedy']}"

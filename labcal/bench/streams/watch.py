@@ -89,7 +89,7 @@ class StreamWatch:
             raise InstrumentError(
                 f"{self.name}: no sample for {now_s - self._last_s:.1f} s.",
                 fault="silent",
-                remedy="Look at its power and its cable.",
+                remedy="Is its plug in at both ends, and has it power? Nobody can tell from here which it is.",
             )
         if self._same > STUCK_SAMPLES and self._last_s - self._changed_s > self._stuck_s:
             raise InstrumentError(

@@ -20,6 +20,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
@@ -385,7 +386,7 @@ class Live(QWidget):
         if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
             return alarm
         if lost:
-            return self.tr("✕ No answer from {0}").format(", ".join(lost))
+            return translated(str(SHOWN)).format(", ".join(lost))
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
         wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised

@@ -1543,6 +1543,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Switch the sensor off and on, and look at its range.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5560,10 +5564,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✕ No answer from {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Hands off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7684,6 +7684,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>silent (plug? power?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7909,6 +7913,18 @@
     </message>
     <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here that is “{0}”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then “{0}”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

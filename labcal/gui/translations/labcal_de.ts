@@ -1543,6 +1543,10 @@
         <translation>Versorgung und Kabel ansehen.</translation>
     </message>
     <message>
+        <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
+        <translation>Steckt sein Stecker an beiden Enden, und hat es Strom? Von hier aus kann niemand sagen, woran es liegt.</translation>
+    </message>
+    <message>
         <source>Switch the sensor off and on, and look at its range.</source>
         <translation>Den Sensor aus- und einschalten und seinen Messbereich ansehen.</translation>
     </message>
@@ -5628,10 +5632,6 @@
         <translation>Pausiert</translation>
     </message>
     <message>
-        <source>✕ No answer from {0}</source>
-        <translation>✕ Keine Antwort von {0}</translation>
-    </message>
-    <message>
         <source>Hands off</source>
         <translation>Hände weg</translation>
     </message>
@@ -7684,6 +7684,10 @@
         <translation>Als VORLÄUFIG brauchbar; {0} muss noch unterschreiben.</translation>
     </message>
     <message>
+        <source>silent (plug? power?)</source>
+        <translation>stumm (Stecker? Strom?)</translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation>früher gehört</translation>
     </message>
@@ -7910,6 +7914,18 @@
     <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation>Der Wächter ist ein eigenes Programm neben labcal: Er hält die Leitungen der Netzgeräte und bringt jede Spule auf null, wenn eine Sitzung endet, abbricht oder nicht mehr antwortet.</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation>✕ Keine Antwort von {0}</translation>
+    </message>
+    <message>
+        <source>Here that is “{0}”.</source>
+        <translation>Hier heißt das „{0}“.</translation>
+    </message>
+    <message>
+        <source>Then “{0}”.</source>
+        <translation>Dann „{0}“.</translation>
     </message>
 </context>
 <context>

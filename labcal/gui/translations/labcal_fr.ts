@@ -1543,6 +1543,10 @@
         <translation>Examiner son alimentation et son câble.</translation>
     </message>
     <message>
+        <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
+        <translation>Sa prise est-elle branchée aux deux bouts, et est-il alimenté ? D’ici, personne ne peut dire lequel des deux.</translation>
+    </message>
+    <message>
         <source>Switch the sensor off and on, and look at its range.</source>
         <translation>Éteindre et rallumer le capteur, et examiner sa plage.</translation>
     </message>
@@ -5628,10 +5632,6 @@
         <translation>En pause</translation>
     </message>
     <message>
-        <source>✕ No answer from {0}</source>
-        <translation>✕ Pas de réponse de {0}</translation>
-    </message>
-    <message>
         <source>Hands off</source>
         <translation>Mains loin</translation>
     </message>
@@ -7684,6 +7684,10 @@
         <translation>Utilisable comme PROVISOIRE ; {0} doit encore signer.</translation>
     </message>
     <message>
+        <source>silent (plug? power?)</source>
+        <translation>muet (prise ? alimentation ?)</translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation>entendu avant</translation>
     </message>
@@ -7910,6 +7914,18 @@
     <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation>Le gardien est un programme à part, à côté de labcal : il tient les lignes des alimentations et ramène chaque bobine à zéro quand une session se termine, s’interrompt ou ne répond plus.</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}</source>
+        <translation>✕ Pas de réponse de {0}</translation>
+    </message>
+    <message>
+        <source>Here that is “{0}”.</source>
+        <translation>Ici, c’est « {0} ».</translation>
+    </message>
+    <message>
+        <source>Then “{0}”.</source>
+        <translation>Puis « {0} ».</translation>
     </message>
 </context>
 <context>

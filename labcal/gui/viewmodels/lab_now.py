@@ -24,6 +24,7 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "fault": ("✕", "bad", "failed"),
     "absent": ("○", "", "not asked"),
 }
+SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
 TEXTS = (
@@ -166,7 +167,8 @@ def _light(
         heard_s = coils_s
     words = age_words(old_s(heard_s, now_s))
     if heard is not None and heard.fault:
-        return name, "fault", ", ".join(filter(None, (in_words(heard.fault), words)))
+        said = translated(str(SILENT)) if heard.fault == "silent" else in_words(heard.fault)
+        return name, "fault", ", ".join(filter(None, (said, words)))
     if heard_s is None:
         return name, "absent" if heard is None else "waiting", ""
     return name, "old" if words else "ok", words

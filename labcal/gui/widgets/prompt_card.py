@@ -16,10 +16,11 @@ from PySide6.QtWidgets import (
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.failed_step import below, headline
 from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL, asked_text
 from labcal.gui.widgets.camera_view import CameraView
-from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, set_state
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
@@ -97,6 +98,8 @@ class PromptCard(Card):
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
         words.addWidget(self.text, 1)
+        self.details = label("", "title", wrap=True)
+        words.addWidget(self.details)
         self.lab = label("", "title", wrap=True)
         self.lab.setAccessibleName(self.tr("How the coils are"))
         words.addWidget(self.lab)
@@ -137,7 +140,10 @@ class PromptCard(Card):
             return
         self._call()
         self.call.start()
-        self.text.set_text(unbroken(in_words(asked_text(prompt))))
+        self.text.set_text(unbroken(headline(prompt)))
+        self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
+        self.details.setText(below(prompt, translated(WORDS[RETRY])))
+        self.details.setVisible(bool(self.details.text()))
         self.drawing.show_drawing(prompt.drawing)
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
         self._row.setStretch(1, int(pictured))  # else Qt keeps half of the card for what is hidden

@@ -1,0 +1,40 @@
+"""A step that failed, asked about: who is wrong in the largest letters; below it what is known, and what to do."""
+
+from __future__ import annotations
+
+import re
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.run import asked_text
+from labcal.record.stream import Prompt
+
+WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
+BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
+AGAIN = "begin this step again"
+SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
+HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
+THEN = QT_TRANSLATE_NOOP("Words", "Then “{0}”.")
+
+
+def headline(prompt: Prompt) -> str:
+    """The question in one glance; of a step that failed who does not answer, else what happened."""
+    if lost := prompt.drawing.get(NO_ANSWER):
+        return translated(str(SHOWN)).format(lost)
+    return in_words(_plain(str(prompt.drawing[WHAT])) if WHAT in prompt.drawing else asked_text(prompt))
+
+
+def below(prompt: Prompt, again: str) -> str:
+    """What is known and what to do about it, before `again`, the button that begins the step anew; else ""."""
+    if WHAT not in prompt.drawing:
+        return ""
+    what, remedy = _plain(str(prompt.drawing[WHAT])), str(prompt.drawing.get(REMEDY, ""))
+    known = in_words(what) if NO_ANSWER in prompt.drawing else ""
+    button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
+    return " ".join(part for part in (known, in_words(remedy), button) if part)
+
+
+def _plain(what: str) -> str:
+    return BY_SYSTEM.sub("", what)
