@@ -49,6 +49,9 @@ MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.i
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.
 SAID_IN_WORDS = {
+    "what",
+    "remedy",
+    "no_answer",
     "mode",
     "load",
     "on",
