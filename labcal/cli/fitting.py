@@ -53,6 +53,9 @@ def fit(
         write_json(document(measured, fits), json_file, "fit", inputs=session.paths(run), force=force)
     if json_file != "-":
         _show_fits(fits)
+        for found in fits:
+            if found.ok and (open_yet := session.left_open(measured, found)):
+                say(f"{found.method}: not the whole map: {open_yet}", err=True)
     if (wild := int(wild_rows(measured).sum())) > 0:
         say(f"left out: {wild} of {len(measured)} readings, which no field made (twenty times the others)", err=True)
     chosen = next((f for f in fits if f.method == "ml"), fits[0])

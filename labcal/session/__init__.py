@@ -39,7 +39,7 @@ from labcal.runner.run import run_id_at
 from labcal.session.audited import note, note_file, note_run, read_audit
 from labcal.session.cage import approve_cage, cage_remark
 from labcal.session.check_standard import Override, admitted
-from labcal.session.fits import filter_history, fit_run
+from labcal.session.fits import filter_history, fit_run, left_open
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import ImportRequest, ImportResult, import_foreign
 from labcal.session.instruments import (
@@ -107,6 +107,7 @@ __all__ = [
     "import_foreign",
     "keep_photo",
     "label",
+    "left_open",
     "listed_keys",
     "load_calibration",
     "load_run",

@@ -115,6 +115,15 @@ def test_a_fit_says_whether_it_is_good(still, studied, left_nT, stated_nT, words
     assert page.verdict.isVisible() == bool(words)
 
 
+@pytest.mark.parametrize("left_nT", [11.0, None])
+def test_a_map_that_the_run_leaves_open_is_not_good_however_little_is_left_over(left_nT):
+    why = "the run determines 11 of 12 parameters, not K_xy: add a rotation about another body axis"
+    said, state = said_of("ml", replace(fitted(left_nT, 10.0), left_open=why))
+    assert said.startswith(f"ml: ▲ This run does not determine the whole map, however little is left over: {why}.")
+    assert "good in size" not in said
+    assert state == "warning"
+
+
 def test_what_a_run_states_of_its_noise_comes_with_its_fit():
     from labcal.gui.ipc.study_commands import stated_noise
 

@@ -68,15 +68,18 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
     the field before K⁻¹ distorts it (Riwanto et al. 2017, (2a)); `dut.noise_nT` and `noise_nT` are meant there.
     Where the rotation cannot be seen K is symmetric, the covariance has rank 9 and `frame_known` is False; with a
     scalar reference, turns about known axes show it by their planes. A run that does not determine the map gets
-    `ok=False` with the reason. `robust=False` is least squares.
+    `ok=False` with the reason; where its magnitudes do, but its vectors do not, `left_open` says what is missing.
+    `robust=False` is least squares.
     """
     if run.reference.kind == "none":
         return _refused("there is no reference, so the scale is open: a field of known magnitude is needed")
+    left_open = None
     try:
         found = _on_planes(run, robust=robust, white_in=white_in) or estimate(run, robust=robust, white_in=white_in)
         if found.identified.why_not and (found.observations.kind != SCALAR).any():
             scalar = estimate(run, as_scalar=True, robust=robust, white_in=white_in)
-            found = scalar if scalar.identified.why_not is None else found
+            if scalar.identified.why_not is None:
+                found, left_open = scalar, found.identified.why_not
     except (np.linalg.LinAlgError, ArithmeticError):
         return _refused("no map comes near these readings: they do not follow the reference at all")
     except ValueError as error:
@@ -96,6 +99,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
         sources=sources,
         frame_known=frame_known,
         phase_rad=found.solution.phase[: len(found.observations.phase_names)],
+        left_open=left_open,
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale * float(np.sqrt(part)),
     )
 

@@ -198,7 +198,7 @@ class Fitted:
 
     `noise_nT` is what the method makes of its own residual, `stated_nT` what the run states of its sensors.
     `shells` where the run was at rest in fields all round at one magnitude, or at several. `specification`: the lines
-    that the run's specification comes to for this map.
+    that the run's specification comes to for this map. `left_open` where the run does not determine it whole.
     """
 
     fit: FitFigures
@@ -208,6 +208,7 @@ class Fitted:
     shells: tuple[ShellLeft, ...] = ()
     stated_nT: float | None = None
     specification: tuple[Judged, ...] = ()
+    left_open: str = ""  # of the map, by this run: a sentence
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -85,6 +85,7 @@ def look(channel: Channel, asked: LookAt) -> Look:
 def fit(channel: Channel, asked: FitRun) -> Fitted:
     """One method's answer, its residual and its loci."""
     from labcal.fit.metrics import scalar_residual
+    from labcal import session
     from labcal.session.conformity import fit_conformity
 
     measured, found = loaded_run(asked.run), loaded_fit(asked.run, asked.method)
@@ -95,7 +96,8 @@ def fit(channel: Channel, asked: FitRun) -> Fitted:
     shells = _shells(measured, found)
     judged = fit_conformity(measured, found)
     lines = () if judged is None else judged.lines
-    return Fitted(figures(found), found.noise_nT, residual, after, shells, stated_noise(measured), lines)
+    open_yet = session.left_open(measured, found)
+    return Fitted(figures(found), found.noise_nT, residual, after, shells, stated_noise(measured), lines, open_yet)
 
 
 def stated_noise(measured: Run) -> float | None:

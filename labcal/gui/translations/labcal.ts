@@ -7888,6 +7888,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>

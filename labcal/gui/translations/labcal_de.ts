@@ -7888,6 +7888,10 @@
         <translation>▲ Die Kalibrierung ist noch nicht gut, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
     </message>
     <message>
+        <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
+        <translation>▲ Diese Messung bestimmt nicht die ganze Abbildung, so wenig auch übrig bleibt: {0}. Sie taugt für eine Prüfung und für keine Kalibrierung.</translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
         <translation>{0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
     </message>

@@ -7888,6 +7888,10 @@
         <translation>▲ L&apos;étalonnage n&apos;est pas encore bon, si bien qu&apos;on ait mesuré : il reste {0} nT de |b| dans les lignes mises de côté, le bruit déclaré est {1} nT. Expliquez le résidu.</translation>
     </message>
     <message>
+        <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
+        <translation>▲ Cette mesure ne détermine pas toute l’application, si peu qu’il reste : {0}. Elle vaut pour une vérification, et pour aucun étalonnage.</translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
         <translation>Il reste {0} nT de |b| dans les lignes mises de côté ; aucun bruit n&apos;est déclaré pour comparer.</translation>
     </message>

@@ -30,6 +30,11 @@ DOUBT = QT_TRANSLATE_NOOP(
     "▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
     "the stated noise is {1} nT. Trace the residual.",
 )
+LEFT_OPEN = QT_TRANSLATE_NOOP(
+    "Words",
+    "▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no "
+    "calibration.",
+)
 NO_NOISE = QT_TRANSLATE_NOOP(
     "Words", "{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with."
 )
@@ -39,11 +44,18 @@ NO_LIMITS = QT_TRANSLATE_NOOP("Words", "This run states no specification to judg
 def said_of(method: str, fitted: Fitted | None) -> tuple[str, str]:
     """What there is to say of the fit by `method`, and the worst of its states; "" where nothing is known."""
     left = None if fitted is None else fitted.fit.holdout_rms_scalar_nT
-    if fitted is None or left is None:
+    if fitted is None or (left is None and not fitted.left_open):
         return "", ""
-    said = (_by_the_noise(left, fitted.stated_nT), _by_the_specification(fitted.specification))
+    said = (_by_what_is_left(fitted), _by_the_specification(fitted.specification))
     between = "\n" if fitted.specification else " "
     return f"{method}: " + between.join(words for words, _ in said), max((state for _, state in said), key=STATES.index)
+
+
+def _by_what_is_left(fitted: Fitted) -> tuple[str, str]:
+    """Nothing that is left over is small enough where the map itself is open."""
+    if fitted.left_open:
+        return translated(str(LEFT_OPEN)).format(in_words(fitted.left_open)), "warning"
+    return _by_the_noise(fitted.fit.holdout_rms_scalar_nT or 0.0, fitted.stated_nT)
 
 
 def _by_the_noise(left_nT: float, stated_nT: float | None) -> tuple[str, str]:
