@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
-from labcal.bench.parameters import Limits
+from labcal.bench.parameters import Least, Limits
 from labcal.bench.position import Position, position
 from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, refuse_unseen, rotate_once
 from labcal.bench.steps import (
@@ -49,6 +49,10 @@ Array = NDArray[np.float64]
 REFERENCE = ("ref_x", "ref_y", "ref_z")
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
 REMOUNT = "remount"
+ONE_AXIS = (
+    "No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. "
+    "It repeats or checks turns."
+)
 LONGEST_DELAY_S = 0.5  # of an axis, as sync-check allows
 MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, for the time that is left
 
@@ -133,11 +137,9 @@ class First:
 def preflight(
     bench: Bench,
     *,
-    axes: Annotated[tuple[Literal["x", "y", "z"], ...], "body axes, each mounted along the platform axis in turn"] = (
-        "x",
-        "y",
-        "z",
-    ),
+    axes: Annotated[
+        tuple[Literal["x", "y", "z"], ...], Least(2, ONE_AXIS), "body axes, each mounted along the platform axis in turn"
+    ] = ("x", "y", "z"),
     magnitudes_nT: Annotated[tuple[float, ...], Limits(1e3, 1e5, unit="nT"), "field magnitudes"] = (20e3, 50e3),
     reverse: Annotated[bool, "the last magnitude also reversed"] = True,
     inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,

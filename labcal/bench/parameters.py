@@ -33,6 +33,14 @@ class Limits:
 
 
 @dataclass(frozen=True, slots=True)
+class Least:
+    """How many values a list has at least for what its procedure promises; `says` what does not come of fewer."""
+
+    count: int
+    says: str
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterSpec:
     """One declared parameter. `many`: a list, written with commas. `optional`: "none" or nothing is allowed."""
 
@@ -45,6 +53,11 @@ class ParameterSpec:
     limits: Limits | None = None
     choices: tuple[str, ...] = ()
     help: str = ""
+    least: Least | None = None
+
+    def shortfall(self, value: Value) -> str:
+        """What does not come of this value, though it is allowed, a sentence; else ""."""
+        return self.least.says if self.least and self.many and len(value or ()) < self.least.count else ""
 
     @property
     def unit(self) -> str:
@@ -154,6 +167,7 @@ def _spec(parameter: inspect.Parameter, hint: Any) -> ParameterSpec:
     hint = get_args(hint)[0] if many else hint
     limits = next((e for e in extras if isinstance(e, Limits)), None)
     words = next((e for e in extras if isinstance(e, str)), "")
+    least = next((e for e in extras if isinstance(e, Least)), None)
     choices = tuple(get_args(hint)) if get_origin(hint) is Literal else ()
     kinds: dict[Any, Kind] = {float: "number", int: "integer", bool: "switch", str: "text", Path: "file"}
     kind: Kind | None = "choice" if choices else kinds.get(hint)
@@ -161,7 +175,7 @@ def _spec(parameter: inspect.Parameter, hint: Any) -> ParameterSpec:
         raise InputError(f"parameter {parameter.name}: {hint} is not a type a parameter can have")
     required = parameter.default is inspect.Parameter.empty
     default = None if required else parameter.default
-    spec = ParameterSpec(parameter.name, kind, default, required, many, optional, limits, choices, words)
+    spec = ParameterSpec(parameter.name, kind, default, required, many, optional, limits, choices, words, least)
     if not required:
         spec.check(default)
     return spec

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import shlex
 import signal
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from enum import StrEnum
 from pathlib import Path
@@ -80,6 +80,8 @@ def run(
             outcome = session.resume(resume, _bench(bench), procedure, **options)
         elif procedure is not None:
             given, lets = _pairs(settings), _override(override, because, key)
+            if progress is not ProgressChoice.json:
+                _say_shortfalls(procedure, given)
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, override=lets, **options)
         else:
             return _list()
@@ -90,6 +92,15 @@ def run(
     say(json.dumps({"item": "end", "text": said}) if as_json else said, err=True)
     say(outcome.run_id)
     return outcome.raise_fault()
+
+
+def _say_shortfalls(procedure: str, given: Mapping[str, str]) -> None:
+    """What does not come of these settings, before anything is begun; what is wrong with them the run says."""
+    from labcal.runner import find
+
+    with suppress(InputError):
+        for said in find(procedure).shortfalls(given):
+            say(said, err=True)
 
 
 def told_once(ending: str, lab: str) -> str:

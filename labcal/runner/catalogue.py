@@ -6,7 +6,7 @@ import hashlib
 import importlib.util
 import inspect
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import Any
 
 from labcal import plugin_loading
-from labcal.bench.parameters import ParameterSpec, parameters_of
+from labcal.bench.parameters import ParameterSpec, parameters_of, settings
 from labcal.bench.steps import Procedure
 from labcal.errors import InputError
 
@@ -49,6 +49,11 @@ class FoundProcedure:
     def takes(self, keyword: str) -> bool:
         """Whether it declares `keyword`."""
         return keyword in inspect.signature(self.function).parameters
+
+    def shortfalls(self, given: Mapping[str, str]) -> list[str]:
+        """What does not come of a run with these settings, a sentence each. Raises InputError for a wrong setting."""
+        values = settings(self.parameters, given)
+        return [said for spec in self.parameters if (said := spec.shortfall(values[spec.name]))]
 
     @property
     def needs(self) -> str:

@@ -38,6 +38,7 @@ class Rehearsal:
     rate_deg_per_s: float = 0.0
     angles_deg: tuple[float, float] | None = None
     temperature_C: tuple[float, float] | None = None  # that the DUT's limits allow
+    shortfalls: list[str] = field(default_factory=list)  # what does not come of it with these settings
     person: list[str] = field(default_factory=list)  # what a person is asked to do, mounting and switching included
     _last: tuple[float, float] | None = field(default=None, repr=False)
 
@@ -68,6 +69,7 @@ class Rehearsal:
         kept = " to ".join(f"{limit:g}" for limit in self.temperature_C or ()).replace("-", "−")
         said = [
             f"{self.procedure}: {self.title}",
+            *self.shortfalls,
             f"largest field at the DUT {self.field_nT / 1000:.1f} µT",
             turns if high - low > TURNING_DEG else "the platform rests",
             f"DUT kept within {kept} °C" if kept else "no temperature limits are stated",
@@ -89,6 +91,7 @@ def rehearsed(bench: Path, procedure: FoundProcedure, given: Mapping[str, str], 
         with closing(open_bench(copy, clock=clock, seed=seed)) as lab, Store.open(Path(folder) / "r.sqlite") as store:
             limits = lab.config.dut.limits.temperature_C
             found = Rehearsal(procedure.name, procedure.title, read_config(bench).simulated, temperature_C=limits)
+            found.shortfalls = procedure.shortfalls(given)
             begun = clock.now()
             outcome = run_procedure(lab, procedure, given, store=store, answer=first_choice, on_item=found.see)
             found.seconds = clock.now() - begun

@@ -28,3 +28,14 @@ def test_a_link_within_an_inline_table_is_rehearsed(tmp_path):
     tables = before.split("[instruments.supply_x]")
     bench.write_text(f"{tables[0]}[instruments]\n{of_dut}{settings} }}\n\n[instruments.supply_x]{tables[1]}{rest}")
     assert rehearsed(bench, find("ambient"), {}).seconds > 0
+
+
+ONE_AXIS = "No whole calibration can come of one body axis"
+
+
+@pytest.mark.parametrize(("axes", "whole"), [("z", False), ("x,z", True), (None, True)])
+def test_a_plan_of_one_body_axis_promises_no_whole_calibration(axes, whole):
+    given = {"modes": "nominal", "magnitudes_nT": "20000", "zero_s": "2", "dwell_s": "0.5", "rate_deg_per_s": "20"}
+    plan = rehearsed(EXAMPLE, find("preflight"), given | ({} if axes is None else {"axes": axes}))
+    assert plan.lines()[1].startswith(ONE_AXIS) != whole
+    assert any(ONE_AXIS in line for line in plan.lines()) != whole

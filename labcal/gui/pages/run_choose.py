@@ -89,7 +89,6 @@ class Choose(QWidget):
         card.body.addWidget(self.plan)
         self.objection = label("", "caption", wrap=True)
         self.objection.setAlignment(Qt.AlignmentFlag.AlignRight)
-        set_state(self.objection, "bad")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
         for pace in SPEEDS:
             self.pace.addItem(translated(PACE_WORDS.get(pace, pace)), pace)
@@ -270,8 +269,10 @@ class Choose(QWidget):
         refused = self.form.refused() if self.form is not None else None
         if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
-        self.objection.setText(objection)
-        self.objection.setVisible(bool(objection))
+        shortfall = self.form.shortfall() if self.form is not None and self._planned is None else ""  # the plan says it
+        self.objection.setText(objection or (f"▲ {shortfall}" if shortfall else ""))
+        self.objection.setVisible(bool(self.objection.text()))
+        set_state(self.objection, "bad" if objection else "warning")
         if self._needs_of is not None:
             self.needs.setText(needs_text(self._needs_of, plannable=not objection and self._planned is None))
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None

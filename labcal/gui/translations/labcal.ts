@@ -1619,6 +1619,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. It repeats or checks turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
         <translation type="unfinished"></translation>
     </message>

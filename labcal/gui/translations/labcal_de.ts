@@ -1619,6 +1619,10 @@
         <translation>läuft</translation>
     </message>
     <message>
+        <source>No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. It repeats or checks turns.</source>
+        <translation>Aus einer Körperachse allein wird keine ganze Kalibrierung: Sie bestimmt nicht alle 12 Parameter der Abbildung. Sie wiederholt oder prüft Drehungen.</translation>
+    </message>
+    <message>
         <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
         <translation>Den Strom jeder Spule mit fallender Amplitude wechseln lassen und das Umgebungsfeld vorher und nachher vergleichen.</translation>
     </message>

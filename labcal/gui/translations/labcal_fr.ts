@@ -1619,6 +1619,10 @@
         <translation>en cours</translation>
     </message>
     <message>
+        <source>No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. It repeats or checks turns.</source>
+        <translation>D’un seul axe du corps ne peut venir aucun étalonnage entier : il ne détermine pas les 12 paramètres de l’application. Il répète ou vérifie des rotations.</translation>
+    </message>
+    <message>
         <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
         <translation>Faire alterner le courant de chaque bobine à amplitude décroissante et comparer le champ ambiant avant et après.</translation>
     </message>

@@ -2,6 +2,13 @@
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+SHORTFALLS = (
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. "
+        "It repeats or checks turns.",
+    ),
+)
 TITLES = (
     QT_TRANSLATE_NOOP(
         "Data", "Alternate each coil's current with falling amplitude, and compare the ambient field before and after."

@@ -16,7 +16,7 @@ from labcal.gui.translations.experiments import EXPERIMENTS, NEXT
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.fits import BUDGET, FITS
 from labcal.gui.translations.loop import FINDINGS, PROGRESS, REASONS, SHAPES
-from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, TITLES
+from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, SHORTFALLS, TITLES
 from labcal.gui.translations.steps import BENCH, EVENTS, MEASUREMENTS, PLAN, REFUSALS, STEPS
 
 COILS = (  # of several that fit the first counts; what stands for {0}, {1} … is itself such a sentence, or stays
@@ -154,7 +154,7 @@ CHANGES = (  # from one calibration to the next
 )
 MEASURED = re.compile(r"(?<![\w.:])-?\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
 FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
-OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
+OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *SHORTFALLS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
 OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *FITS
 FORMS = tuple(map(str, (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *OF_PROCEDURES, *OF_RUNS)))
 NAME_FORMS = tuple(map(str, (*BUDGET, *MEASUREMENTS, *STEPS)))

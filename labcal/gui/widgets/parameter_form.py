@@ -171,6 +171,13 @@ class ParameterForm(QWidget):
         """The first setting that is not accepted."""
         return next((spec for spec in self._specs if self.objection(spec)), None)
 
+    def shortfall(self) -> str:
+        """What does not come of the settings as they are, though they are accepted; else ""."""
+        if not self.valid():
+            return ""
+        said = (spec.shortfall(spec.parse(self.stated(spec))) for spec in self._specs)
+        return in_words(next(filter(None, said), ""))
+
     def valid(self) -> bool:
         """Whether every field is accepted."""
         return self.refused() is None
