@@ -11,7 +11,7 @@ import inspect
 import math
 import types
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
@@ -142,6 +142,14 @@ def shown(number: float) -> str:
     return text if len(text) <= 40 else f"{text[:20]}… ({len(text)} digits)"
 
 
+def for_modes(spec: ParameterSpec, modes: tuple[str, ...]) -> ParameterSpec:
+    """`spec` for a DUT with these power modes: what asks for one is a choice of them; where none are stated any text."""
+    if spec.name not in POWER_MODES or spec.kind != "text" or not modes:
+        return spec
+    return replace(spec, kind="choice", choices=modes)
+
+
+POWER_MODES = ("mode", "modes")  # keywords that name power modes of the DUT, by which a run refuses those it has not
 RUNNER_GIVES = ("resume", "calibration")  # keywords that are filled for the procedure: what was done, a file read
 
 

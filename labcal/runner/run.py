@@ -19,7 +19,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.coils.state import NOT_READ, LabState
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.parameters import settings
+from labcal.bench.parameters import POWER_MODES, settings
 from labcal.bench.stated import refuse_overdue, stated_administrative, stated_environment, stated_reference
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.plugin_loading import said
@@ -192,8 +192,8 @@ def _remark(text: str | None, writer: RunWriter, t_s: float, on_item: OnItem) ->
 
 def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
     """Raise InputError for a power mode that the DUT may not be in, before anything is asked or energised."""
-    for mode in (values.get("mode"), *(values.get("modes") or ())):
-        if isinstance(mode, str):
+    for stated in map(values.get, POWER_MODES):
+        for mode in (stated,) if isinstance(stated, str) else stated or ():
             bench.config.dut.limits.refuse_mode(mode)
 
 

@@ -1,7 +1,14 @@
 """What cannot come of the settings, or cannot be set on this bench, is said in the form and not after Begin."""
 
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 
+from labcal.gui.ipc.bench_commands import read_bench
+from labcal.gui.ipc.messages import ReadBench
+
+BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 ONE_AXIS = "▲ No whole calibration can come of one body axis"
 
 
@@ -22,3 +29,50 @@ def test_one_body_axis_is_said_to_give_no_whole_calibration_before_begin(choose)
     assert choose.form.valid()  # allowed all the same
     choose.form.set_text("axes", "x, z")
     assert ONE_AXIS not in choose.objection.text()
+
+
+@pytest.fixture
+def with_modes(still, choose):
+    """The bench's DUT has these power modes."""
+    before = still.app_state.facts
+
+    def have(*modes):
+        still.app_state.facts = replace(before, modes=modes)
+        still.app_state.bench_changed.emit()
+        return choose
+
+    yield have
+    still.app_state.facts = before
+    still.app_state.bench_changed.emit()
+    choose.choose("preflight")
+
+
+def test_a_power_mode_that_the_dut_does_not_have_is_refused_in_its_field_with_those_there_are(with_modes):
+    choose = with_modes("nominal", "full", "safe")
+    choose.form.set_text("magnitudes_nT", "30000")
+    choose.form.set_text("modes", "nominal, fast")
+    assert choose.form.complaints["modes"].text().startswith("✕ expected one of nominal, full, safe")
+    assert choose.form.fields["modes"].property("state") == "bad"
+    assert not choose.start.isEnabled()
+    choose = with_modes("fast", "nominal")  # another DUT, which has it; what was typed stays
+    assert choose.form.valid()
+    assert choose.form.text("magnitudes_nT") == "30000"
+    choose = with_modes()  # none stated: any may be meant
+    choose.form.set_text("modes", "whatever")
+    assert choose.form.valid()
+
+
+def test_one_power_mode_is_chosen_among_those_there_are(with_modes):
+    choose = with_modes("low", "high")
+    choose.choose("rotate-axis")
+    field = choose.form.fields["mode"]
+    assert [field.itemData(n) for n in range(field.count())] == ["low", "high"]
+    assert choose.form.given()["mode"] == "low"  # what is seen is what is sent, though the procedure has another default
+    choose.form.set_text("mode", "high")
+    assert choose.form.given()["mode"] == "high"
+    with_modes("high", "low", "off")
+    assert choose.form.text("mode") == "high"  # what was chosen stays, in the form of the other bench too
+
+
+def test_the_bench_file_says_which_power_modes_there_are():
+    assert read_bench(None, ReadBench(str(BENCH))).modes == ("nominal", "full", "safe")

@@ -69,6 +69,7 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
         cage=_cage(config.cage),
         instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
         serial_pattern=dut.serial_pattern,
+        modes=dut.limits.modes,
         virtual_time=config.simulated,
         camera=config.camera or "",
         laboratory=_laboratory(config),

@@ -9,6 +9,7 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidgetItem, QScrollArea, QWidget
 
+from labcal.bench.parameters import for_modes
 from labcal.gui.ipc.answers import Procedure, Procedures
 from labcal.gui.ipc.messages import ListProcedures, Rehearse
 from labcal.gui.ipc.simulated_clock import SPEEDS
@@ -40,6 +41,7 @@ class Choose(QWidget):
         self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
+        self._modes: tuple[str, ...] = ()  # of the DUT that the form is for
         self._needs_of: Procedure | None = None  # the procedure of the form, as it is set
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -47,7 +49,7 @@ class Choose(QWidget):
         row.addWidget(self._list_card(), 1)
         row.addWidget(self._form_card(), 3)
         app_state.lab.changed.connect(self._check)
-        app_state.bench_changed.connect(self._check)
+        app_state.bench_changed.connect(self._bench_known)
         app_state.scan_vm.changed.connect(self._check)
         app_state.request(ListProcedures(), self.show_procedures)
 
@@ -239,7 +241,8 @@ class Choose(QWidget):
         if self.form is not None and self.form is not self._area.widget():
             self.form.hide()  # it never came to be shown, and nothing else would take it away
             self.form.deleteLater()
-        self.form = ParameterForm(one.parameters)
+        self._modes = self._modes_here()
+        self.form = ParameterForm([for_modes(spec, self._modes) for spec in one.parameters])
         self._shown = name
         for key, text in self._typed.get(name, {}).items():
             self.form.set_text(key, text)
@@ -247,6 +250,16 @@ class Choose(QWidget):
         self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
+
+    def _modes_here(self) -> tuple[str, ...]:
+        """The power modes that the DUT of this bench may be in."""
+        return () if self._app_state.facts is None else self._app_state.facts.modes
+
+    def _bench_known(self) -> None:
+        """A form is that of its bench: another DUT may have other power modes."""
+        if self.form is not None and self._shown in self._procedures and self._modes != self._modes_here():
+            self._chosen(self._shown)
+        self._check()
 
     def _as_set(self, one: Procedure) -> Procedure:
         """How long a procedure takes is known of its own settings alone; of others the plan says it."""

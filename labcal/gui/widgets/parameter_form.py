@@ -113,7 +113,7 @@ class ParameterForm(QWidget):
         if spec.kind == "choice" and not spec.many:
             chooser = QComboBox()
             offer(chooser, spec.choices)
-            chooser.setCurrentIndex(chooser.findData(as_text(spec, spec.default)))
+            chooser.setCurrentIndex(max(0, chooser.findData(as_text(spec, spec.default))))  # this DUT may not have it
             chooser.currentTextChanged.connect(self._check)
             return chooser
         line = QLineEdit(as_text(spec, spec.default))
@@ -143,7 +143,7 @@ class ParameterForm(QWidget):
         if isinstance(field, QCheckBox):
             field.setChecked(text == "yes")
         elif isinstance(field, QComboBox):
-            field.setCurrentIndex(field.findData(text))
+            field.setCurrentIndex(at if (at := field.findData(text)) >= 0 else field.currentIndex())
         else:
             field.setText(text)
 
