@@ -25,7 +25,7 @@ from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations.sentences import form_of
-from labcal.gui.viewmodels.run import asked_text
+from labcal.gui.viewmodels.failed_step import asked_text
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
 from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import FAULT, Prompt

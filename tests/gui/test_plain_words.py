@@ -13,7 +13,8 @@ from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.widgets.parameter_form import range_of
-from labcal.record.stream import Event, Prompt, Step
+from labcal.record import Segment
+from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
 
 def send(window, *items):
@@ -57,8 +58,20 @@ def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
     assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
-    send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "closing"), 20.0))
+    send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "x+20uT-nominal", "closing"), 20.0))
     assert all(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
+
+
+def test_a_dut_at_rest_has_no_circle_and_no_lights_of_turns(still):
+    still.app_state.run.start(RunProcedure("field-sphere", "bench.toml"))
+    live = still.page("Run").live
+    send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "shell-50"), 20.0), SegmentOpened(1.0, Segment("p1", "static")))
+    assert (live.loci.isVisible(), live.steps.isVisible()) == (True, True)
+    assert not any(part.isVisible() for part in (live.lights, live.coverage, live.covered))
+    send(still, SegmentOpened(2.0, Segment("x-2dps-there", "rotation")))  # one that no step names
+    assert all(part.isVisible() for part in (live.lights, live.coverage, live.covered))
+    still.app_state.run.forget()
+    assert not still.app_state.run.turns()
 
 
 def test_who_stops_a_run_reads_how_it_stands_and_no_alarm(still):

@@ -241,7 +241,7 @@ class Live(QWidget):
         self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))
         self.stop.setEnabled(run.alive and run.state != "stopping")
-        turned = bool(run.names or run.locus)  # else there is no turn to show, and nothing to fit
+        turned = bool(run.names or run.locus)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
         decided = ended and not self._details  # the verdict has the whole place
         again = (
@@ -258,8 +258,9 @@ class Live(QWidget):
                 (self.close_run, ended),
                 (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
-                (self.lights, turned and not decided),
-                *((widget, turned) for widget in (self.time_left.progress, self.steps, self.turn, self.loci)),
+                (self.lights, run.turns() and not decided),
+                (self.turn, run.turns()),
+                *((widget, turned) for widget in (self.time_left.progress, self.steps, self.loci)),
             ):
                 widget.setVisible(shown)
         set_primary(self.close_run, not again and not (turned and run.status == "finished"))

@@ -8,8 +8,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.run import asked_text
-from labcal.record.stream import Prompt
+from labcal.record.stream import FAULT, Prompt
 
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
@@ -17,6 +16,11 @@ AGAIN = "begin this step again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
 THEN = QT_TRANSLATE_NOOP("Words", "Then “{0}”.")
+
+
+def asked_text(prompt: Prompt) -> str:
+    """The words of a question; where an instrument failed what it was, for step and coils stand beside it."""
+    return str(prompt.drawing.get(FAULT, prompt.text))
 
 
 def headline(prompt: Prompt) -> str:

@@ -31,11 +31,11 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.failed_step import asked_text
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of
+from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
 from labcal.record.stream import (
-    FAULT,
     NOT_USED,
     Block,
     Event,
@@ -62,11 +62,6 @@ AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements 
     "delay": "delay {axis}",
     "closure": "closure {axis}",
 }
-
-
-def asked_text(prompt: Prompt) -> str:
-    """The words of a question; where an instrument failed what it was, for step and coils stand beside it."""
-    return str(prompt.drawing.get(FAULT, prompt.text))
 
 
 def _now() -> str:
@@ -114,9 +109,9 @@ class RunViewModel(QObject):
         self.measurements: dict[str, Measurement] = {}
         self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
+        self._turned = False  # in any segment
         self.sectors: set[int] = set()
-        self._goes_on = False  # a run that was interrupted
-        self._begins = False  # a new one, of which nothing has come yet
+        self._goes_on = self._begins = False  # a run that was interrupted; a new one, of which nothing has come yet
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -272,6 +267,10 @@ class RunViewModel(QObject):
         about = [m.verdict for name, m in self.measurements.items() if pattern.fullmatch(name)]
         return max(about, key=WORST.index, default="")
 
+    def turns(self) -> bool:
+        """Whether a turn was recorded, or is to come: else circle and axes have nothing to say."""
+        return self._turned or name_a_turn(self.names)
+
     def coverage(self) -> float:
         """The part of the circle that this segment has seen, 0 to 1."""
         return len(self.sectors) / SECTORS
@@ -313,6 +312,7 @@ class RunViewModel(QObject):
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
+                self._turned = self._turned or item.segment.kind == "rotation"
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
                 self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
             case SegmentClosed():

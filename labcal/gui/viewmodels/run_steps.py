@@ -21,6 +21,11 @@ def marks_of(
     return [*before, *([here] if at < len(names) else []), *later]
 
 
+def name_a_turn(steps: Sequence[str]) -> bool:
+    """Whether one of them is a turn about a body axis: x+20uT-nominal."""
+    return any(step[:1] in ("x", "y", "z") and step[1:2] in ("+", "-") for step in steps)
+
+
 def left_out(names: Sequence[str], measured: Collection[str], skipped: Collection[str]) -> list[str]:
     """Which of the steps `names`, that are past, were skipped, or broken off and not repeated, in their order."""
     return [name for name in names if name in skipped or _is_missing(name, measured)]

@@ -16,9 +16,9 @@ from PySide6.QtWidgets import (
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.failed_step import below, headline
+from labcal.gui.viewmodels.failed_step import asked_text, below, headline
 from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
-from labcal.gui.viewmodels.run import SERIAL, asked_text
+from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
