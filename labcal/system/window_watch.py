@@ -12,10 +12,11 @@ import platform
 import signal
 import subprocess
 import sys
+import threading
 import time
 import zipfile
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
@@ -100,14 +101,34 @@ def once(command: Sequence[str]) -> WindowEnd:
         words = [*command, "--state", str(state), *(["--archive"] if url else [])]
         with log.open("wb") as said:
             process = subprocess.Popen(words, stdin=subprocess.PIPE if url else None, stderr=said, env=environment)
-            _tell(process, url)
-            while True:
-                try:
-                    code = process.wait()
-                    break
-                except KeyboardInterrupt:
-                    continue
+            with _passed_on_to(process):
+                _tell(process, url)
+                code = _waited_for(process)
         return WindowEnd(code, without_secrets(_end_of(log)), _read(state), time.monotonic() - begun)
+
+
+def _waited_for(process: subprocess.Popen[bytes]) -> int:
+    while True:
+        with suppress(KeyboardInterrupt):
+            return process.wait()
+
+
+@contextmanager
+def _passed_on_to(process: subprocess.Popen[bytes]) -> Iterator[None]:
+    """Whoever ends `labcal gui` by its name means the window: it is not left without its watch. SIGKILL nobody hears."""
+
+    def pass_on(number: int, _: object) -> None:
+        process.send_signal(number)
+
+    heard = [number for number in WANTED if signal.getsignal(number) is signal.SIG_DFL]  # nohup has SIGHUP ignored
+    heard = heard if threading.current_thread() is threading.main_thread() else []
+    for number in heard:
+        signal.signal(number, pass_on)
+    try:
+        yield
+    finally:
+        for number in heard:
+            signal.signal(number, signal.SIG_DFL)
 
 
 def _tell(process: subprocess.Popen[bytes], url: str) -> None:
