@@ -138,7 +138,9 @@ def preflight(
     bench: Bench,
     *,
     axes: Annotated[
-        tuple[Literal["x", "y", "z"], ...], Least(2, ONE_AXIS), "body axes, each mounted along the platform axis in turn"
+        tuple[Literal["x", "y", "z"], ...],
+        Least(2, ONE_AXIS),
+        "body axes, each mounted along the platform axis in turn",
     ] = ("x", "y", "z"),
     magnitudes_nT: Annotated[tuple[float, ...], Limits(1e3, 1e5, unit="nT"), "field magnitudes"] = (20e3, 50e3),
     reverse: Annotated[bool, "the last magnitude also reversed"] = True,

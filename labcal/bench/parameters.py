@@ -143,7 +143,7 @@ def shown(number: float) -> str:
 
 
 def for_modes(spec: ParameterSpec, modes: tuple[str, ...]) -> ParameterSpec:
-    """`spec` for a DUT with these power modes: what asks for one is a choice of them; where none are stated any text."""
+    """`spec` for a DUT with these power modes: a choice of them where it wants one; any text where none is known."""
     if spec.name not in POWER_MODES or spec.kind != "text" or not modes:
         return spec
     return replace(spec, kind="choice", choices=modes)

@@ -39,5 +39,5 @@ class Fit:
     phase_rad: Array | None = None  # the starting phases found, one per group of `record.carry(run)`
     covariance_of: tuple[str, ...] = MAP_PARAMETERS  # beyond the map: "0:c_x", by the sensor's effects in their order
     sources: Sources | None = None  # what `covariance` is made of, where the method tells it apart
-    left_open: str | None = None  # of a map by magnitudes alone where vectors are there: what they leave open, a sentence
+    left_open: str | None = None  # where magnitudes alone determine it: what the vectors do not, a sentence
     noise_nT: float | None = None  # standard deviation of one axis of one reading, estimated

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from labcal.fit import Fit, fit, fit_all
-from labcal.fit.scalar.moments import MISSING
+from labcal.fit.scalar.scalar_check import MISSING
 from labcal.record import Run
 from labcal.session.sources import load_run
 

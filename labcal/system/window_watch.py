@@ -115,7 +115,7 @@ def _waited_for(process: subprocess.Popen[bytes]) -> int:
 
 @contextmanager
 def _passed_on_to(process: subprocess.Popen[bytes]) -> Iterator[None]:
-    """Whoever ends `labcal gui` by its name means the window: it is not left without its watch. SIGKILL nobody hears."""
+    """Whoever ends `labcal gui` by its name means the window, which is not left without its watch (but by SIGKILL)."""
 
     def pass_on(number: int, _: object) -> None:
         process.send_signal(number)

@@ -23,7 +23,12 @@ def run_of(axes, rate, seed):
     ("axes", "rate", "seed", "says"),
     [
         ("z", "2", 1, "the run determines 11 of 12 parameters"),  # the magnitudes alone determine a map, 15 nT are left
-        ("x", "20", 3, "the field would be uncertain by"),  # all twelve, and by noise alone each by a tenth of the field
+        (
+            "x",
+            "20",
+            3,
+            "the field would be uncertain by",
+        ),  # all twelve, and by noise alone each by a tenth of the field
         ("x,z", "20", 1, ""),
         ("x,y,z", "20", 1, ""),
     ],

@@ -67,7 +67,9 @@ def test_one_power_mode_is_chosen_among_those_there_are(with_modes):
     choose.choose("rotate-axis")
     field = choose.form.fields["mode"]
     assert [field.itemData(n) for n in range(field.count())] == ["low", "high"]
-    assert choose.form.given()["mode"] == "low"  # what is seen is what is sent, though the procedure has another default
+    assert (
+        choose.form.given()["mode"] == "low"
+    )  # what is seen is what is sent, though the procedure has another default
     choose.form.set_text("mode", "high")
     assert choose.form.given()["mode"] == "high"
     with_modes("high", "low", "off")

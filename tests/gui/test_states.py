@@ -26,7 +26,12 @@ INTO = {
     "asked for words": (Step(0.0, 1, 3, "zero", 60.0, STEPS), Prompt(1.0, "why", "Why?", ())),
     "paused": (Step(0.0, 1, 3, "zero", 60.0, STEPS), Event(1.0, "pause", "paused, coils at zero", {})),
 }
-SILENT = Fault("instrument", "ref: no sample for 2.1 s.", "Look at its power and its cable.", "trace")
+SILENT = Fault(
+    "instrument",
+    "ref: no sample for 2.1 s.",
+    "Is its plug in at both ends, and has it power? Nobody can tell from here which it is.",
+    "trace",
+)
 
 
 def send(window, *items):

@@ -84,8 +84,8 @@ def look(channel: Channel, asked: LookAt) -> Look:
 
 def fit(channel: Channel, asked: FitRun) -> Fitted:
     """One method's answer, its residual and its loci."""
-    from labcal.fit.metrics import scalar_residual
     from labcal import session
+    from labcal.fit.metrics import scalar_residual
     from labcal.session.conformity import fit_conformity
 
     measured, found = loaded_run(asked.run), loaded_fit(asked.run, asked.method)

@@ -1539,10 +1539,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at its power and its cable.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1539,10 +1539,6 @@
         <translation>von {0} kamen keine Werte.</translation>
     </message>
     <message>
-        <source>Look at its power and its cable.</source>
-        <translation>Versorgung und Kabel ansehen.</translation>
-    </message>
-    <message>
         <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
         <translation>Steckt sein Stecker an beiden Enden, und hat es Strom? Von hier aus kann niemand sagen, woran es liegt.</translation>
     </message>

@@ -1539,10 +1539,6 @@
         <translation>aucun échantillon n&apos;est venu de {0}.</translation>
     </message>
     <message>
-        <source>Look at its power and its cable.</source>
-        <translation>Examiner son alimentation et son câble.</translation>
-    </message>
-    <message>
         <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
         <translation>Sa prise est-elle branchée aux deux bouts, et est-il alimenté ? D’ici, personne ne peut dire lequel des deux.</translation>
     </message>

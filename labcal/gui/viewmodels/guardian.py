@@ -6,7 +6,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
 
-GUARDIAN = QT_TRANSLATE_NOOP("Words", "guardian")
+GUARDIAN = "guardian"
+TEXTS = (QT_TRANSLATE_NOOP("Words", "guardian"),)
 IS = QT_TRANSLATE_NOOP(
     "Words",
     "The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to "
@@ -16,4 +17,4 @@ IS = QT_TRANSLATE_NOOP(
 
 def guardian_is(*words: str) -> str:
     """The sentence, where any of these (English) words speak of the guardian; else ""."""
-    return translated(str(IS)) if any(str(GUARDIAN) in one.lower() for one in words) else ""
+    return translated(str(IS)) if any(GUARDIAN in one.lower() for one in words) else ""

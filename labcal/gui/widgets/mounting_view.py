@@ -100,9 +100,15 @@ class Mounting(QWidget):
         self._paint_box(painter, body, centre)
         self._paint_axes(painter, body, centre)
         self._paint_turn(painter, axis)
+        self._paint_words(painter)
+
+    def _paint_words(self, painter: QPainter) -> None:
+        """Below the platform, at which angle of it this is."""
         painter.setPen(QColor(self._theme.muted))
-        below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom | Qt.TextFlag.TextWordWrap
-        painter.drawText(QRectF(self.rect()), below, self.platform_words())
+        painter.setFont(self.font())
+        top = self._at(-0.9 * UP).y()
+        below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
+        painter.drawText(QRectF(0, top, self.width(), self.height() - top), below, self.platform_words())
 
     def _paint_platform(self, painter: QPainter, axis: Array) -> None:
         side = unit(np.cross(axis, (0.3, 0.9, 0.2)))
