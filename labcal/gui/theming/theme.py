@@ -88,7 +88,8 @@ QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padd
                    letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
-QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="now"] { color: $accent; font-weight: 600; }
+QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }
+QLabel#caption[state="now"] { color: $accent; font-weight: 600; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
 QPushButton:disabled { color: $muted; background: $page; }
