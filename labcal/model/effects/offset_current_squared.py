@@ -9,7 +9,7 @@ from labcal.model.effects.c_responses import Driven, filtered, late
 from labcal.model.effects.following import BEHIND, LATE, delayed_terms
 from labcal.model.effects.offset_current import LOCKED
 from labcal.model.effects.protocol import Array, Family
-from labcal.model.effects.regressors import delayed, low_passed, moving, on_each_axis, per_axis
+from labcal.model.effects.regressors import delayed, is_its_own_square, low_passed, moving, on_each_axis, per_axis
 from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import DELAY
 from labcal.model.effects.term import Term
@@ -46,14 +46,17 @@ def in_c(term: Term) -> CForm:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each current that moves: at once, as the heat of it comes and goes, and seen early or late."""
+    """Each current that moves: at once, as the heat of it comes and goes, and seen early or late.
+
+    The last not of a load that is on or off: it has no square of its own.
+    """
     return [
         Term(kernel, per_axis("c", f"nT/{c.unit}^2"), (c.name,), {c.name: 0.0}, shape)
         for c in moving(run, ("current",))
         for shape in (
             (),
             (replace(BEHIND, value=30.0, grid=TAU_S),),
-            *(term.shape for term in delayed_terms(c, kernel, run, DELAYS)),
+            *(term.shape for term in delayed_terms(c, kernel, run, DELAYS) if not is_its_own_square(c)),
         )
     ]
 
