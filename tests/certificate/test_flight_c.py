@@ -57,6 +57,8 @@ FORMS = {
     "ahead": (("offset-channel", *CURRENT, {**C, "delay_s": -0.9}),),
     "several": (("offset-current", *CURRENT, {f"c{tau}s_{a}": 20.0 + tau for tau in (0, 3, 12) for a in "xyz"}),),
     "heat": (("offset-current-squared", ("i",), {"i": 0.0}, {**C, "tau_s": 8.0}),),
+    "a square that is late": (("offset-current-squared", ("i",), {"i": 0.0}, {**C, "delay_s": 0.7}),),
+    "a square seen late": (("offset-current-squared", ("i",), {"i": 0.0}, {**C, "delay_s": -1.3}),),
     "curved": (("offset-temperature", *WARM, {**C, "d_x": 1.0, "d_y": 0.5, "d_z": 2.0, "tau_s": 25.0}),),
     "branches": (("offset-temperature", *WARM, {**C, **each(b=30.0), "r_C": 0.4}),),
     "branched-slopes": (("offset-temperature", *WARM, {**C, **each(b=30.0, f=4.0), "r_C": 0.4}),),

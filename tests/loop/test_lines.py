@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -14,9 +15,20 @@ from labcal import session
 from labcal.errors import InputError
 from labcal.geometry import rotate
 from labcal.loop import close_loop
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.decimate import rows_per_bin
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.noise.periodogram import periodogram
+from labcal.loop.selection.crossval import HeldOutErrors
+from labcal.loop.selection.discrepancy import is_narrow_line
+from labcal.loop.selection.heldout_rules import first_unsupported
 from labcal.model.effects.registry import load_shipped
+from labcal.model.effects.regressors import stretches
 
 Rows = dict[str, np.ndarray]
 LINE_nT, NYQUIST_Hz = 138 * np.array([0.6, -0.64, 0.48]), 1.0
@@ -78,3 +90,56 @@ def test_the_mains_are_found_at_their_own_frequency_where_the_recorder_starts_an
     found = {p.name: p for p in closed.accepted[0].parameters}
     assert abs(found["f_Hz"].value - f_Hz) < max(5 * found["f_Hz"].u, 1e-4)
     assert abs(np.hypot(found["cos_x"].value, found["sin_x"].value) - LINE_nT[0]) < 5
+
+
+Started = Callable[..., LinearProblem]
+
+
+def _lines(pool: CandidateSet) -> list[Candidate]:
+    return [c for c in all_candidates(pool, []) if c.family.id == "periodic" and c.belongs_to == "sensor"]
+
+
+@pytest.mark.parametrize("between", [0.0, 0.25, 0.5])
+def test_a_line_is_offered_at_its_own_frequency_wherever_it_lies_between_those_of_a_spectrum(
+    started: Started, between: float
+) -> None:
+    """A quarter of a run's resolution off, a line of half an hour has lost a third of itself by its end."""
+    t_s = started().scene.t_s
+    frequency, _ = periodogram(t_s, np.zeros((len(t_s), 1)))
+    f_Hz = frequency[300] + between * (frequency[1] - frequency[0])
+    pool = CandidateSet.of(started(lambda rows: np.cos(2 * np.pi * f_Hz * rows["t_s"])[:, None] * LINE_nT), 0.85)
+    off = min(abs(c.term.at("f_Hz") - f_Hz) for c in _lines(pool))
+    assert off * np.ptp(t_s) < 0.1
+
+
+@pytest.mark.parametrize(("phases_rad", "narrow"), [(0.0, True), (2.0, False)])
+def test_what_begins_anew_in_each_segment_is_no_line_however_alike_it_is_within(
+    started: Started, phases_rad: float, narrow: bool
+) -> None:
+    def wave(rows: Rows) -> np.ndarray:
+        number = np.unique(rows["segment"], return_inverse=True)[1]
+        phase = phases_rad * np.random.default_rng(4).normal(size=number.max() + 1)
+        return np.cos(2 * np.pi * 0.13 * rows["t_s"] + phase[number])[:, None] * LINE_nT
+
+    pool = CandidateSet.of(started(wave), 0.85)
+    assert len(stretches(pool.problem.scene.segment)) == 6
+    null = pool.null_model()
+    best = max((pool.score(c, null) for c in _lines(pool)), key=lambda w: w.evidence)
+    assert best.evidence > 100
+    assert is_narrow_line(pool, [], refined(pool, best.candidate, [])) is narrow
+
+
+def test_a_line_is_named_beside_what_nothing_explains_and_a_wave_of_many_phases_is_not(started: Started) -> None:
+    def beside(rows: Rows, phases_rad: float) -> np.ndarray:
+        draw, number = np.random.default_rng(8), np.unique(rows["segment"], return_inverse=True)[1]
+        phase = phases_rad * draw.normal(size=number.max() + 1)
+        popcorn = 90.0 * (draw.random((len(number), 3)) < 0.3)
+        return np.cos(2 * np.pi * 0.13 * rows["t_s"] + phase[number])[:, None] * LINE_nT + popcorn
+
+    rows = np.ones(40)
+    falls = [HeldOutErrors(np.arange(40), 160.0 * rows, 110.0 * rows, rows > 0)]  # far more left than a square wave has
+    level = NoiseFloor(35.0, "declared", None)
+    for phases_rad, unsupported in ((0.0, None), (2.0, 0)):
+        pool = CandidateSet.of(started(lambda rows, by=phases_rad: beside(rows, by)), 0.85)
+        best = max((pool.score(c, pool.null_model()) for c in _lines(pool)), key=lambda w: w.evidence)
+        assert first_unsupported(pool, [refined(pool, best.candidate, [])], falls, level) == unsupported

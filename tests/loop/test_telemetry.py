@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 
 from labcal import session
+from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.checks import check_data
+from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.selection.select import select
 from labcal.model.switched import drawn_between_levels
 
 ONE = np.array([0, 60])  # a segment
@@ -44,3 +48,16 @@ def test_a_burst_is_no_fault_of_a_clock(making: ModuleType, tmp_path: Path) -> N
     problem, level, _ = prepare(session.load_run(str(making.written(tmp_path, rows, segments))))
     assert float(np.sqrt(np.mean(problem.residual_nT**2))) > 5 * level.nT
     assert check_data(problem, level) is None
+
+
+def test_the_square_of_a_load_is_its_square_however_late_the_load_was_recorded(
+    searching: Callable[..., CandidateSet],
+) -> None:
+    t, draw = searching({}, {}).problem.scene.t_s, np.random.default_rng(0)
+    knots = np.arange(-9.8, t[-1] + 20.0, 9.0)
+    level = draw.choice([0.1, 0.5, 0.9, 1.6], len(knots))
+    now, late = (level[np.searchsorted(knots, t - by_s)] for by_s in (0.0, 1.4))
+    pool = searching({"i": late}, {"i": "current"}, np.outer(now**2, [300.0, -200.0, 100.0]))
+    (found,) = select(pool, NoiseFloor(35.0, "declared", None)).accepted
+    assert found.cause == ("offset-current-squared", ("i",))
+    assert abs(found.term.at("delay_s") + 1.4) < 0.25  # half a row

@@ -18,6 +18,7 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 BELOW_NYQUIST = 0.98  # of the highest frequency: beyond, a line and its alias are one
 PEAKS = 3  # frequencies that a periodic effect is tried at
+BETWEEN = 8  # places between two frequencies of a spectrum at which the top of a peak is looked for
 SKIRT = 8  # frequencies on either side of a peak that belong to it
 
 
@@ -42,11 +43,18 @@ def _frequencies(problem: LinearProblem, scores: Array) -> list[tuple[float, int
     """Where lines are tried [Hz], and of how many frequencies each was chosen."""
     frequency, power = periodogram(problem.scene.t_s, scores)
     peaks = _peaks(np.where(admissible(problem, frequency), power / running_median(power), 0.0))
-    found = [(float(frequency[peak]), len(frequency)) for peak in peaks]
+    found = [(_top(problem.scene.t_s, scores, frequency, peak), len(frequency)) for peak in peaks]
     parts, t_s = stretches(problem.scene.segment), problem.scene.t_s
     lowest = policy.POLICY.min_cycles / max(float(np.median([np.ptp(t_s[part]) for part in parts])), 1e-9)
     above = unfolded_line(t_s, scores, parts, lowest) if problem.bins is None else None
     return found if above is None else [*found, above]
+
+
+def _top(t_s: Array, scores: Array, frequency: Array, peak: int) -> float:
+    """The frequency [Hz] about a peak at which the power is largest: the spectrum's own may be a third below it."""
+    near = frequency[peak] + (frequency[1] - frequency[0]) * np.linspace(-1.0, 1.0, 2 * BETWEEN + 1)
+    power = np.sum(np.abs(np.exp(-2j * np.pi * np.outer(near, t_s)) @ scores) ** 2, axis=1)
+    return float(near[int(np.argmax(power))])
 
 
 def offset_scores(problem: LinearProblem, residual: Array, *, in_cage: bool) -> Array:

@@ -8,6 +8,7 @@ coincidence: what it carries that no smooth function does is its own, and the ot
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -20,7 +21,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
 from labcal.loop.selection.misfit import MOST_DIRECTIONS, evidence_beside_misfit, misfits, mistimed, scaled
-from labcal.model.effects import Scene
+from labcal.model.effects import FREQUENCY, Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
 Array = NDArray[np.float64]
@@ -32,11 +33,12 @@ NEAREST = 3  # rivals that are scored beside what both may miss
 def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> bool:
     """Whether `chosen` has the evidence of a name, and a lead over every unrelated cause, beside a discrepancy.
 
-    Over the nearest rivals where each of the two may miss a smooth function of its own inputs as well.
+    Over the nearest rivals where each of the two may miss a smooth function of its own inputs as well. What follows
+    time alone never does, but for a line that is narrow.
     """
-    if chosen.family.bound_to_run or chosen.family.generic:
-        return False
     others = [c for c in accepted if c is not chosen]
+    if chosen.family.generic or (chosen.family.bound_to_run and not is_narrow_line(pool, others, chosen)):
+        return False
     law, beside = policy.POLICY, [discrepancy(pool, chosen)]
     own = pool.score(chosen, pool.null_model(others, beside))
     if own.evidence < law.min_evidence or own.drop < min_material_drop(pool, others):
@@ -48,6 +50,28 @@ def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate],
         return False
     near = [w.candidate for w in found[:NEAREST] if w.evidence >= law.min_evidence]
     return all(_leads_beside_both(pool, others, chosen, rival) for rival in near)
+
+
+def is_narrow_line(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> bool:
+    """Whether it is one frequency: those beside it hold no more than a square wave has beyond its third harmonic.
+
+    As far as a wave spreads whose phase is another one in each segment: what resembles a line for a while is that wide.
+    """
+    frequency = chosen.term.of(FREQUENCY)
+    if frequency is None:
+        return False
+    scene = pool.whole.scene
+    apart_Hz = 1 / float(scene.t_s[-1] - scene.t_s[0])
+    count = len(stretches(scene.segment))
+    with_it = pool.null_model([*others, chosen])
+    own = pool.score(chosen, pool.null_model(others)).drop
+    beside = [
+        replace(chosen, term=chosen.term.with_values(**{frequency.name: frequency.value + k * apart_Hz}))
+        for k in range(-count, count + 1)
+        if k and frequency.value + k * apart_Hz > 0
+    ]
+    held = sum(pool.score(one, with_it).drop for one in beside)
+    return held <= policy.POLICY.max_misfit_of_a_line * own
 
 
 def _leads_beside_both(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, rival: Candidate) -> bool:

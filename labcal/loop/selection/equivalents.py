@@ -100,7 +100,7 @@ def leads_over_relatives(
     """
 
     def made() -> list[tuple[Candidate, float]]:
-        found = [refined(pool, c, others) for c in _best_relatives(pool, others, chosen)]
+        found = [refined(pool, c, others) for c in best_relatives(pool, others, chosen)]
         return [(c, lead_beside_misfit(pool, others, chosen, c)) for c in found]
 
     return pool.cached("relatives", [chosen, *others], made)
@@ -116,7 +116,8 @@ def lead_beside_misfit(pool: CandidateSet, others: Sequence[Candidate], chosen: 
     return one - two
 
 
-def _best_relatives(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+def best_relatives(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """Causes of a related form in the same channels, the likeliest first."""
     related = related_candidates(pool, others, chosen)
     return [w.candidate for w in pool.rank(related, others)] if related else []
 

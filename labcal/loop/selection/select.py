@@ -20,7 +20,13 @@ from labcal.loop.selection.crossval import (
     fixed_choice,
     own_proof,
 )
-from labcal.loop.selection.equivalents import equally_likely, leads_over_relatives, not_worse
+from labcal.loop.selection.equivalents import (
+    best_relatives,
+    equally_likely,
+    is_the_same_here,
+    leads_over_relatives,
+    not_worse,
+)
 from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
@@ -203,14 +209,17 @@ def prefer_computable(
 ) -> list[Candidate]:
     """Of equivalent causes, on held-out data too, the one that can be computed from readings alone.
 
-    A channel without a physical mechanism goes last; what extends a cause goes after it.
+    A channel without a physical mechanism goes last; what extends a cause goes after it. Equivalent is as well what is
+    the same here: a few rows between the levels of a load do not make it the load's square.
     """
     for place, one in enumerate(accepted):
         if not (any(_preference(one)) or one.family.extends):
             continue  # nothing goes before it: what does as well need not be known
-        equals = [w.candidate for w in equally_likely(pool, accepted, one) if w.candidate.cause not in refused]
-        for other in sorted((c for c in equals if _goes_before(c, one)), key=_preference):
-            others = [c for c in accepted if c is not one]
+        others = [c for c in accepted if c is not one]
+        equals = [w.candidate for w in equally_likely(pool, accepted, one)]
+        equals += [c for c in best_relatives(pool, others, one) if is_the_same_here(pool, others, one, c)]
+        before = (c for c in equals if c.cause not in refused and _goes_before(c, one))
+        for other in sorted(before, key=_preference):
             swapped = [*accepted[:place], refined(pool, other, others), *accepted[place + 1 :]]
             if not_worse(cross_validate(pool, blocks, fixed_choice(swapped), accepted)):
                 accepted = swapped

@@ -53,9 +53,12 @@ def begins_off(term: Term, scene: Scene) -> float | None:
     return term.at(OFF.name) if known else None
 
 
-def delayed_terms(channel: Channel, kernel: Kernel, run: Run) -> list[Term]:
-    """The same after a delay: E(t) = c (q(t − delay_s) − q_ref), a negative one where the channel's clock is behind."""
-    grid = _delays(run.t_s)
+def delayed_terms(channel: Channel, kernel: Kernel, run: Run, most: int = POINTS) -> list[Term]:
+    """The same after a delay: E(t) = c (q(t − delay_s) − q_ref), a negative one where the channel's clock is behind.
+
+    Of `most` delays either way at most.
+    """
+    grid = _delays(run.t_s, most)
     if not grid:
         return []
     term = instantaneous(channel, kernel)
@@ -63,13 +66,13 @@ def delayed_terms(channel: Channel, kernel: Kernel, run: Run) -> list[Term]:
     return [Term(kernel, term.parameters, term.channels, term.reference_value, (shape,))]
 
 
-def _delays(t_s: Array) -> tuple[float, ...]:
+def _delays(t_s: Array, most: int) -> tuple[float, ...]:
     """Delays [s] either way, a row apart where that is not too fine."""
     if len(t_s) < 2 * ROWS:
         return ()
     step = period_s(t_s)
     reach = max(LONGEST_S, ROWS * step)
-    count = min(round(reach / step), POINTS)
+    count = min(round(reach / step), most)
     return tuple(reach / count * k for k in (*range(-count, 0), *range(1, count + 1)))
 
 

@@ -27,7 +27,7 @@ FIELD_IN_C = "now->field"  # the field along the axes of B
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
 STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
-ALIKE = 0.999  # correlation of currents that a run does not tell apart
+ALIKE = 0.999  # correlation of currents, or of one and its square, that a run does not tell apart
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 LEARNED = 10.0  # time constants from a beginning on: what happens there says what may have happened before
 FEWEST = 5  # rows that make a line
@@ -88,6 +88,13 @@ def coils(run: Run) -> list[Channel]:
 
 def _are_alike(one: Channel, other: Channel) -> bool:
     return abs(float(np.corrcoef(one.values, other.values)[0, 1])) > ALIKE
+
+
+def is_its_own_square(channel: Channel) -> bool:
+    """Whether its square is a line in it, as of what is on or off, or nothing at all, as of what is reversed."""
+    known = channel.values[np.isfinite(channel.values)]
+    square = known**2
+    return not np.ptp(square) or abs(float(np.corrcoef(known, square)[0, 1])) > ALIKE
 
 
 def room_temperatures(run: Run) -> list[Channel]:
