@@ -118,12 +118,12 @@ def on_a_line(name: str, role: str) -> Iterator[str]:
         ("genesys", "coil-x", "LAMBDA,GEN40-38"),
         ("pos-1", "reference", "POS-1 Overhauser magnetometer N 117"),
         ("gsm", "reference", "sends by itself"),
-        ("iaga-2002", "reference", "sends by itself"),
+        pytest.param("iaga-2002", "reference", "sends by itself", marks=pytest.mark.slow),
         ("i2c-board", "dut", "sends by itself"),
         ("thorlabs-apt", "platform", "K10CR1"),
         ("trinamic-tmcl", "platform", "module"),
         ("standa-8smc5", "platform", "errc"),
-        ("twinleaf", "reference", "Twinleaf VMR"),
+        pytest.param("twinleaf", "reference", "Twinleaf VMR", marks=pytest.mark.slow),
     ],
 )
 def test_what_speaks_otherwise_is_known_too(name: str, role: str, said: str, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -44,7 +44,9 @@ BESIDE = (
     "a fault",
 )
 BESIDE += ("rotate-axis, another serial",)
-DEAR = ("dut-moment",)  # a fifth of the time of all
+DEAR = (  # half of the time of all
+    "dut-moment", "cage-map", "scalar-cage", "locate", "cage-calibration", "field-sphere", "linearity",
+)  # fmt: skip
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.

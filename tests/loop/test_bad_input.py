@@ -73,6 +73,7 @@ def test_text_in_a_channel_is_refused_with_line_and_column(
     assert all(word in error for word in ("line 9", "temp", "warm"))
 
 
+@pytest.mark.slow
 def test_a_cause_with_gaps_in_its_channel_is_found(making: ModuleType, tmp_path: Path, closed_loop: Closed) -> None:
     rows, segments = making.recorded()
     rows["dut"] += (rows["temp"] - 20)[:, None] * [40.0, -30.0, 20.0]
@@ -82,6 +83,7 @@ def test_a_cause_with_gaps_in_its_channel_is_found(making: ModuleType, tmp_path:
     assert (code, [e["effect"] for e in result["accepted"]]) == (0, ["offset-temperature"])
 
 
+@pytest.mark.slow
 def test_two_identical_channels_are_rivals_and_called_one_signal(
     making: ModuleType, tmp_path: Path, closed_loop: Closed
 ) -> None:

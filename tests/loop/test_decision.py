@@ -157,7 +157,7 @@ def test_a_field_that_stands_is_no_drift_though_a_drift_contains_it(started: Sta
     assert [c.family.id for c in stepwise_forward(pool, most=1)[0]] == [name]
 
 
-@pytest.mark.parametrize("told", [True, False], ids=["a channel tells", "nothing tells"])
+@pytest.mark.parametrize("told", [pytest.param(True, marks=pytest.mark.slow), False], ids=["a channel tells", "nothing tells"])
 def test_what_comes_with_the_motor_or_at_a_moment_is_the_cages_field_and_no_offset(
     making: ModuleType, tmp_path: Path, told: bool
 ) -> None:
@@ -264,7 +264,7 @@ def test_a_current_recorded_late_does_not_push_its_square_out(searching: Callabl
     assert [c.cause for c in found] == [("offset-current-squared", ("i",))]
 
 
-@pytest.mark.parametrize("tau_s", [None, 14.0])
+@pytest.mark.parametrize("tau_s", [None, pytest.param(14.0, marks=pytest.mark.slow)])
 def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
     searching: Callable[..., CandidateSet], tau_s: float | None
 ) -> None:

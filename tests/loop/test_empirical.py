@@ -174,7 +174,11 @@ def test_the_marginal_likelihood_is_that_of_the_dense_covariance() -> None:
 
 
 @pytest.mark.parametrize(
-    ("kind", "seed"), [("white", 2026), ("random walk", 2027), pytest.param("telegraph", 2028, marks=pytest.mark.slow)]
+    ("kind", "seed"),
+    [
+        ("white", 2026),
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in (("random walk", 2027), ("telegraph", 2028))),
+    ],
 )
 def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
     assert run_path(str(BLIND))["noise_trial"](kind, seed)["built"] == []
@@ -184,7 +188,7 @@ def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
     ("shape", "seed"),
     [
         pytest.param("resonant in the rate", 2028, marks=pytest.mark.slow),
-        ("two channels' product", 2031),
+        pytest.param("two channels' product", 2031, marks=pytest.mark.slow),
         pytest.param("temperature times field", 2035, marks=pytest.mark.slow),
     ],
 )

@@ -82,6 +82,7 @@ def test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect(
     assert is_beyond_half(effect, reference, apart_nT) is beyond
 
 
+@pytest.mark.slow
 def test_an_effect_of_the_rig_beyond_half_of_the_field_is_given_up(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -162,6 +163,7 @@ def test_what_the_last_fit_gives_up_leaves_its_place_to_another_cause(
     assert "fitted in full, map and effects together leave" in said
 
 
+@pytest.mark.slow
 def test_of_two_effects_the_one_is_given_up_that_no_fit_arrives_with(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -76,10 +76,15 @@ class Table:
 
 @pytest.mark.parametrize(
     ("where", "channels", "zero"),
-    [("beside", (), "stated"), ("beside", (), "each"),
-     ("on the table", (), "stated"), ("on the table", (), "one"), ("on the table", (), "each"),
-     ("motor", ("motor_on",), "stated"), ("motor", ("motor_on",), "one"), ("motor", ("motor_on",), "each")],
-)  # fmt: skip
+    [
+        ("beside", (), "stated"),
+        ("on the table", (), "one"),
+        ("motor", ("motor_on",), "one"),
+        pytest.param("beside", (), "each", marks=pytest.mark.slow),
+        *(pytest.param("on the table", (), zero, marks=pytest.mark.slow) for zero in ("stated", "each")),
+        *(pytest.param("motor", ("motor_on",), zero, marks=pytest.mark.slow) for zero in ("stated", "each")),
+    ],
+)
 def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
     making: ModuleType, tmp_path: Path, where: str, channels: tuple[str, ...], zero: str
 ) -> None:
