@@ -27,7 +27,14 @@ def symmetric(affine) -> np.ndarray:
     return np.concatenate([K.ravel(), K @ np.linalg.solve(affine.K, affine.k_nT)])
 
 
-@pytest.mark.parametrize(("offers", "free"), [pytest.param("vector", 12, marks=pytest.mark.slow), ("axis", 12), pytest.param("scalar", 9, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    ("offers", "free"),
+    [
+        pytest.param("vector", 12, marks=pytest.mark.slow),
+        ("axis", 12),
+        pytest.param("scalar", 9, marks=pytest.mark.slow),
+    ],
+)
 def test_the_error_is_as_large_as_the_covariance_says(bench, offers: str, free: int) -> None:
     seeds, errors = 20, []
     for seed in range(seeds):

@@ -157,7 +157,9 @@ def test_a_field_that_stands_is_no_drift_though_a_drift_contains_it(started: Sta
     assert [c.family.id for c in stepwise_forward(pool, most=1)[0]] == [name]
 
 
-@pytest.mark.parametrize("told", [pytest.param(True, marks=pytest.mark.slow), False], ids=["a channel tells", "nothing tells"])
+@pytest.mark.parametrize(
+    "told", [pytest.param(True, marks=pytest.mark.slow), False], ids=["a channel tells", "nothing tells"]
+)
 def test_what_comes_with_the_motor_or_at_a_moment_is_the_cages_field_and_no_offset(
     making: ModuleType, tmp_path: Path, told: bool
 ) -> None:

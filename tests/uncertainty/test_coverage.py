@@ -14,7 +14,7 @@ from wrong_lab import Declared
 
 from labcal.loop import uncertainty
 
-FEW = {"vector": 4, "axis": 6, "scalar": 6}  # of each lab
+FEW = {"vector": 7, "axis": 6, "scalar": 6}  # of each lab
 MANY = {"vector": 7, "axis": 12, "scalar": 12}
 
 
