@@ -87,6 +87,7 @@ def test_a_slope_is_as_uncertain_by_noise_as_a_line_through_all_steps(ran: Run) 
     assert found.measured["slope"].u == pytest.approx(2.65 / 2 * sigma / 50_000 / np.sqrt(7.5), rel=0.02)
 
 
+@pytest.mark.slow
 def test_the_largest_of_many_departures_is_no_fault_of_a_straight_device(ran: Run) -> None:
     """Of 33 steps the largest departure by noise is about two and a half times its standard deviation."""
     found = ran("linearity", steps=5, dwell_s=1)

@@ -75,7 +75,6 @@ def test_of_a_hundred_devices_ninety_five_are_as_good_as_is_said(fault: float, w
             assert np.median(wide[name]) < 3.0, name
 
 
-@pytest.mark.slow
 def test_of_a_hundred_straight_devices_ninety_five_may_be_straight() -> None:
     """The largest of fifteen departures, all of them noise: two standard deviations of one do not hold them."""
     field = np.tile(np.linspace(-50_000.0, 50_000.0, 5), 3)

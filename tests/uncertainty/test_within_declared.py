@@ -17,6 +17,10 @@ from labcal.record import Run
 
 FEW, MANY = 1, pytest.param(4, marks=pytest.mark.slow)  # runs of each kind of reference
 
+each_kind = pytest.mark.parametrize(
+    "kind", ["vector", *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS if kind != "vector")]
+)
+
 
 def runs(number: int, *, effect: str = "none", kinds: tuple[str, ...] = KINDS) -> Iterator[Run]:
     """Recorded by the independent lab, wrong by draws of what they declare."""
@@ -70,8 +74,9 @@ def test_without_what_is_declared_the_same_runs_have_structure(monkeypatch: pyte
 
 
 @pytest.mark.parametrize("number", [FEW, MANY])
-def test_what_is_larger_than_declared_is_not_clean(number: int) -> None:
-    found = [close_loop(stated(run, 0.1)) for run in runs(number)]
+@each_kind
+def test_what_is_larger_than_declared_is_not_clean(number: int, kind: str) -> None:
+    found = [close_loop(stated(run, 0.1)) for run in runs(number, kinds=(kind,))]
     left = [closed for closed in found if more_than_noise(closed)]
     assert left
     assert not any(closed.verdict == "clean" for closed in left)
@@ -91,7 +96,7 @@ def test_a_field_that_hides_in_the_declared_zero_is_not_claimed_and_a_larger_one
 
 
 @pytest.mark.parametrize("number", [FEW, MANY])
-@pytest.mark.parametrize("kind", ["vector", *(pytest.param(k, marks=pytest.mark.slow) for k in ("axis", "scalar"))])
+@each_kind
 def test_an_effect_at_work_keeps_its_name_and_closes_the_run(number: int, kind: str) -> None:
     for run in runs(number, effect="offset-current", kinds=(kind,)):
         closed = close_loop(run)
