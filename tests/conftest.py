@@ -20,7 +20,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the commands do: thread
 settings.register_profile("labcal", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("labcal")
 
-LONGEST = ("test_demo.py", "test_coverage.py", "test_check_standard.py")
+LONGEST = ("test_blind_short.py", "test_demo.py", "test_signed_lab.py")
 WAITING = {"archive", "bench", "bundle", "campaign", "cli", "clients", "runner", "store", "study"}  # rooms
 
 

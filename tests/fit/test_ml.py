@@ -147,7 +147,9 @@ def test_a_constant_magnitude_does_not_shrink_the_map(bench) -> None:
     assert normalised(found, symmetric(true)) < 28
 
 
-@pytest.mark.parametrize("name", MEASURED)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow if n % 3 else ()) for n, name in enumerate(MEASURED)]
+)
 def test_every_measured_run_gets_an_answer_or_a_reason(shared: Path, name: str) -> None:
     found = fit(read_bundle(shared / "data" / name))
     assert found.ok or "determines" in found.why_not

@@ -107,7 +107,7 @@ def tried(which: str, part: float, spread: float, seed: int) -> tuple[dict[str, 
     [
         pytest.param("core", 0.0, marks=pytest.mark.slow),
         pytest.param("core", 0.3, marks=pytest.mark.slow),
-        ("stop", 0.0),
+        pytest.param("stop", 0.0, marks=pytest.mark.slow),
     ],
 )
 def test_u_holds_how_the_run_s_own_segments_began(which: str, spread: float) -> None:

@@ -50,6 +50,7 @@ def test_the_flight_log_names_its_battery_current_with_base_offset(shared: Path,
     assert [e["effect"] for e in result["accepted"]] == ["offset-current"]
 
 
+@pytest.mark.slow
 def test_a_run_whose_rig_adds_a_field_is_valid_in_the_fields_that_the_device_met(
     making: ModuleType, tmp_path: Path
 ) -> None:

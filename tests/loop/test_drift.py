@@ -31,7 +31,9 @@ def smooth(t_s: np.ndarray, cycles: float, seed: int) -> np.ndarray:
     return np.asarray(SIZE_nT * found / found.std())
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.slow) for n in (2, 3))])
+@pytest.mark.parametrize(
+    "seed", [pytest.param(1, marks=pytest.mark.slow), *(pytest.param(n, marks=pytest.mark.slow) for n in (2, 3))]
+)
 def test_a_slow_wave_with_bends_is_a_drift_whole(making: ModuleType, tmp_path: Path, seed: int) -> None:
     rows, _ = making.recorded()
     found = closed(making, tmp_path, smooth(rows["t_s"], 2.5, seed))

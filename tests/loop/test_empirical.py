@@ -69,6 +69,7 @@ def calibration(run: Run, shipped: ClosedLoop) -> Calibration:
     return draft_calibration(run, shipped.fit(), "0" * 64, metrics=shipped.metrics())
 
 
+@pytest.mark.slow
 def test_of_magnitudes_the_last_fit_carries_the_term(making: ModuleType, tmp_path: Path) -> None:
     """Magnitudes show no turn of the map: what noise takes for one has to stay out of the term's columns."""
     rows, segments = making.recorded()

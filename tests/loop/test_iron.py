@@ -155,6 +155,7 @@ def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(
     assert [w.candidate.family.id for w in equally_likely(pool, [chosen], chosen)] == ["axis-tilt"]
 
 
+@pytest.mark.slow
 def test_nothing_is_added_where_there_is_no_iron(making: ModuleType, tmp_path: Path) -> None:
     table = Table(making)
     for zero in ("stated", "one", "each"):

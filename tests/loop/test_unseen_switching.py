@@ -39,7 +39,9 @@ def _run(load: Array, telemetry: Array) -> Run:
     return made.with_effect(load[:, None] * EACH_nT)
 
 
-@pytest.mark.parametrize("late_s", [0.0, pytest.param(1.5, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "late_s", [pytest.param(0.0, marks=pytest.mark.slow), pytest.param(1.5, marks=pytest.mark.slow)]
+)
 def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late_s: float) -> None:
     t_s = _clock(120)
     closed = close_loop(_run(_switched(t_s), _drawn(t_s, late_s)))

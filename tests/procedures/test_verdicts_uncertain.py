@@ -43,6 +43,7 @@ def test_a_mounting_that_is_stated_is_in_the_heading(ran: Run) -> None:
     assert "mounting uncertainty not included" not in notes(stated)
 
 
+@pytest.mark.slow
 def test_the_platform_s_angle_is_in_the_heading(ran: Run) -> None:
     angle = "angle_sign = 1", "angle_sign = 1\nangle_noise_deg = 0.05\nu_axis_cage_deg = 0.001"
     stated, open_ = ran("verify", edits=[angle], **SMALL), ran("verify", **SMALL)
@@ -70,6 +71,7 @@ def test_a_field_is_held_as_well_as_the_reference_can_tell(
     assert "alignment" in notes(good)
 
 
+@pytest.mark.slow
 def test_linearity_s_slope_is_as_uncertain_as_the_reference_s_scale_and_its_departure_is_not(ran: Run) -> None:
     short = {"steps": 2, "dwell_s": 1}
     good, bad = ran("linearity", **short), ran("linearity", edits=WORSE, **short)
@@ -166,6 +168,7 @@ def test_a_half_turn_that_is_missed_is_in_the_zero_and_one_that_nobody_states_is
     assert "not stated" not in notes(stated)
 
 
+@pytest.mark.slow
 def test_a_sphere_s_map_and_verdict_are_as_uncertain_as_the_reference(ran: Run) -> None:
     short = {"n_directions": 8, "magnitudes_nT": "20000,50000", "dwell_s": 0.5, "verify": 2}
     two_years_ago = (datetime.now(UTC) - timedelta(days=730)).date()
