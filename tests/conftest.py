@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from multiprocessing.util import get_temp_dir
 from pathlib import Path
 
@@ -22,6 +23,17 @@ settings.load_profile("labcal")
 
 LONGEST = ("test_blind_short.py", "test_demo.py", "test_signed_lab.py")
 WAITING = {"archive", "bench", "bundle", "campaign", "cli", "clients", "runner", "store", "study"}  # rooms
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """The garbage collector leaves alone what is loaded by then: tests that compute spent a third of their time on it."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
