@@ -27,7 +27,7 @@ WAITING = {"archive", "bench", "bundle", "campaign", "cli", "clients", "runner",
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
-    """The garbage collector leaves alone what is loaded by then: tests that compute spent a third of their time on it."""
+    """The garbage collector leaves alone what is loaded by then: a third of the time of tests that compute."""
     gc.disable()
     try:
         return (yield)
