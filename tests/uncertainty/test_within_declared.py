@@ -18,7 +18,7 @@ from labcal.record import Run
 FEW, MANY = 1, pytest.param(4, marks=pytest.mark.slow)  # runs of each kind of reference
 
 each_kind = pytest.mark.parametrize(
-    "kind", ["vector", *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS if kind != "vector")]
+    "kind", ["axis", *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS if kind != "axis")]
 )
 
 
