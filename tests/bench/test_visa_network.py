@@ -24,7 +24,7 @@ STATED = Settings(model="agilent-66xx", timeout_s=30.0)
 KINDS = {Hislip: "visa://TCPIP0::127.0.0.1::hislip0,{}::INSTR", Vxi11: "visa://TCPIP0::127.0.0.1,{}::inst0::INSTR"}
 
 
-@pytest.fixture(params=[Hislip, pytest.param(Vxi11, marks=pytest.mark.slow)])
+@pytest.fixture(params=KINDS)
 def server(request: pytest.FixtureRequest) -> Any:
     served = request.param(Device(TableEmulator(open_twin({}, 1), {"coil-x": {}}, STATED)))
     yield served
