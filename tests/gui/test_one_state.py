@@ -42,7 +42,6 @@ RUNS = {  # what is told, and how the run ends (None: it goes on)
     "interrupted by its store": ((FIRST, GOOD), Ended("r1", "interrupted", Fault("input", "runs.sqlite: disk full"))),
     "its worker died": ((FIRST, ENERGISED), Fault("ended", "The work was killed (signal 9, SIGKILL).")),
 }
-SELDOM = ("asking for a mode", "goes on", "stopping, and asked once more", "stopped", "interrupted by its store")
 ON, OFF, LOST = (1.52, 0.0, -0.4), (0.0, 0.001, 0.0), (None, 0.0, 0.0)
 COILS = {  # currents, what the reference says, how long ago
     "not told": None,
@@ -252,9 +251,7 @@ def of_one_guardian(which):
     return coils == "not told" or guardian == list(GUARDIANS)[at % len(GUARDIANS)]
 
 
-@pytest.mark.parametrize(
-    "run_state", [state if state not in SELDOM else pytest.param(state, marks=pytest.mark.slow) for state in RUNS]
-)
+@pytest.mark.parametrize("run_state", RUNS)
 def test_no_two_places_of_the_window_disagree(drawn, run_state, monkeypatch):
     none_disagrees(drawn, [one for one in REACHED if one[0] == run_state and of_one_guardian(one)], monkeypatch)
 
