@@ -25,7 +25,7 @@ from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations.sentences import form_of
-from labcal.gui.viewmodels.failed_step import asked_text
+from labcal.gui.viewmodels.run import asked_text
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
 from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import FAULT, Prompt
@@ -49,9 +49,6 @@ MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.i
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.
 SAID_IN_WORDS = {
-    "what",
-    "remedy",
-    "no_answer",
     "mode",
     "load",
     "on",
@@ -222,8 +219,7 @@ class Asked:
         card, prompt = self.card, self.prompt
         words = asked_text(prompt)
         assert card.isVisible()
-        shown = f"{card.text.text()} {card.details.text()}".replace("\N{NO-BREAK SPACE}", " ").strip()
-        assert shown.startswith(words)  # of a step that failed its advice stands below, with the button to press
+        assert card.text.text().replace("\N{NO-BREAK SPACE}", " ") == words
         assert form_of(prompt.text) or prompt.key == "failed-turn", f"not in other languages: {prompt.text}"
         room = QFontMetrics(card.text.font()).boundingRect(card.text.contentsRect(), Qt.TextFlag.TextWordWrap, words)
         assert card.text.contentsRect().contains(room), f"{prompt.text} is cut off"
