@@ -75,6 +75,7 @@ def test_the_page_of_the_face_is_made_of_its_docstrings() -> None:
     assert {name.split(".")[0] for name in tool.ORDER} == {n for n in api.__all__ if not n.endswith("Error")}
 
 
+@pytest.mark.slow
 def test_the_notebook_runs_from_the_first_cell_to_the_last(capsys: pytest.CaptureFixture[str]) -> None:
     cells = runpy.run_path(str(ROOT / "examples" / "notebook.py"))
     assert cells["outcome"].status == "finished"

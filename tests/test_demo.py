@@ -20,22 +20,22 @@ SEED = "3"
 SHORT = {"axes": "x,y", "modes": "nominal", "magnitudes_nT": "20000", "reverse": "no", "zero_s": "2", "dwell_s": "1"}
 
 
-@pytest.fixture(scope="module")
-def finished(tmp_path_factory):
-    """One demo, run as a person would, into a pipe; where it wrote."""
-    folder = tmp_path_factory.mktemp("demo")
-    return folder, run(folder, home_of(folder))
+@pytest.fixture(scope="module", params=["short", pytest.param("whole", marks=pytest.mark.slow)])
+def finished(tmp_path_factory, request):
+    """One demo, run as a person would, into a pipe: where it wrote. The short one: half of the axes and fields."""
+    folder, preflight = tmp_path_factory.mktemp("demo"), SHORT if request.param == "short" else {}
+    return folder, preflight, run(folder, home_of(folder), preflight)
 
 
 @pytest.fixture(scope="module")
 def demo(finished):
     """Where it wrote, and what it printed."""
-    folder, process = finished
+    folder, _, process = finished
     return folder, process.stdout
 
 
 def test_into_a_pipe_it_says_every_few_seconds_what_it_is_at(finished):
-    lines = finished[1].stderr.splitlines()
+    lines = finished[2].stderr.splitlines()
     assert len(lines) >= 3
     assert all(line.startswith("  ... ") for line in lines)
     assert any("scoring" in line for line in lines)
@@ -97,21 +97,12 @@ def test_the_hidden_effect_is_written_nowhere_in_the_run(demo):
         assert word not in header
 
 
-@pytest.mark.slow
-def test_the_same_seed_gives_the_same_bytes_and_a_second_call_works(demo, home_of_its_own):
-    folder, _ = demo
-    first = {name: (folder / name).read_bytes() for name in ("run.zip", "calibration.json")}
-    run(folder, home_of_its_own)
-    for name, content in first.items():
-        assert (folder / name).read_bytes() == content, name
-
-
-def test_a_short_demo_gives_the_same_bytes_again_in_the_same_folder(tmp_path):
-    """Another process each, with a home of its own: half of the axes and of the fields."""
-    for number in (1, 2):
-        run(tmp_path / "out", tmp_path / f"home{number}", SHORT, "5")
-        shutil.copytree(tmp_path / "out", tmp_path / str(number))
-    same, *others = filecmp.cmpfiles(tmp_path / "1", tmp_path / "2", ["run.zip", "calibration.json"], shallow=False)
+def test_the_same_seed_gives_the_same_bytes_and_a_second_call_works(finished, home_of_its_own, tmp_path):
+    """Another process, with a home of its own, in the same folder."""
+    folder, preflight, _ = finished
+    shutil.copytree(folder, tmp_path / "first")
+    run(folder, home_of_its_own, preflight)
+    same, *others = filecmp.cmpfiles(tmp_path / "first", folder, ["run.zip", "calibration.json"], shallow=False)
     assert (same, *others) == (["run.zip", "calibration.json"], [], [])
 
 

@@ -29,6 +29,7 @@ PRIVATE = {  # words that stand for others in no field: what to say instead
     "akin": "related",
     "rubbish": "incoherent",
 }
+ANY_PRIVATE = re.compile("|".join(PRIVATE), re.IGNORECASE)
 KINDS_OF_FAULT = ("reliability.md",)  # written by the campaign, whose kinds are names
 ITEM = r"\n(?=\s*(?:-|\d+\.) )"  # of a list: a paragraph of its own
 
@@ -66,6 +67,8 @@ def test_no_paragraph_is_longer_than_six_lines() -> None:
 
 def private_words(text: str) -> list[str]:
     """Words of `PRIVATE` in what people read: code, links and names between backticks are not."""
+    if not ANY_PRIVATE.search(text):  # most texts: the rest takes longer
+        return []
     prose = re.sub(r"```.*?```|`[^`]*`|\]\([^)]*\)", " ", text, flags=re.DOTALL)
     return [word for word in re.findall(r"[a-z]+", prose.lower()) if word in PRIVATE]
 
@@ -78,10 +81,10 @@ def test_what_people_read_says_it_in_words_that_a_newcomer_knows() -> None:
 
 def spoken(tree: ast.Module, *, help_too: bool) -> list[tuple[int, str]]:
     """Texts of a module by line: what it may print; where `help_too` its docstrings as well, which are its help."""
-    nodes = [n for n in ast.walk(tree) if isinstance(n, (ast.Module, ast.ClassDef, ast.FunctionDef))]
-    first = [n.body[0] for n in nodes if n.body]
+    nodes = list(ast.walk(tree))
+    first = [n.body[0] for n in nodes if isinstance(n, (ast.Module, ast.ClassDef, ast.FunctionDef)) and n.body]
     docs = {id(n.value) for n in first if isinstance(n, ast.Expr)} if not help_too else set()
-    texts = [n for n in ast.walk(tree) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
+    texts = [n for n in nodes if isinstance(n, ast.Constant) and isinstance(n.value, str)]
     return [(n.lineno, n.value) for n in texts if id(n) not in docs and " " in n.value]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -24,6 +25,7 @@ TWICE = {
 THRICE = {"Table"}  # of a report, of the window, and of the supplies' commands or a stream's columns
 
 
+@cache
 def public_classes() -> Mapping[str, list[str]]:
     """The rooms of each public class by its name, but for what every driver has."""
     found: dict[str, list[str]] = defaultdict(list)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 TESTS = Path(__file__).parent
@@ -26,9 +26,9 @@ def private(name: str) -> bool:
     return name.startswith("_") and not name.startswith("__") and name != "_"
 
 
-def used(tree: ast.AST) -> Iterator[str]:
+def used(nodes: Iterable[ast.AST]) -> Iterator[str]:
     """Names that are imported, called as what something has, or replaced by `monkeypatch.setattr`."""
-    for node in ast.walk(tree):
+    for node in nodes:
         match node:
             case ast.ImportFrom(names=names):
                 yield from (alias.name for alias in names)
@@ -39,16 +39,18 @@ def used(tree: ast.AST) -> Iterator[str]:
                 yield name
 
 
-def own(tree: ast.AST) -> set[str]:
+def own(nodes: Iterable[ast.AST]) -> set[str]:
     """Names that functions, classes and assigned attributes of the file have."""
-    named = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.ClassDef)}
-    stored = (node for node in ast.walk(tree) if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store))
+    named = {node.name for node in nodes if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    stored = (node for node in nodes if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store))
     return named | {node.attr for node in stored}
 
 
 def strangers(tree: ast.AST) -> set[str]:
     """Private names that are used, and that are not the file's own."""
-    return {name for name in used(tree) if private(name)} - own(tree)
+    nodes = list(ast.walk(tree))
+    foreign = {name for name in used(nodes) if private(name)}
+    return foreign - own(nodes) if foreign else foreign
 
 
 def test_no_private_function_is_used_but_those_that_are_listed() -> None:

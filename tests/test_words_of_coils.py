@@ -131,15 +131,15 @@ NO_CLAIM = {
 
 def literals(path: Path) -> Iterator[str]:
     """Every text of a file that is no docstring; what is filled in stands as {}."""
-    tree, silent = ast.parse(path.read_text(encoding="utf-8")), set[int]()
-    for node in ast.walk(tree):
+    nodes, silent = list(ast.walk(ast.parse(path.read_text(encoding="utf-8")))), set[int]()
+    for node in nodes:
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             silent.add(id(node.value))
         if isinstance(node, ast.JoinedStr):
             silent |= {id(part) for part in node.values}
         if isinstance(node, ast.FormattedValue) and node.format_spec is not None:
             silent |= {id(part) for part in ast.walk(node.format_spec)}
-    for node in ast.walk(tree):
+    for node in nodes:
         if id(node) in silent:
             continue
         if isinstance(node, ast.Constant) and isinstance(node.value, str):

@@ -82,6 +82,7 @@ def test_two_sites_at_once(homes: dict[str, Path], postgres: Server, database: s
     assert archiving.check_archive(url, None) == []
 
 
+@pytest.mark.slow
 def test_two_machines_of_one_site_at_once(homes: dict[str, Path], postgres: Server, database: str, url: str) -> None:
     said = pushed_at_once([(home, url) for home in homes.values()])
     there = rows_of(postgres, database)

@@ -63,7 +63,7 @@ def test_who_stands_by_needs_no_file_either(lab: Served, session: Sessions) -> N
     until(lambda: at_zero(lab))
 
 
-@pytest.mark.parametrize("now", ["gone", "elsewhere"])
+@pytest.mark.parametrize("now", [pytest.param("gone", marks=pytest.mark.slow), "elsewhere"])
 def test_off_by_a_link_that_leads_elsewhere_now(lab: Served, session: Sessions, tmp_path: Path, now: str) -> None:
     link, real = tmp_path / "link.toml", lab.file
     link.symlink_to(real)

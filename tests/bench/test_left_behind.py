@@ -34,7 +34,15 @@ def dies_with_the_ports(who: str, urls: list[str]) -> None:
 
 
 @pytest.mark.parametrize("bench_text", [example()], ids=["tti"])
-@pytest.mark.parametrize("who", [["standby"], ["off"], ["standby", "off", "standby"]], ids=" ".join)
+@pytest.mark.parametrize(
+    "who",
+    [
+        pytest.param(["standby"], marks=pytest.mark.slow),
+        pytest.param(["off"], marks=pytest.mark.slow),
+        ["standby", "off", "standby"],
+    ],
+    ids=" ".join,
+)
 def test_off_reaches_what_was_driven_after_others_died_on_its_ports(
     lab: Served, session: Sessions, who: list[str]
 ) -> None:

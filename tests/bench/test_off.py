@@ -86,7 +86,7 @@ main()
 
 @POSIX
 @pytest.mark.parametrize("bench_text", [example().replace("interface_lock = true, ", "")], ids=["unlocked"])
-@pytest.mark.parametrize("threads", ["0", "1", "2", "3"])
+@pytest.mark.parametrize("threads", ["1", *(pytest.param(n, marks=pytest.mark.slow) for n in "023")])
 def test_a_user_who_may_begin_no_further_process_brings_the_coils_down(lab: Served, threads: str) -> None:
     left_on(lab)
     words = [sys.executable, "-c", WITH_FEW_THREADS, threads, "bench", "off", str(lab.file)]

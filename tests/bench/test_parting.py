@@ -70,6 +70,7 @@ def test_a_coil_that_its_guardian_reads_at_last_is_said_to_be_at_zero(lab: Serve
     assert not [text for text in mute.said if NOT_CONFIRMED in text]
 
 
+@pytest.mark.slow
 def test_what_its_guardian_alone_could_read_is_not_said_to_be_unknown(
     lab: Served, monkeypatch: pytest.MonkeyPatch
 ) -> None:

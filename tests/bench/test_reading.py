@@ -101,6 +101,7 @@ def test_a_coil_that_nobody_watches_any_more_is_seen_to_be_on_and_off_knows_of_i
     assert at_zero(lab)
 
 
+@pytest.mark.slow
 def test_one_that_its_guardian_still_asks_is_read_as_soon_as_it_answers(lab: Served) -> None:
     control, mute = Control(), lab.emulator("supply_y")
 

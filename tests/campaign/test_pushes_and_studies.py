@@ -30,7 +30,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Place]:
         yield made
 
 
-@pytest.mark.parametrize("kind", ["server killed in a push", "push killed"])
+@pytest.mark.parametrize("kind", [pytest.param("server killed in a push", marks=pytest.mark.slow), "push killed"])
 def test_what_was_cut_is_there_as_if_nothing_had_been(kind: str, place: Place) -> None:
     assert tried(place, kind, 0)["faults"] == []
 

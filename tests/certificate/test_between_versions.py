@@ -144,7 +144,10 @@ def forged(edit: Edit) -> Calibration:
     return parse_calibration(rfc8785.dumps(stated))
 
 
-@pytest.mark.parametrize(("edit", "field"), FORGERIES)
+@pytest.mark.parametrize(
+    ("edit", "field"),
+    [pytest.param(*one, marks=pytest.mark.slow if n % 2 else ()) for n, one in enumerate(FORGERIES)],
+)
 def test_a_forged_number_of_another_version_is_named(made: Calibration, edit: Edit, field: str):
     found = final_fit(forged(edit), made)
     assert found.same is False

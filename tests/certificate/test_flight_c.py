@@ -155,7 +155,9 @@ def checked(folder: Path, *more: str) -> subprocess.CompletedProcess[str]:
 
 
 @needs_cc
-@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize(
+    "form", [pytest.param(one, marks=pytest.mark.slow if n % 2 else ()) for n, one in enumerate(FORMS)]
+)
 def test_each_form_gives_in_c_what_apply_gives(form: str, run: Run, tmp_path: Path) -> None:
     folder = exported(calibration(*FORMS[form]), run, tmp_path)
     done = checked(folder)
@@ -194,7 +196,9 @@ def smooth(inputs: tuple[str, ...], run: Run) -> EffectRecord:
 
 
 @needs_cc
-@pytest.mark.parametrize("inputs", SMOOTH, ids=" ".join)
+@pytest.mark.parametrize(
+    "inputs", [pytest.param(one, marks=pytest.mark.slow if n % 2 else ()) for n, one in enumerate(SMOOTH)], ids=" ".join
+)
 def test_a_function_without_a_name_gives_in_c_what_apply_gives(
     inputs: tuple[str, ...], run: Run, tmp_path: Path
 ) -> None:

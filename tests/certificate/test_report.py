@@ -122,9 +122,14 @@ def test_a_run_without_a_fit_says_why(run: Run):
     assert "there is no reference" in html(run_page(bare, "ab" * 32, Fit("ml", False, why_not="no reference")))
 
 
-def test_the_same_page_gives_the_same_bytes(run: Run, tmp_path: Path):
+def test_the_same_page_gives_the_same_bytes(run: Run):
     page = run_page(run, "ab" * 32, Fit("ml", True, affine=AffineMap(np.eye(3), np.full(3, 100.0))))
     assert html(page) == html(page)
+
+
+@pytest.mark.slow
+def test_the_same_page_gives_the_same_bytes_of_pdf(run: Run, tmp_path: Path):
+    page = run_page(run, "ab" * 32, Fit("ml", True, affine=AffineMap(np.eye(3), np.full(3, 100.0))))
     for path in (tmp_path / "1.pdf", tmp_path / "2.pdf"):
         write_report(page, path)
     assert (tmp_path / "1.pdf").read_bytes() == (tmp_path / "2.pdf").read_bytes()

@@ -197,7 +197,9 @@ def test_a_file_that_is_there_is_kept_until_force_is_said(
     assert link.is_symlink()
 
 
-@pytest.mark.parametrize("case", ASKED)
+@pytest.mark.parametrize(
+    "case", [pytest.param(one, marks=pytest.mark.slow if n % 3 else ()) for n, one in enumerate(ASKED)]
+)
 def test_not_even_force_replaces_store_signed_or_input(
     case: str, place: Place, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -219,7 +221,13 @@ def test_not_even_force_replaces_store_signed_or_input(
     assert bytes_below(place.folder) | bytes_below(home_of_its_own) == before
 
 
-@pytest.mark.parametrize("case", [case for case in ASKED if case != "demo --out"])
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case, marks=pytest.mark.slow if n % 3 else ())
+        for n, case in enumerate(case for case in ASKED if case != "demo --out")
+    ],
+)
 def test_what_is_no_file_is_refused_at_once(case: str, place: Place) -> None:
     os.mkfifo("pipe")
     os.symlink("nowhere", "gone")

@@ -12,6 +12,7 @@ from waiting import settled, until
 
 BY = "minimalmodbus"
 PATIENT_S = 15.0
+REFUSED_S = 3.0  # a refusal is shorter than an answer: the master waits for the rest as long as it may
 FULL = 52428  # of EA: the nominal value
 
 
@@ -36,6 +37,7 @@ def test_relay_board(line: Line) -> None:
         board.write_bits(0, [1, 0, 0, 0, 0, 0, 0, 1])
         assert board.read_bits(0, 8, functioncode=1) == [1, 0, 0, 0, 0, 0, 0, 1]
         board.write_bits(0, [0] * 8)
+        board.serial.timeout = REFUSED_S
         with pytest.raises(minimalmodbus.ModbusException):
             board.read_bits(4, 8, functioncode=1)
 
@@ -60,8 +62,10 @@ def test_ea_9000(line: Line) -> None:
         volts, amps = supply.read_float(121), supply.read_float(123)
         assert (volts, amps) == (80.0, 60.0)
         supply.write_bit(402, 0)
+        supply.serial.timeout = REFUSED_S
         with pytest.raises(minimalmodbus.ModbusException):
             supply.write_register(501, 100, functioncode=6)
+        supply.serial.timeout = PATIENT_S
         supply.write_bit(402, 1)
         for register, share in ((500, 20 / volts), (501, 0.6 / amps), (502, 0.5)):
             supply.write_register(register, round(FULL * share), functioncode=6)

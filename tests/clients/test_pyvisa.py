@@ -120,6 +120,7 @@ def test_pos1(line: Line) -> None:
         assert "[80]" in sensor.query("run")
 
 
+@pytest.mark.slow
 @pytest.mark.met("pos-1", BY, "20 readings: its numbers of the text in our driver's nanotesla")
 def test_pos1_readings(line: Line) -> None:
     with opened(line, "\0") as sensor:
@@ -133,6 +134,7 @@ def test_pos1_readings(line: Line) -> None:
     assert np.vstack([block.values for block in blocks])[:, 0] == pytest.approx(theirs, abs=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.met("gsm", BY, "20 readings: the numbers that it reads of its lines in our driver's nanotesla")
 def test_gsm_readings(line: Line) -> None:
     with opened(line) as sensor:

@@ -281,9 +281,11 @@ def never_zero(bench: Bench) -> Procedure:
 @pytest.mark.parametrize(
     ("procedure", "says"),
     [
-        (never_zero, r"leaves 0\.\d+ A in a coil at its end: with ExitStack"),
+        pytest.param(never_zero, r"leaves 0\.\d+ A in a coil at its end: with ExitStack", marks=pytest.mark.slow),
         (leaves_it_on, r"leaves 0\.\d+ A in a coil after a stop at .*: with ExitStack"),
-        (undoes_exceptions_alone, r"leaves 0\.\d+ A in a coil after (a stop|Ctrl-C) at"),
+        pytest.param(
+            undoes_exceptions_alone, r"leaves 0\.\d+ A in a coil after (a stop|Ctrl-C) at", marks=pytest.mark.slow
+        ),
         (goes_on, r"ends as 'finished' after an exception at .*: let what it does not know pass"),
         (asks_nobody, r"asks-nobody energises at .* where nobody has said hands off: yield from ready"),
         (turns_under_hands, r"turns-under-hands turns the platform at .* where nobody has said hands off"),

@@ -55,7 +55,9 @@ def refusal(driver: Any) -> InstrumentError | None:
     return None
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(one, marks=pytest.mark.slow if n % 3 else ()) for n, one in enumerate(NAMES)]
+)
 def test_another_s_instrument_is_not_taken_for_its_own(name: str) -> None:
     for other in NAMES:
         if other == name or (name, other) in ALIKE:

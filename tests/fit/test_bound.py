@@ -41,7 +41,7 @@ def phases(run, true, b) -> np.ndarray:
     return ml(clean).phase_rad
 
 
-@pytest.mark.parametrize("offers", KINDS)
+@pytest.mark.parametrize("offers", ["axis", *(pytest.param(k, marks=pytest.mark.slow) for k in KINDS if k != "axis")])
 def test_squared_error_is_at_the_bound_and_intervals_hold(bench, offers: str) -> None:
     seeds = 40
     ratios, holds = campaign(bench, offers, seeds, rows=60)

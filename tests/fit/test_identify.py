@@ -35,7 +35,9 @@ def test_rank_of_a_scalar_run_at_the_truth(bench, _: str, axes: str, fields: lis
     assert identify(seen, Noise(1.0), parameterisation, found).rank == rank
 
 
-@pytest.mark.parametrize("noise_nT", [0.0, 25.0, 200.0])
+@pytest.mark.parametrize(
+    "noise_nT", [pytest.param(0.0, marks=pytest.mark.slow), 25.0, pytest.param(200.0, marks=pytest.mark.slow)]
+)
 @pytest.mark.parametrize(("_", "axes", "fields", "rank"), SCALAR_RANKS, ids=IDS)
 def test_only_a_scalar_run_of_rank_nine_gets_numbers(
     bench, _: str, axes: str, fields: list, rank: int, noise_nT: float

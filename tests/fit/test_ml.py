@@ -27,7 +27,14 @@ def symmetric(affine) -> np.ndarray:
     return np.concatenate([K.ravel(), K @ np.linalg.solve(affine.K, affine.k_nT)])
 
 
-@pytest.mark.parametrize(("offers", "free"), [("vector", 12), ("axis", 12), ("scalar", 9)])
+@pytest.mark.parametrize(
+    ("offers", "free"),
+    [
+        pytest.param("vector", 12, marks=pytest.mark.slow),
+        ("axis", 12),
+        pytest.param("scalar", 9, marks=pytest.mark.slow),
+    ],
+)
 def test_the_error_is_as_large_as_the_covariance_says(bench, offers: str, free: int) -> None:
     seeds, errors = 20, []
     for seed in range(seeds):
@@ -140,7 +147,9 @@ def test_a_constant_magnitude_does_not_shrink_the_map(bench) -> None:
     assert normalised(found, symmetric(true)) < 28
 
 
-@pytest.mark.parametrize("name", MEASURED)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow if n % 3 else ()) for n, name in enumerate(MEASURED)]
+)
 def test_every_measured_run_gets_an_answer_or_a_reason(shared: Path, name: str) -> None:
     found = fit(read_bundle(shared / "data" / name))
     assert found.ok or "determines" in found.why_not

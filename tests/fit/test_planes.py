@@ -32,7 +32,7 @@ def normalised(found, true: AffineMap) -> np.ndarray:
     return (found.affine.parameters - true.parameters) / np.sqrt(np.diag(found.covariance))
 
 
-@pytest.mark.parametrize("reference_noise", [0.0, 100.0])
+@pytest.mark.parametrize("reference_noise", [pytest.param(0.0, marks=pytest.mark.slow), 100.0])
 def test_the_rotation_is_known_and_the_error_as_large_as_the_covariance_says(bench, reference_noise: float) -> None:
     seeds, squares = 20, []
     for seed in range(seeds):

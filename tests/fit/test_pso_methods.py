@@ -263,7 +263,9 @@ def test_rank_of_what_axes_determine_at_one_magnitude(axes, elevation_deg, rank)
     assert ranks(run, scalar=False) == rank
 
 
-@pytest.mark.parametrize("model", [MODELS[0], MODELS[2]], ids=["model-1", "model-3"])
+@pytest.mark.parametrize(
+    "model", [MODELS[0], pytest.param(MODELS[2], marks=pytest.mark.slow)], ids=["model-1", "model-3"]
+)
 def test_intervals_hold_the_truth_in_the_papers_models(model):
     """Pooled over 12 parameters and 60 seeds; the slow tests take 500."""
     share = share_inside(lambda seed: polish(loci_of(simulate(model, seed)), TRUTH, white_in="field"), TRUTH, 60)
@@ -278,7 +280,9 @@ RUNS = {
 }
 
 
-@pytest.mark.parametrize("kind", RUNS)
+@pytest.mark.parametrize(
+    "kind", [kind if kind == "vector reference" else pytest.param(kind, marks=pytest.mark.slow) for kind in RUNS]
+)
 def test_intervals_hold_the_truth_on_runs(kind):
     share = share_of_runs(kind, 60)
     assert 0.92 < share.mean() < 0.98

@@ -86,7 +86,12 @@ def test_what_was_seen_is_no_longer_saved_once_something_else_is_typed(page, qtb
 
 
 @pytest.mark.parametrize(
-    ("text", "words"), [("2,5", "is no value of TOML"), ("-1.0", "must be greater than 0"), ("", "is missing")]
+    ("text", "words"),
+    [
+        pytest.param("2,5", "is no value of TOML", marks=pytest.mark.slow),
+        ("-1.0", "must be greater than 0"),
+        pytest.param("", "is missing", marks=pytest.mark.slow),
+    ],
 )
 def test_a_bench_file_stays_one(page, qtbot, file, text, words):
     before = file.read_text()

@@ -58,7 +58,7 @@ def test_a_procedure_that_cannot_be_gone_on_with_offers_no_later(running):
     assert set(running.leaving.question.buttons) == {"stop", "behind"}
 
 
-@pytest.mark.parametrize("tray", [True, False])
+@pytest.mark.parametrize("tray", [pytest.param(True, marks=pytest.mark.slow), False])
 def test_kept_behind_it_runs_and_comes_back_when_somebody_is_needed(qtbot, running, monkeypatch, tray):
     monkeypatch.setattr(QSystemTrayIcon, "isSystemTrayAvailable", lambda: tray)
     press(qtbot, running, "behind")

@@ -134,6 +134,7 @@ def english_again(qapp):
     translate.install_translator(qapp, QLocale("en"))
 
 
+@pytest.mark.slow
 def test_another_language_on_the_fit_page_leaves_one_choice_its_legend_and_the_line_of_the_run(
     new_window, qtbot, english_again, patience
 ):

@@ -377,7 +377,9 @@ def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
 
 
 @pytest.mark.parametrize(("status", "simulated", "dut"), [
-    ("interrupted", True, "EM-21"), ("finished", True, "SIM-0001"), ("interrupted", False, "SIM-0001"),
+    ("interrupted", True, "EM-21"),
+    pytest.param("finished", True, "SIM-0001", marks=pytest.mark.slow),
+    pytest.param("interrupted", False, "SIM-0001", marks=pytest.mark.slow),
 ])  # fmt: skip
 def test_until_somebody_says_which_the_dut_is_that_of_the_run_to_be_gone_on_with(new_window, status, simulated, dut):
     app_state = new_window.app_state

@@ -138,6 +138,7 @@ def test_an_exported_run_says_where_it_lies(still, qtbot, tmp_path, monkeypatch)
     assert opened == [str(tmp_path)]
 
 
+@pytest.mark.slow
 def test_a_small_screen_has_room_for_every_page_and_for_a_question_with_two_answers(new_window, qtbot):
     still = new_window
     for name in still.lazy_pages:

@@ -105,15 +105,22 @@ def test_all_that_loop_estimators_and_procedures_say_has_a_form():
     ("fault", "german_words"),
     [
         ("reference: no sample for 2.1 s.", "reference: seit 2,1 s kein Wert."),
-        ("supply_x (tcp://10.0.0.7:5): the link was lost (reset).", "Die Verbindung ging verloren (reset)."),
-        (
+        pytest.param(
+            "supply_x (tcp://10.0.0.7:5): the link was lost (reset).",
+            "Die Verbindung ging verloren (reset).",
+            marks=pytest.mark.slow,
+        ),
+        pytest.param(
             "x: the link was lost. Plug it in, see that nobody else has opened it, then begin this step again.",
             "x: Die Verbindung ging verloren. Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen "
             "Schritt neu beginnen.",
+            marks=pytest.mark.slow,
         ),
         ("a number from 0 to 60 deg/s", "eine Zahl von 0 bis 60 deg/s"),
-        ("VALID: signed by jdoe@lab.", "GÜLTIG: signiert von jdoe@lab."),
-        ("interrupted: aborted by the operator", "unterbrochen: vom Bediener abgebrochen"),
+        pytest.param("VALID: signed by jdoe@lab.", "GÜLTIG: signiert von jdoe@lab.", marks=pytest.mark.slow),
+        pytest.param(
+            "interrupted: aborted by the operator", "unterbrochen: vom Bediener abgebrochen", marks=pytest.mark.slow
+        ),
     ],
 )
 def test_what_people_meet_most_is_said_in_german(german, fault, german_words):

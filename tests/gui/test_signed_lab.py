@@ -38,6 +38,7 @@ def correct_by_hand(qtbot, page, run, serial):
     assert [run in words for words, _ in asked] == [True]
 
 
+@pytest.mark.slow
 def test_a_wrong_serial_is_corrected_until_signing_and_the_draft_follows(qtbot, own_lab):
     (run,), page = runs_of(qtbot, own_lab), own_lab.page("History")
     (path,) = (Path(own_lab.home) / "calibrations").glob("*.json")

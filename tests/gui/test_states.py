@@ -161,6 +161,7 @@ def test_what_happens_can_be_read_from_the_cage(still):
     assert still.app_state.lab.state.waiting == "hands off, measuring"
 
 
+@pytest.mark.slow
 def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_it_is_redone(still):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     lights, name = still.page("Run").live.lights, "x+20uT-nominal"

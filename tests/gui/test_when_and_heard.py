@@ -33,6 +33,7 @@ def test_each_step_says_when_the_next_question_comes(step, needed):
     assert (begun.needed_s, begun.needed_for) == needed
 
 
+@pytest.mark.slow
 def test_a_preflight_asks_where_its_plan_says(tmp_path, monkeypatch):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
     told, asked = [], set()

@@ -27,7 +27,18 @@ def test_every_letter_that_a_signature_accepts_is_accepted(letter):
     assert name_objection(f"a{letter}") == ""
 
 
-@pytest.mark.parametrize("typed", ["12|;", "J. Doe;", "-", "...", "<b>", "a=b", "x" * 1000])
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "12|;",
+        pytest.param("J. Doe;", marks=pytest.mark.slow),
+        pytest.param("-", marks=pytest.mark.slow),
+        pytest.param("...", marks=pytest.mark.slow),
+        "<b>",
+        pytest.param("a=b", marks=pytest.mark.slow),
+        pytest.param("x" * 1000, marks=pytest.mark.slow),
+    ],
+)
 def test_a_slip_of_the_keys_is_no_name_and_the_reason_stands_beside_the_field(still, typed):
     top, choose = still.top, still.page("Run").choose
     still.app_state.set_identity(operator=typed)

@@ -73,6 +73,7 @@ def test_text_in_a_channel_is_refused_with_line_and_column(
     assert all(word in error for word in ("line 9", "temp", "warm"))
 
 
+@pytest.mark.slow
 def test_a_cause_with_gaps_in_its_channel_is_found(making: ModuleType, tmp_path: Path, closed_loop: Closed) -> None:
     rows, segments = making.recorded()
     rows["dut"] += (rows["temp"] - 20)[:, None] * [40.0, -30.0, 20.0]
@@ -82,6 +83,7 @@ def test_a_cause_with_gaps_in_its_channel_is_found(making: ModuleType, tmp_path:
     assert (code, [e["effect"] for e in result["accepted"]]) == (0, ["offset-temperature"])
 
 
+@pytest.mark.slow
 def test_two_identical_channels_are_rivals_and_called_one_signal(
     making: ModuleType, tmp_path: Path, closed_loop: Closed
 ) -> None:
@@ -118,9 +120,9 @@ def _backwards(rows: dict[str, Any]) -> None:
     ("spoil", "words"),
     [
         (_flip, "reference's z flipped"),
-        (_swap, "reference's x and y swapped"),
-        (_into_body, "in the body's frame, not the cage's"),
-        (_backwards, "angle counted the other way"),
+        pytest.param(_swap, "reference's x and y swapped", marks=pytest.mark.slow),
+        pytest.param(_into_body, "in the body's frame, not the cage's", marks=pytest.mark.slow),
+        pytest.param(_backwards, "angle counted the other way", marks=pytest.mark.slow),
     ],
 )
 def test_a_reference_in_another_frame_is_said_and_nothing_is_searched(
@@ -178,7 +180,7 @@ def test_a_large_offset_in_a_small_field_is_no_other_unit(making: ModuleType, tm
     assert check_data(problem, level) is None
 
 
-@pytest.mark.parametrize("late", [5, -7])
+@pytest.mark.parametrize("late", [5, pytest.param(-7, marks=pytest.mark.slow)])
 def test_clocks_apart_by_seconds_are_said_with_their_seconds(
     making: ModuleType, tmp_path: Path, closed_loop: Closed, late: int
 ) -> None:

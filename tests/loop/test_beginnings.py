@@ -103,7 +103,12 @@ def tried(which: str, part: float, spread: float, seed: int) -> tuple[dict[str, 
 
 
 @pytest.mark.parametrize(
-    ("which", "spread"), [pytest.param("core", 0.0, marks=pytest.mark.slow), ("core", 0.3), ("stop", 0.0)]
+    ("which", "spread"),
+    [
+        pytest.param("core", 0.0, marks=pytest.mark.slow),
+        pytest.param("core", 0.3, marks=pytest.mark.slow),
+        pytest.param("stop", 0.0, marks=pytest.mark.slow),
+    ],
 )
 def test_u_holds_how_the_run_s_own_segments_began(which: str, spread: float) -> None:
     found = [tried(which, 1.0, spread, seed) for seed in range(8)]

@@ -36,7 +36,7 @@ def _by_a_wrong_clock(making: ModuleType, folder: Path, lag_s: float, ppm: float
     return making.written(folder, rows, segments), truth
 
 
-@pytest.mark.parametrize(("lag_s", "ppm"), [(0.0, 150.0), (-0.4, 2000.0)])
+@pytest.mark.parametrize(("lag_s", "ppm"), [(0.0, 150.0), pytest.param(-0.4, 2000.0, marks=pytest.mark.slow)])
 def test_a_clock_that_drifts_is_a_lag_that_grows(making: ModuleType, tmp_path: Path, lag_s: float, ppm: float) -> None:
     bundle, truth = _by_a_wrong_clock(making, tmp_path / "run", lag_s, ppm)
     run = session.load_run(str(bundle))
@@ -62,6 +62,7 @@ def test_a_clock_that_drifts_is_a_lag_that_grows(making: ModuleType, tmp_path: P
     assert [e.effect for e in content_of(calibration, b"", "").left_out] == ["lag"]
 
 
+@pytest.mark.slow
 def test_a_clock_that_is_merely_off_does_not_drift(making: ModuleType, tmp_path: Path) -> None:
     bundle, _ = _by_a_wrong_clock(making, tmp_path / "run", 0.25, 0.0)
     (lag,) = close_loop(session.load_run(str(bundle))).accepted

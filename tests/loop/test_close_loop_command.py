@@ -18,7 +18,7 @@ EFFECT_KEYS = {
 def test_the_result_has_the_contract_s_keys_and_an_explained_run_exits_0(
     shared: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert cli.execute(["close-loop", str(shared / "data/practice/p03/bundle"), "--json", "-"]) == 0
+    assert cli.execute(["close-loop", str(shared / "data/px4-battery-current"), "--json", "-"]) == 0
     result = json.loads(capsys.readouterr().out)
     assert set(result) >= {
         "format", "run_id", "residual_kind", "base", "noise_floor_nT", "noise_floor_source", "before", "after",
@@ -50,6 +50,7 @@ def test_the_flight_log_names_its_battery_current_with_base_offset(shared: Path,
     assert [e["effect"] for e in result["accepted"]] == ["offset-current"]
 
 
+@pytest.mark.slow
 def test_a_run_whose_rig_adds_a_field_is_valid_in_the_fields_that_the_device_met(
     making: ModuleType, tmp_path: Path
 ) -> None:

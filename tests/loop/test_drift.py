@@ -31,7 +31,9 @@ def smooth(t_s: np.ndarray, cycles: float, seed: int) -> np.ndarray:
     return np.asarray(SIZE_nT * found / found.std())
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.slow) for n in (2, 3))])
+@pytest.mark.parametrize(
+    "seed", [pytest.param(1, marks=pytest.mark.slow), *(pytest.param(n, marks=pytest.mark.slow) for n in (2, 3))]
+)
 def test_a_slow_wave_with_bends_is_a_drift_whole(making: ModuleType, tmp_path: Path, seed: int) -> None:
     rows, _ = making.recorded()
     found = closed(making, tmp_path, smooth(rows["t_s"], 2.5, seed))
@@ -39,7 +41,7 @@ def test_a_slow_wave_with_bends_is_a_drift_whole(making: ModuleType, tmp_path: P
     assert found.after.holdout_rms_nT < 1.25 * found.noise_floor_nT  # of 36 parameters
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow), 3])
 def test_a_random_walk_has_no_name(making: ModuleType, tmp_path: Path, seed: int) -> None:
     rows, _ = making.recorded()
     walk = np.cumsum(np.random.default_rng(seed).normal(size=(len(rows["t_s"]), 3)), axis=0)

@@ -69,6 +69,7 @@ def calibration(run: Run, shipped: ClosedLoop) -> Calibration:
     return draft_calibration(run, shipped.fit(), "0" * 64, metrics=shipped.metrics())
 
 
+@pytest.mark.slow
 def test_of_magnitudes_the_last_fit_carries_the_term(making: ModuleType, tmp_path: Path) -> None:
     """Magnitudes show no turn of the map: what noise takes for one has to stay out of the term's columns."""
     rows, segments = making.recorded()
@@ -174,7 +175,11 @@ def test_the_marginal_likelihood_is_that_of_the_dense_covariance() -> None:
 
 
 @pytest.mark.parametrize(
-    ("kind", "seed"), [("white", 2026), ("random walk", 2027), pytest.param("telegraph", 2028, marks=pytest.mark.slow)]
+    ("kind", "seed"),
+    [
+        ("white", 2026),
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in (("random walk", 2027), ("telegraph", 2028))),
+    ],
 )
 def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
     assert run_path(str(BLIND))["noise_trial"](kind, seed)["built"] == []
@@ -184,7 +189,7 @@ def test_nothing_is_built_on_noise(kind: str, seed: int) -> None:
     ("shape", "seed"),
     [
         pytest.param("resonant in the rate", 2028, marks=pytest.mark.slow),
-        ("two channels' product", 2031),
+        pytest.param("two channels' product", 2031, marks=pytest.mark.slow),
         pytest.param("temperature times field", 2035, marks=pytest.mark.slow),
     ],
 )

@@ -15,7 +15,7 @@ from labcal.model.apply import apply
 from labcal.model.readings import Readings
 
 
-@pytest.mark.parametrize("second_deg", [0.0, 0.25])
+@pytest.mark.parametrize("second_deg", [pytest.param(0.0, marks=pytest.mark.slow), 0.25])
 def test_a_disc_off_its_centre_is_named_and_the_map_is_the_devices_own(
     making: ModuleType, tmp_path: Path, second_deg: float
 ) -> None:
@@ -39,6 +39,7 @@ def test_a_disc_off_its_centre_is_named_and_the_map_is_the_devices_own(
     assert np.sqrt(np.mean((applied.field_nT - fresh) ** 2)) < 8
 
 
+@pytest.mark.slow
 def test_an_angle_that_is_off_by_as_much_everywhere_is_no_such_error(making: ModuleType, tmp_path: Path) -> None:
     rows, segments = making.recorded()
     rows["angle"] = rows["angle"] + 0.02

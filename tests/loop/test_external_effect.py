@@ -67,6 +67,7 @@ def test_a_copy_that_is_not_installed_says_so_and_names_nothing(monkeypatch: pyt
         families()
 
 
+@pytest.mark.slow
 def test_without_the_effect_the_run_is_unexplained(tmp_path: Path) -> None:
     _write_run(tmp_path)
     closed = session.close_loop(str(tmp_path))

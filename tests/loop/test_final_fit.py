@@ -82,6 +82,7 @@ def test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect(
     assert is_beyond_half(effect, reference, apart_nT) is beyond
 
 
+@pytest.mark.slow
 def test_an_effect_of_the_rig_beyond_half_of_the_field_is_given_up(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -141,6 +142,7 @@ def test_an_effect_that_the_last_fit_does_not_arrive_with_is_given_up(
     assert "fitted in full, map and effects together leave" in said
 
 
+@pytest.mark.slow
 def test_what_the_last_fit_gives_up_leaves_its_place_to_another_cause(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -162,6 +164,7 @@ def test_what_the_last_fit_gives_up_leaves_its_place_to_another_cause(
     assert "fitted in full, map and effects together leave" in said
 
 
+@pytest.mark.slow
 def test_of_two_effects_the_one_is_given_up_that_no_fit_arrives_with(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -193,7 +196,9 @@ def test_with_nothing_accepted_the_map_is_that_of_the_fit(making: ModuleType, tm
     assert np.allclose(closed.affine.K, plain.affine.K, rtol=0, atol=1e-5)
 
 
-@pytest.mark.parametrize("name", [pytest.param("final-fit-1", marks=pytest.mark.slow), "final-fit-2"])
+@pytest.mark.parametrize(
+    "name", [pytest.param("final-fit-1", marks=pytest.mark.slow), pytest.param("final-fit-2", marks=pytest.mark.slow)]
+)
 def test_after_is_what_the_accepted_effects_reach(shared: Path, name: str) -> None:
     """Two runs whose gradient took off what it took to first order only."""
     folder = shared / "data" / "defects" / name

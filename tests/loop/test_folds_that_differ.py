@@ -32,7 +32,7 @@ def _warmed() -> Run:
     return made.with_effect((board.values - 24)[:, None] * EACH_nT)
 
 
-@pytest.mark.parametrize(("empty", "named"), [(2, ["offset-temperature"]), (3, [])])
+@pytest.mark.parametrize(("empty", "named"), [(2, ["offset-temperature"]), pytest.param(3, [], marks=pytest.mark.slow)])
 def test_names_that_most_folds_choose_stand(monkeypatch: pytest.MonkeyPatch, empty: int, named: list[str]) -> None:
     whole, known = proof.nested_selection, list[object]()
 

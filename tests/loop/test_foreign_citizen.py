@@ -87,6 +87,7 @@ def _apply_to_another_recording(making: Making, closed: Path) -> None:
     assert np.sqrt(np.mean((field - true) ** 2)) < 5.0  # of an offset of 300
 
 
+@pytest.mark.slow
 def test_the_window_draws_it_against_what_it_says(making: Making, tmp_path: Path, iron_core: None) -> None:
     bundle = str(making.written(tmp_path / "run", *_saturating(making)))
     said = study_commands.loop(_Quiet(), CloseLoop(bundle))  # type: ignore[arg-type]  # a channel nobody hears
@@ -101,6 +102,7 @@ class _Quiet:
         """Nobody listens."""
 
 
+@pytest.mark.slow
 def test_an_experiment_tells_it_from_a_rival(
     making: Making, tmp_path: Path, iron_core: None, closed_loop: Callable[[Path], tuple[int, dict[str, Any], str]]
 ) -> None:

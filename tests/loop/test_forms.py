@@ -86,9 +86,9 @@ def _another_gain_for_each_sign(rows: Rows, segments: Segments) -> None:
     ("shape", "cause"),
     [
         (_each_mounted_askew, "axis-tilt"),
-        (_wobbling, "axis-tilt"),
-        (_slipped_between_two_segments, "axis-tilt"),
-        (_standing_askew_among_coils, "axis-tilt"),
+        pytest.param(_wobbling, "axis-tilt", marks=pytest.mark.slow),
+        pytest.param(_slipped_between_two_segments, "axis-tilt", marks=pytest.mark.slow),
+        pytest.param(_standing_askew_among_coils, "axis-tilt", marks=pytest.mark.slow),
         (_beside_a_reference, "dut-dipole-at-reference"),
         (_another_gain_for_each_sign, "nonlinearity"),
     ],

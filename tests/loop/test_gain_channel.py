@@ -30,6 +30,7 @@ def in_each_axis(scene, values):
     return (along * scene.channels["v_bus"][:, None]) @ scene.axes.T
 
 
+@pytest.mark.slow
 def test_it_is_its_physics_alone_and_is_taken_off_by_apply() -> None:
     check_effect("gain-channel", {"g_x": 0.01, "g_y": -0.007, "g_z": 0.012}, in_each_axis, channels=supply)
 
@@ -41,7 +42,7 @@ def fed(rows: Rows) -> np.ndarray:
     return (volts - 8.0)[:, None]
 
 
-@pytest.mark.parametrize("bent", [0.0, 0.03])
+@pytest.mark.parametrize("bent", [pytest.param(0.0, marks=pytest.mark.slow), 0.03])
 def test_a_gain_that_follows_the_supply_is_named_beside_temperatures_and_loads(
     making: ModuleType, tmp_path: Path, bent: float
 ) -> None:

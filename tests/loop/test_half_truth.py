@@ -30,7 +30,7 @@ def _load(rows: Rows) -> np.ndarray:
     return np.asarray(200.0 * (np.mod(rows["t_s"], 47.0) < 19.0)[:, None] * DIRECTIONS)
 
 
-@pytest.mark.parametrize("loaded", [True, False])
+@pytest.mark.parametrize("loaded", [pytest.param(True, marks=pytest.mark.slow), False])
 def test_a_load_beside_something_nameless_stands_and_a_curve_of_the_field_does_not(
     started: Callable[..., LinearProblem], loaded: bool
 ) -> None:
@@ -60,6 +60,7 @@ def test_a_load_stands_over_a_gain_in_the_same_load_however_much_is_recorded(
     assert stands_beside_discrepancy(pool, [bent, current], current)
 
 
+@pytest.mark.slow
 def test_a_part_is_told_with_how_much_it_carries(making: ModuleType, tmp_path: Path) -> None:
     rows, segments = making.recorded()
     level = 0.4 + 0.3 * np.mod(rows["t_s"] // 47.0, 3)

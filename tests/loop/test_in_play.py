@@ -25,7 +25,7 @@ def a_current_and_a_weak_temperature(rows: Rows) -> np.ndarray:
     return np.asarray(a_current(rows) + 12.0 * (rows["temp"] - 20)[:, None] * [0.3, 1.0, -0.2])
 
 
-@pytest.mark.parametrize("added", [a_current, a_current_and_a_weak_temperature])
+@pytest.mark.parametrize("added", [a_current, pytest.param(a_current_and_a_weak_temperature, marks=pytest.mark.slow)])
 def test_a_fold_takes_of_what_is_in_play_what_it_takes_of_all(
     started: Callable[..., LinearProblem], added: Callable[[Rows], np.ndarray]
 ) -> None:

@@ -76,10 +76,15 @@ class Table:
 
 @pytest.mark.parametrize(
     ("where", "channels", "zero"),
-    [("beside", (), "stated"), ("beside", (), "each"),
-     ("on the table", (), "stated"), ("on the table", (), "one"), ("on the table", (), "each"),
-     ("motor", ("motor_on",), "stated"), ("motor", ("motor_on",), "one"), ("motor", ("motor_on",), "each")],
-)  # fmt: skip
+    [
+        ("beside", (), "stated"),
+        ("on the table", (), "one"),
+        ("motor", ("motor_on",), "one"),
+        pytest.param("beside", (), "each", marks=pytest.mark.slow),
+        *(pytest.param("on the table", (), zero, marks=pytest.mark.slow) for zero in ("stated", "each")),
+        *(pytest.param("motor", ("motor_on",), zero, marks=pytest.mark.slow) for zero in ("stated", "each")),
+    ],
+)
 def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
     making: ModuleType, tmp_path: Path, where: str, channels: tuple[str, ...], zero: str
 ) -> None:
@@ -150,6 +155,7 @@ def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(
     assert [w.candidate.family.id for w in equally_likely(pool, [chosen], chosen)] == ["axis-tilt"]
 
 
+@pytest.mark.slow
 def test_nothing_is_added_where_there_is_no_iron(making: ModuleType, tmp_path: Path) -> None:
     table = Table(making)
     for zero in ("stated", "one", "each"):

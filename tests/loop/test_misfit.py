@@ -114,7 +114,7 @@ def _bent_in_a_channel(searching: Callable[..., CandidateSet], seed: int) -> Can
     return searching({"p": p}, {"p": "voltage"}, np.outer(np.clip(p - 0.2, 0, None), [400.0, -300.0, 200.0]))
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [pytest.param(1, marks=pytest.mark.slow), pytest.param(2, marks=pytest.mark.slow), 3])
 def test_what_a_channel_does_from_a_threshold_on_has_no_name_in_time(
     searching: Callable[..., CandidateSet], seed: int
 ) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from types import ModuleType
 
 import numpy as np
+import pytest
 
 from labcal import session
 from labcal.loop import close_loop
@@ -43,6 +44,7 @@ def test_a_reference_that_follows_the_room_is_the_rigs(making: ModuleType, tmp_p
     assert np.allclose([found[f"c_{a}"] for a in "xyz"], 90.0 * DIRECTIONS, atol=20.0)
 
 
+@pytest.mark.slow
 def test_a_reference_that_is_right_at_another_temperature_leaves_the_device_its_own_scale(
     making: ModuleType, tmp_path: Path
 ) -> None:

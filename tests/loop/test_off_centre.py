@@ -72,7 +72,14 @@ class OffCentre:
         return prepare(session.load_run(str(self.making.written(folder, rows, self.segments, channels))))[0]
 
 
-@pytest.mark.parametrize(("turns", "recorded"), [(True, True), (False, True), (True, False)])
+@pytest.mark.parametrize(
+    ("turns", "recorded"),
+    [
+        pytest.param(True, True, marks=pytest.mark.slow),
+        (False, True),
+        pytest.param(True, False, marks=pytest.mark.slow),
+    ],
+)
 def test_a_device_off_the_centre_of_unlike_coils_is_a_gradient_down_to_the_noise(
     making: ModuleType, tmp_path: Path, turns: bool, recorded: bool
 ) -> None:

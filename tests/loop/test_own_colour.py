@@ -39,12 +39,14 @@ def test_noise_with_a_short_memory_is_noise_and_its_floor_is_its_size(seed: int)
     assert [f.kind for f in closed.findings if f.kind == "coloured-noise"]
 
 
+@pytest.mark.slow
 def test_two_levels_that_nothing_recorded_switches_are_no_noise() -> None:
     switching = np.cumsum(np.random.default_rng(7).random(N_ROWS) < 0.08) % 2
     closed = close_loop(undeclared(np.outer(4 * SIZE_nT * switching, [1.0, -0.5, 0.3])))
     assert closed.verdict == "unexplained"
 
 
+@pytest.mark.slow
 def test_a_wander_as_long_as_the_run_is_no_noise() -> None:
     steps = np.random.default_rng(8).normal(0, SIZE_nT / 3, size=(N_ROWS, 3))
     closed = close_loop(undeclared(np.cumsum(steps, axis=0)))

@@ -77,7 +77,9 @@ def _distracted(t: np.ndarray, seed: int) -> Channels:
 
 
 @pytest.mark.parametrize(
-    "seeds", [range(100, 103), pytest.param(range(200, 320), marks=pytest.mark.slow)], ids=["three", "many"]
+    "seeds",
+    [range(100, 101), *(pytest.param(seeds, marks=pytest.mark.slow) for seeds in (range(101, 103), range(200, 320)))],
+    ids=["one", "two", "many"],
 )
 def test_nothing_is_made_of_pairs_where_nothing_is_at_work(
     making: ModuleType, searching: Any, monkeypatch: pytest.MonkeyPatch, seeds: range

@@ -14,11 +14,11 @@ def _truth(folder: Path) -> dict[str, object]:
     return content
 
 
-OF_EACH_VERDICT = ("p01", "p03", "p04", "p07", "p08")
+OF_EACH_VERDICT = ("p01", "p03", "p07")  # p08, ambiguous: in test_close_loop_command.py
 
 
 @pytest.mark.parametrize(
-    "name", [*OF_EACH_VERDICT, *(pytest.param(f"p0{n}", marks=pytest.mark.slow) for n in (2, 5, 6, 9))]
+    "name", [*OF_EACH_VERDICT, *(pytest.param(f"p0{n}", marks=pytest.mark.slow) for n in (2, 4, 5, 6, 8, 9))]
 )
 def test_a_practice_run_comes_out_as_it_is(shared: Path, tmp_path: Path, name: str) -> None:
     folder = shared / "data" / "practice" / name

@@ -54,7 +54,10 @@ def _stopped_in(place: str, making: ModuleType, folder: Path, patch: pytest.Monk
     ("place", "doing", "known"),
     [
         ("close.check_data", "fitting the base model", "nothing is known yet"),
-        ("selection.select.likelier_forms", "scoring", "so far offset-current (i_load), not proven yet"),
+        pytest.param(
+            "selection.select.likelier_forms", "scoring", "so far offset-current (i_load), not proven yet",
+            marks=pytest.mark.slow,
+        ),
         ("selection.proof.nested_selection", "scoring the selection on each part", "so far offset-current"),
         ("close.final_fit", "scoring what does as well", "so far offset-current (i_load), not proven yet"),
     ],

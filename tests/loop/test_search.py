@@ -290,6 +290,7 @@ def test_a_strong_effect_is_no_lack_of_excitation(making: ModuleType, tmp_path: 
     assert np.isinf(known("x", 0.0)[1])
 
 
+@pytest.mark.slow
 def test_the_name_of_a_field_that_turns_the_phases_far_is_the_small_one(making: ModuleType, tmp_path: Path) -> None:
     """The series of finite coil pairs holds what the phases are turned by as well, with 35 parameters for 3."""
     rows, segments = making.recorded(seconds=30.0)

@@ -69,6 +69,7 @@ def _with_bursts(rows: Rows, seed: int) -> np.ndarray:
     return wild
 
 
+@pytest.mark.slow
 def test_bursts_are_set_aside_and_leave_the_calibration_as_it_was(making: ModuleType, tmp_path: Path) -> None:
     """Their noise is not declared: neither the map nor its uncertainty may swell."""
     (rows, segments), (spoiled, _) = making.recorded(), making.recorded()

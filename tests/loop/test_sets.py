@@ -65,6 +65,7 @@ def test_a_set_of_panels_is_found_whole_and_nothing_else(
         assert record.improvement_ci95_nT[0] > 0
 
 
+@pytest.mark.slow
 def test_one_load_among_idle_ones_is_no_set(making: ModuleType, tmp_path: Path) -> None:
     told, effect, _ = panels(making.recorded()[0]["t_s"], np.random.default_rng(21), 1, 5)
     closed = _closed(making, tmp_path, told, effect)
@@ -86,6 +87,7 @@ def _bound(closed: ClosedLoop, told: Rows) -> list[str]:
     return [*named, *(name for name in told if name not in named)]
 
 
+@pytest.mark.slow
 def test_idle_panels_make_no_set(making: ModuleType, tmp_path: Path) -> None:
     told, _, _ = panels(making.recorded()[0]["t_s"], np.random.default_rng(41), 0, 8)
     closed = _closed(making, tmp_path, told, 0.0)

@@ -27,6 +27,7 @@ def behind(t_s: np.ndarray, drive: np.ndarray, begins: float) -> np.ndarray:
     return np.interp(t_s, fine, found)
 
 
+@pytest.mark.slow
 def test_a_temperature_that_acts_late_may_begin_anywhere(making: ModuleType, tmp_path: Path) -> None:
     """A sensor that is still warm from what it did before: 4 degC, which fade within the first minute."""
     rows, segments = making.recorded()

@@ -47,7 +47,7 @@ def test_a_gain_that_bends_with_temperature(making: ModuleType, tmp_path: Path) 
         assert abs(found[f"h_{axis}"].value - 2e-4 * size) < max(4 * found[f"h_{axis}"].u, 2e-5)
 
 
-@pytest.mark.parametrize("slope", [0.0, 9.0])
+@pytest.mark.parametrize("slope", [pytest.param(0.0, marks=pytest.mark.slow), 9.0])
 def test_an_offset_unlike_in_heating_and_cooling_has_two_branches(
     making: ModuleType, tmp_path: Path, slope: float
 ) -> None:

@@ -63,7 +63,9 @@ def test_a_program_knows_neither_labcal_nor_the_others(program: str) -> None:
         assert not {found.split(".")[0] for found in plain + named} & {"labcal", *here}
 
 
-@pytest.mark.parametrize("program", FILES)
+@pytest.mark.parametrize(
+    "program", [name if name == "sensor_laws.py" else pytest.param(name, marks=pytest.mark.slow) for name in FILES]
+)
 def test_a_run_can_be_made_again_alone_and_its_fresh_rows_can_be_known(
     program: str, first_runs: Callable[[str], list[Path]], tmp_path: Path
 ) -> None:

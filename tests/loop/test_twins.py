@@ -19,7 +19,7 @@ from labcal.model.effects import Term, family
 from labcal.model.effects.iron import BESIDE
 
 
-@pytest.mark.parametrize("backwards", [False, True])
+@pytest.mark.parametrize("backwards", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_a_lag_at_one_rate_is_the_phases_and_turning_backwards_tells_it(
     making: ModuleType, tmp_path: Path, closed_loop: Callable[[Path], tuple[int, dict[str, Any], str]], backwards: bool
 ) -> None:

@@ -39,7 +39,9 @@ def _run(load: Array, telemetry: Array) -> Run:
     return made.with_effect(load[:, None] * EACH_nT)
 
 
-@pytest.mark.parametrize("late_s", [0.0, 1.5])
+@pytest.mark.parametrize(
+    "late_s", [pytest.param(0.0, marks=pytest.mark.slow), pytest.param(1.5, marks=pytest.mark.slow)]
+)
 def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late_s: float) -> None:
     t_s = _clock(120)
     closed = close_loop(_run(_switched(t_s), _drawn(t_s, late_s)))
@@ -49,7 +51,9 @@ def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late
     assert [found[f"c_{axis}"] for axis in "xyz"] == pytest.approx(EACH_nT.tolist(), abs=15.0)
 
 
-@pytest.mark.parametrize("at_s", [1.5, 3.0, 4.5])
+@pytest.mark.parametrize(
+    "at_s", [pytest.param(1.5, marks=pytest.mark.slow), 3.0, pytest.param(4.5, marks=pytest.mark.slow)]
+)
 def test_a_load_that_is_switched_once_between_two_samples_is_no_step(at_s: float) -> None:
     """A step on the run's clock fits every row; the load all but those on which nobody knows it, and goes first."""
     t_s = _clock(80)
@@ -81,6 +85,7 @@ def test_ways_are_missed_more_where_chance_would_not_put_so_many_of_the_largest(
     assert not misses_more(squares, spread)
 
 
+@pytest.mark.slow
 def test_a_fit_with_named_effects_leaves_out_the_same_rows() -> None:
     t_s = _clock(80)
     run = _run(_switched(t_s), _drawn(t_s))

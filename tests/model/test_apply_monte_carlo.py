@@ -100,7 +100,9 @@ def ratio(name: str, draws: int) -> np.ndarray:
     return np.asarray(scatter(name, draws)[plain] / told.u_nT[plain])
 
 
-@pytest.mark.parametrize("name", EFFECTS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(one, marks=pytest.mark.slow if n % 2 else ()) for n, one in enumerate(EFFECTS)]
+)
 def test_u_is_the_scatter_of_drawn_calibrations(name: str) -> None:
     assert ratio(name, 60) == pytest.approx(1.0, abs=0.4)
 

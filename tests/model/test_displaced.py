@@ -19,7 +19,17 @@ def turning(t_s: np.ndarray) -> np.ndarray:
     return SIZE_nT * np.column_stack([np.cos(RATE * t_s), np.sin(RATE * t_s), np.ones(len(t_s))])
 
 
-@pytest.mark.parametrize("by_s", [-0.003, -0.04, -0.05, 0.06, -0.13, 0.77])
+@pytest.mark.parametrize(
+    "by_s",
+    [
+        pytest.param(-0.003, marks=pytest.mark.slow),
+        -0.04,
+        pytest.param(-0.05, marks=pytest.mark.slow),
+        pytest.param(0.06, marks=pytest.mark.slow),
+        pytest.param(-0.13, marks=pytest.mark.slow),
+        0.77,
+    ],
+)
 @pytest.mark.parametrize(("period_s", "jitter"), [(0.1, 0.0), (0.1, 0.2), (0.01, 0.0), (0.001, 0.0)])
 def test_what_turns_is_known_at_any_time_inside(period_s: float, jitter: float, by_s: float) -> None:
     t_s = stamps(period_s, jitter)

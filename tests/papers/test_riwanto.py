@@ -52,7 +52,10 @@ def test_few_seeds_of_two_models():
     assert first.ml_refused == arcs.ml_refused == 0
 
 
-@pytest.mark.parametrize("model", MODELS, ids=lambda m: f"model-{m.number}")
+EACH = [MODELS[0], *(pytest.param(model, marks=pytest.mark.slow) for model in MODELS[1:])]
+
+
+@pytest.mark.parametrize("model", EACH, ids=lambda m: f"model-{m.number}")
 def test_the_kind_of_noise_matters_and_is_honestly_propagated(model):
     seeds = 12
     runs = [simulate(model, seed) for seed in range(seeds)]
@@ -63,7 +66,7 @@ def test_the_kind_of_noise_matters_and_is_honestly_propagated(model):
     assert all(one.identified.why_not is None for one in told)
 
 
-@pytest.mark.parametrize("model", MODELS, ids=lambda m: f"model-{m.number}")
+@pytest.mark.parametrize("model", EACH, ids=lambda m: f"model-{m.number}")
 def test_with_a_scalar_reference_maximum_likelihood_knows_the_frame_and_is_at_the_bound(model):
     found = on_planes(model, range(10))
     assert found.refused == 0

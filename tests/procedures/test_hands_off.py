@@ -35,18 +35,23 @@ AN_AXIS = ["mode-full", "ready", "mode-nominal", "ready"]
         ("rate-sweep", {"zero_s": "2"}, FIRST),
         ("repeat", {"times": "2", "pause_s": "0"}, FIRST),
         ("linearity", {}, FIRST),
-        ("temperature-drift", {}, ["ready", "mount-z", "mode-nominal", "warm", "ready"]),
+        pytest.param(
+            "temperature-drift", {}, ["ready", "mount-z", "mode-nominal", "warm", "ready"], marks=pytest.mark.slow
+        ),
         ("axes-check", {}, ["ready", "mount-z", "ready"]),
         ("sync-check", {}, ["ready", "mount-z", "ready"]),
         ("degauss", {}, ["ready"]),
         ("field-hold", {}, ["ready"]),
         ("reference-check", {}, [*["turn-reference"] * 5, "ready"]),
         ("platform-signature", {}, ["ready", "reference-at-DUT", "ready", "motor-off", "motor-on"]),
-        ("cage-calibration", {}, ["reference-at-DUT", "ready", "reference-at-reference", "ready"]),
-        ("cage-map", {}, ["probe", "ready"] * 7),
-        ("dut-moment", {}, [
+        pytest.param(
+            "cage-calibration", {}, ["reference-at-DUT", "ready", "reference-at-reference", "ready"],
+            marks=pytest.mark.slow,
+        ),
+        pytest.param("cage-map", {}, ["probe", "ready"] * 7, marks=pytest.mark.slow),
+        pytest.param("dut-moment", {}, [
             "reference", "dut-away", "ready", "mount-z", "mode-nominal", "ready", "mount-x", "mode-nominal", "ready",
-        ] * 2),
+        ] * 2, marks=pytest.mark.slow),
     ],
 )  # fmt: skip
 def test_each_procedure_hears_hands_off_last(name: str, given: Mapping[str, str], asked: list[str]) -> None:

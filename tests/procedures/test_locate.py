@@ -50,7 +50,7 @@ def z_of_the_coils(found: Any, twin: str, seed: int, dut: np.ndarray, reference:
     return np.array([(one.value - is_) / one.u for one, is_ in zip(told, true, strict=True)])
 
 
-@pytest.mark.parametrize("names", ["xyz", "z"])
+@pytest.mark.parametrize("names", [pytest.param("xyz", marks=pytest.mark.slow), "z"])
 def test_both_places_are_the_twins_within_what_is_stated(ran: Run, names: str) -> None:
     twin, dut, reference = lab(1)
     found = ran("locate", twin, 1, [halves(names)], dwell_s=1.0)
@@ -101,5 +101,6 @@ def test_errors_over_fifty_labs_in_units_of_their_uncertainty(ran: Run) -> None:
         assert within > 0.88
 
 
-def test_it_keeps_what_every_procedure_keeps(bench_file: Callable[..., Any]) -> None:
-    check_procedure("locate", {"dwell_s": "0.5"}, bench=bench_file("", halves("xyz")), moments=3)
+@pytest.mark.parametrize("moments", [1, pytest.param(3, marks=pytest.mark.slow)])
+def test_it_keeps_what_every_procedure_keeps(bench_file: Callable[..., Any], moments: int) -> None:
+    check_procedure("locate", {"dwell_s": "0.5"}, bench=bench_file("", halves("xyz")), moments=moments)

@@ -54,7 +54,14 @@ def test_a_photograph_is_in_the_record_with_its_digest_and_one_that_is_not_there
 
 @pytest.mark.parametrize(
     ("procedure", "more"),
-    [("rotate-axis", {}), ("preflight", {"axes": "z", "modes": "nominal", "magnitudes_nT": 20000, "reverse": "no"})],
+    [
+        ("rotate-axis", {}),
+        pytest.param(
+            "preflight",
+            {"axes": "z", "modes": "nominal", "magnitudes_nT": 20000, "reverse": "no"},
+            marks=pytest.mark.slow,
+        ),
+    ],
 )
 def test_a_stepped_turn_rests_at_every_stop_and_covers_the_circle(
     ran: Run, procedure: str, more: dict[str, object]

@@ -42,6 +42,7 @@ def test_it_records_every_axis_magnitude_sign_and_mode_as_a_whole_turn(bench_fil
         assert np.linalg.norm(field) == pytest.approx(2e4 if "+20" in segment.id else 5e4, rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_fit_of_the_record_finds_the_truth_of_the_twin(bench_file: BenchFile) -> None:
     """The DUT reads (R b + bias) / 4 nT, so K = 4 R⁻¹ and k = R⁻¹ bias: signs, frames and units all hold."""
     outcome = session.run("preflight", bench_file(), SHORT | {"rate_deg_per_s": "8", "modes": "nominal"}, seed=5)

@@ -40,6 +40,7 @@ def test_matrix_squareness_and_ambient_are_the_twins_within_what_is_stated(ran: 
     assert found.value("components against constant modulus, largest E_n") < 1.6
 
 
+@pytest.mark.slow
 def test_a_verdict_is_as_uncertain_as_the_sensor(ran: Run) -> None:
     given = {"n_directions": 16, "dwell_s": 0.5, "verify": 4, "error_nT": 1000}
     worse = [*SCALAR, ("u_scale_ppm = 1.0", "u_scale_ppm = 1000.0\nu_offset_nT = 200.0")]

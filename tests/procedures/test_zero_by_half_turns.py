@@ -18,7 +18,13 @@ def turned_by(w: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("walk_nT", "noise_nT", "turn_rad"), [(0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (0.5, 0.05, 0.0), (1.0, 1.0, 1e-4)]
+    ("walk_nT", "noise_nT", "turn_rad"),
+    [
+        pytest.param(0.0, 1.0, 0.0, marks=pytest.mark.slow),
+        pytest.param(1.0, 1.0, 0.0, marks=pytest.mark.slow),
+        pytest.param(0.5, 0.05, 0.0, marks=pytest.mark.slow),
+        (1.0, 1.0, 1e-4),
+    ],
 )
 def test_ninety_five_of_a_hundred_zeros_are_within_what_is_said(
     walk_nT: float, noise_nT: float, turn_rad: float

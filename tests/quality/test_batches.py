@@ -35,7 +35,9 @@ def test_batches_that_do_not_differ_are_drawn_together_and_one_device_more_than_
     assert found["lonely"].u > found["0"].u
 
 
-@pytest.mark.parametrize("between", [0.0, 0.5, 3.0])
+@pytest.mark.parametrize(
+    "between", [pytest.param(0.0, marks=pytest.mark.slow), 0.5, pytest.param(3.0, marks=pytest.mark.slow)]
+)
 def test_intervals_hold_the_truth_as_often_as_they_say(between: float) -> None:
     draw, inside, n = np.random.default_rng(3), 0, 0
     for _ in range(20):

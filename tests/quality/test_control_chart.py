@@ -25,7 +25,16 @@ def test_run_lengths_are_those_that_champ_and_woodall_found(rules: tuple[int, ..
     assert average_run_length(rules) == pytest.approx(run_length, abs=0.01)
 
 
-@pytest.mark.parametrize("rules", [(1,), (2,), (3,), (4,), (1, 2, 3, 4)])
+@pytest.mark.parametrize(
+    "rules",
+    [
+        (1,),
+        pytest.param((2,), marks=pytest.mark.slow),
+        pytest.param((3,), marks=pytest.mark.slow),
+        pytest.param((4,), marks=pytest.mark.slow),
+        pytest.param((1, 2, 3, 4), marks=pytest.mark.slow),
+    ],
+)
 def test_run_lengths_hold_in_a_simulation(rules: tuple[int, ...]) -> None:
     """120 charts of points that never change: points until the first alarm."""
     draw = np.random.default_rng(7)

@@ -94,6 +94,7 @@ def _of_totals(y: np.ndarray, kept: tuple[int, ...]) -> float:
     return float((totals**2).sum() * totals.size / y.size - y.sum() ** 2 / y.size)
 
 
+@pytest.mark.slow
 def test_intervals_hold_what_they_say() -> None:
     """95 % intervals of the gage over 150 studies: neither too narrow nor so wide that they say nothing."""
     draw, inside, true = np.random.default_rng(2), 0, np.sqrt(2.0**2 + 3.0**2 + 1.5**2 + 1.0**2)

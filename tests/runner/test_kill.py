@@ -87,7 +87,7 @@ def goes_on_after_the_last_finished_step(before: list[Item], after: list[Item]) 
     assert min(steps_at(after)) > max(steps_at(before), default=0.0)
 
 
-@pytest.mark.parametrize("kills", [5, pytest.param(100, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("kills", [2, pytest.param(100, marks=pytest.mark.slow)])
 def test_no_committed_row_is_lost_and_resuming_completes(
     bench_file: BenchFile, kills: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

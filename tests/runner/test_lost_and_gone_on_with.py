@@ -83,7 +83,9 @@ def events(kind: str) -> list[str]:
         return [i.text for i in store.items("R") if isinstance(i, Event) and i.kind == kind]
 
 
-@pytest.mark.parametrize("name", ["reference", "dut", "stage", "supply_x"])
+@pytest.mark.parametrize(
+    "name", ["reference", "supply_x", *(pytest.param(name, marks=pytest.mark.slow) for name in ("dut", "stage"))]
+)
 def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(bench_file: BenchFile, name: str) -> None:
     bench, steps = bench_file(), list[Step]()
     lost = begun(bench, "preflight", pulled(name), TWO_FIELDS, SECOND)

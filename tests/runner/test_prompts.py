@@ -20,7 +20,9 @@ BenchFile = Callable[..., Path]
 OURS = [name for name, found in procedures().items() if found.function.__module__.startswith("procedures.")]
 
 
-@pytest.mark.parametrize("name", OURS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(one, marks=pytest.mark.slow if n % 3 else ()) for n, one in enumerate(OURS)]
+)
 def test_yes_on_a_real_bench_refuses_before_anything_is_energised(bench_file: BenchFile, name: str) -> None:
     seen: list[Item] = []
     file = bench_file(sensor(0), *SCALAR) if name == "scalar-cage" else bench_file()

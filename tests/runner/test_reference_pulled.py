@@ -100,7 +100,14 @@ def reference(name: str, stated: dict[str, str]) -> tuple[str, str]:
     return HMR2300, entry
 
 
-@pytest.mark.parametrize(("name", "how"), [(name, how) for name in STATED for how in (pulled, silenced)])
+@pytest.mark.parametrize(
+    ("name", "how"),
+    [
+        pytest.param(name, how, marks=pytest.mark.slow if (number + other) % 2 else ())  # each by one way always
+        for number, name in enumerate(STATED)
+        for other, how in enumerate((pulled, silenced))
+    ],
+)
 def test_a_reference_that_goes_while_a_field_is_held_ends_with_the_coils_at_zero(
     bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch, name: str, how: Any
 ) -> None:

@@ -16,7 +16,7 @@ from labcal.store import Bundle
 GOLDEN = Path(__file__).parents[1] / "golden"
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_spoilt_rows_are_read_or_refused_never_worse(data: st.DataObject, sample_rows: str) -> None:
     rows = bytearray(sample_rows.encode())
@@ -40,7 +40,7 @@ json_values = st.recursive(
 )
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_spoilt_headers_are_read_or_refused_never_worse(data: st.DataObject, sample_rows: str) -> None:
     header = json.loads((GOLDEN / "bundle-small.json").read_text())

@@ -136,7 +136,7 @@ for number in itertools.count():
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL, which Windows lacks")
-@pytest.mark.parametrize("kills", [6, pytest.param(60, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("kills", [3, pytest.param(60, marks=pytest.mark.slow)])
 def test_kill_9_loses_no_committed_row_and_shows_as_interrupted(kills: int) -> None:
     rng = np.random.default_rng()
     for number in range(kills):

@@ -54,6 +54,7 @@ def test_the_loop_names_the_cause_in_those_that_have_it(fleet: Path, capsys: pyt
     assert told == {"jobs": "2", "worked out": "2", "moved": "1"}
 
 
+@pytest.mark.slow
 def test_an_effect_that_is_there_already_is_not_added_twice(fleet: Path) -> None:
     for file in fleet.glob("cal-*.json"):
         file.unlink()

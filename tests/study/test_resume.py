@@ -24,7 +24,7 @@ from labcal.study.engine import on_processes
 from labcal.study.job import Job
 from labcal.study.run import run_study
 
-NUMBER, WAIT_S = 8, 300.0
+NUMBER, WAIT_S = 5, 300.0
 
 
 @pytest.fixture(scope="module")
@@ -147,6 +147,7 @@ def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bytes(
     assert bytes_of(tmp_path / "out") == reference
 
 
+@pytest.mark.slow
 def test_a_study_on_a_cluster_that_was_killed_goes_on_to_the_same_bytes(
     study: Path, reference: dict[str, bytes], tmp_path: Path, cluster: Cluster
 ) -> None:

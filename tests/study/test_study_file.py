@@ -59,7 +59,11 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("text", HOSTILE, ids=lambda text: repr(text[-40:]))
+@pytest.mark.parametrize(
+    "text",
+    [pytest.param(text, marks=pytest.mark.slow if n % 3 else ()) for n, text in enumerate(HOSTILE)],
+    ids=lambda text: repr(text[-40:]),
+)
 def test_a_file_that_says_nothing_sensible_is_refused(
     text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -119,6 +119,7 @@ def test_another_version_on_a_worker_is_refused(settings: Mapping[str, Any]) -> 
         work(Job("monte-carlo", {**settings, "version": "0.0.1"}))
 
 
+@pytest.mark.slow
 def test_procedures_are_compared_each_with_its_own_settings(tmp_path: Path) -> None:
     file = tmp_path / "study.toml"
     file.write_text(PROCEDURES)

@@ -54,6 +54,7 @@ def in_a_job(of: int) -> set[int]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="one core has one thread of linear algebra anyway")
 def test_each_worker_of_dask_has_one_thread_of_linear_algebra_in_a_job(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

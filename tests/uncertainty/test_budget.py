@@ -129,6 +129,7 @@ def test_nor_with_so_many_draws_that_their_own_scatter_is_nothing(made: Made) ->
     assert max(far.values()) < 1.0, max(far, key=far.__getitem__)
 
 
+@pytest.mark.slow
 def test_of_a_large_turn_s_second_order_only_the_second_digit_knows() -> None:
     """Of 50 µT a turn of 0.25° takes 1 nT off, which no sensitivity shows (GUM, F.2.4.4): 0.02 of u."""
     far = disagreements(*calibration_of(CLUMSY), digits=1)

@@ -192,7 +192,15 @@ def errors_over_u(run: Run, true_nT: np.ndarray, noise_nT: float = 10.0) -> np.n
     return np.array(z)
 
 
-@pytest.mark.parametrize("size_nT", [0.0, 20.0, 40.0, 300.0])
+@pytest.mark.parametrize(
+    "size_nT",
+    [
+        pytest.param(0.0, marks=pytest.mark.slow),
+        20.0,
+        pytest.param(40.0, marks=pytest.mark.slow),
+        pytest.param(300.0, marks=pytest.mark.slow),
+    ],
+)
 def test_an_rms_is_as_uncertain_as_all_that_raises_it(run: Run, size_nT: float) -> None:
     """Scale, three zeros and noise raise it together, whatever the device's own error is."""
     z = errors_over_u(run, size_nT * np.array([1.0, -1.0, 0.5, 1.2, -0.7, 0.9]))

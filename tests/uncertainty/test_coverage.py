@@ -14,11 +14,12 @@ from wrong_lab import Declared
 
 from labcal.loop import uncertainty
 
-RUNS = {"vector": 7, "axis": 12, "scalar": 12}  # of each lab
+FEW = {"vector": 7, "axis": 6, "scalar": 6}  # of each lab
+MANY = {"vector": 7, "axis": 12, "scalar": 12}
 
 
-@pytest.fixture(scope="module")
-def trials() -> dict[str, list[Trial]]:
+@pytest.fixture(scope="module", params=[FEW, pytest.param(MANY, marks=pytest.mark.slow)], ids=["few", "many"])
+def trials(request: pytest.FixtureRequest) -> dict[str, list[Trial]]:
     """By kind of reference: runs of both labs, half of them with a current at work."""
     return {
         kind: [
@@ -26,7 +27,7 @@ def trials() -> dict[str, list[Trial]]:
             for twin in (False, True)
             for seed in range(n)
         ]
-        for kind, n in RUNS.items()
+        for kind, n in request.param.items()
     }
 
 
@@ -62,6 +63,7 @@ def test_where_nothing_is_wrong_noise_alone_is_stated() -> None:
     assert 0.93 < np.mean([one.covered for one in quiet]) < 0.97
 
 
+@pytest.mark.slow
 def test_what_the_loop_chose_by_itself_is_as_uncertain_as_stated(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two runs tell declared errors from none; all of the campaign's are `make coverage`."""
 

@@ -131,7 +131,7 @@ def test_a_declared_scale_that_does_not_show_takes_nothing_off_the_noise() -> No
     assert np.sqrt(np.diag(fits[1])[9:]) == pytest.approx(np.sqrt(np.diag(fits[0])[9:]), rel=0.05)
 
 
-@pytest.mark.parametrize("declared_noise", [True, False])
+@pytest.mark.parametrize("declared_noise", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_what_declared_errors_leave_in_the_residual_is_no_noise_of_the_device(recorded, declared_noise: bool) -> None:
     """A reference that stands askew leaves its own error beside the map: no reading of the device has it."""
     wrong = Declared(zero_nT=60.0, align_deg=0.4)

@@ -80,6 +80,7 @@ def found() -> dict[str, tuple[np.ndarray, np.ndarray]]:
     return {name: (np.array([z for z, _ in of]), np.array([u for _, u in of])) for name, of in each.items()}
 
 
+@pytest.mark.slow
 def test_intervals_hold_the_truth_in_95_of_100_over_all_kinds_of_noise(found) -> None:
     covered = {name: np.mean(np.abs(z) < 1.96) for name, (z, _) in found.items()}
     assert 0.93 <= np.mean(list(covered.values())) <= 0.97, covered

@@ -46,8 +46,10 @@ def seen(seed: int, fault: float) -> tuple[Run, np.ndarray, np.ndarray]:
     return run, said, np.array(errors(wrong, true, AXIS))
 
 
-@pytest.mark.parametrize("fault", [0.0, 5e-4])
-@pytest.mark.parametrize(("which", "u_noise"), [(0, np.degrees(NOISE_nT / 30_000)), (1, NOISE_nT)])
+@pytest.mark.parametrize("fault", [0.0, pytest.param(5e-4, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    ("which", "u_noise"), [(0, np.degrees(NOISE_nT / 30_000)), pytest.param(1, NOISE_nT, marks=pytest.mark.slow)]
+)
 def test_of_a_hundred_devices_ninety_five_are_as_good_as_is_said(fault: float, which: int, u_noise: float) -> None:
     """Heading and magnitude: a device without fault, and one whose fault is as small as the reference's.
 

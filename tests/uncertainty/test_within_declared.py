@@ -17,10 +17,14 @@ from labcal.record import Run
 
 FEW, MANY = 1, pytest.param(4, marks=pytest.mark.slow)  # runs of each kind of reference
 
+each_kind = pytest.mark.parametrize(
+    "kind", ["axis", *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS if kind != "axis")]
+)
 
-def runs(number: int, *, effect: str = "none") -> Iterator[Run]:
+
+def runs(number: int, *, effect: str = "none", kinds: tuple[str, ...] = KINDS) -> Iterator[Run]:
     """Recorded by the independent lab, wrong by draws of what they declare."""
-    yield from (recorded(seed, kind, effect=effect, twin=False)[1] for kind in KINDS for seed in range(number))
+    yield from (recorded(seed, kind, effect=effect, twin=False)[1] for kind in kinds for seed in range(number))
 
 
 def stated(run: Run, times: float) -> Run:
@@ -51,8 +55,9 @@ def kinds_of(closed: ClosedLoop) -> set[str]:
     return {finding.kind for finding in closed.findings}
 
 
-def test_a_reference_that_is_wrong_as_it_declares_leaves_a_clean_run() -> None:
-    found = [close_loop(run) for run in runs(4)]
+@pytest.mark.parametrize("number", [FEW, MANY])
+def test_a_reference_that_is_wrong_as_it_declares_leaves_a_clean_run(number: int) -> None:
+    found = [close_loop(run) for run in runs(number)]
     left = [closed for closed in found if more_than_noise(closed)]
     assert len(left) > len(found) / 2  # there is something to explain
     assert [closed.verdict for closed in found] == ["clean"] * len(found)
@@ -61,6 +66,7 @@ def test_a_reference_that_is_wrong_as_it_declares_leaves_a_clean_run() -> None:
     assert not any("within-declared" in kinds_of(closed) for closed in found if not more_than_noise(closed))
 
 
+@pytest.mark.slow
 def test_without_what_is_declared_the_same_runs_have_structure(monkeypatch: pytest.MonkeyPatch) -> None:
     none = property(lambda self: np.zeros((*self.y.shape, 0)))
     monkeypatch.setattr(LinearProblem, "declared", none)
@@ -68,8 +74,9 @@ def test_without_what_is_declared_the_same_runs_have_structure(monkeypatch: pyte
 
 
 @pytest.mark.parametrize("number", [FEW, MANY])
-def test_what_is_larger_than_declared_is_not_clean(number: int) -> None:
-    found = [close_loop(stated(run, 0.1)) for run in runs(number)]
+@each_kind
+def test_what_is_larger_than_declared_is_not_clean(number: int, kind: str) -> None:
+    found = [close_loop(stated(run, 0.1)) for run in runs(number, kinds=(kind,))]
     left = [closed for closed in found if more_than_noise(closed)]
     assert left
     assert not any(closed.verdict == "clean" for closed in left)
@@ -89,8 +96,9 @@ def test_a_field_that_hides_in_the_declared_zero_is_not_claimed_and_a_larger_one
 
 
 @pytest.mark.parametrize("number", [FEW, MANY])
-def test_an_effect_at_work_keeps_its_name_and_closes_the_run(number: int) -> None:
-    for run in runs(number, effect="offset-current"):
+@each_kind
+def test_an_effect_at_work_keeps_its_name_and_closes_the_run(number: int, kind: str) -> None:
+    for run in runs(number, effect="offset-current", kinds=(kind,)):
         closed = close_loop(run)
         assert [e.effect for e in closed.accepted] == ["offset-current"]
         assert closed.verdict == "explained"

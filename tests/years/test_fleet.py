@@ -36,13 +36,16 @@ def test_the_worst_batch_and_the_worst_sensor_come_first(fleet: Path, capsys: py
     assert (found["stand_out"][0]["serial"], found["stand_out"][0]["quantity"]) == ("B-4", "offset x")
 
 
-def test_the_page_says_it_in_words_and_is_there_as_html_and_pdf(
-    fleet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    page, paper = tmp_path / "fleet.html", tmp_path / "fleet.pdf"
+def test_the_page_says_it_in_words(fleet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = tmp_path / "fleet.html"
     assert labcal(["fleet", str(fleet), "--out", str(page)]) == 0
     assert "B-4 stands out most" in capsys.readouterr().out
     assert "batch C 3." in page.read_text()
+
+
+@pytest.mark.slow
+def test_the_page_is_there_as_pdf_too(fleet: Path, tmp_path: Path) -> None:
+    paper = tmp_path / "fleet.pdf"
     assert labcal(["fleet", str(fleet), "--out", str(paper)]) == 0
     assert paper.read_bytes().startswith(b"%PDF")
 

@@ -19,7 +19,9 @@ ASKED = {
 
 
 @pytest.mark.parametrize("name", ASKED)
-@pytest.mark.parametrize(("option", "file"), [("--json", "out.json"), ("--out", "out.html")])
+@pytest.mark.parametrize(
+    ("option", "file"), [("--json", "out.json"), pytest.param("--out", "out.html", marks=pytest.mark.slow)]
+)
 def test_what_is_there_is_kept_until_force_is_said_and_an_input_even_then(
     name: str, option: str, file: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -22,7 +22,7 @@ def calibration(seed: int, offers: str = "vector", moved_nT: float = 0.0, gain: 
     return replace(draft_calibration(made.run, found, "0" * 64), run_id=f"run-{seed}")
 
 
-@pytest.mark.parametrize("offers", ["vector", "scalar"])
+@pytest.mark.parametrize("offers", ["vector", pytest.param("scalar", marks=pytest.mark.slow)])
 def test_a_sensor_that_did_not_change_differs_by_its_uncertainty(offers: str):
     """2 E_n, differences over their standard uncertainty, have the mean square one, by every kind of figure."""
     true, found = calibration(7, offers), dict[str, list[float]]()

@@ -78,6 +78,7 @@ def bent(made: MadeUp, cubic_nT: tuple[float, float, float]) -> Run:
     return made.with_effect(np.array(cubic_nT) * (made.field_nT / 50e3) ** 3)
 
 
+@pytest.mark.slow
 def test_noise_and_linearity_miss_by_as_much_as_they_state():
     """The cube of x is 3/5 P₁ + 2/5 P₃: beside its line it is 2/5 at the ends of the range, in size."""
     noise, linearity, cubic = list[float](), list[float](), dict(zip("xz", (400.0, -250.0), strict=True))
