@@ -37,8 +37,8 @@ def first_unsupported(
     for i, chosen in reversed(list(enumerate(accepted))):
         share = policy.POLICY.max_misfit_of_a_line if chosen.family.harmonics else policy.POLICY.material_share
         mine = steps if level.source == "differences" else steps[_first_of_its_cause(accepted, i) :]
-        remains = is_time_bound(pool, chosen) and misfit_remains(mine, level, share)
-        if remains and not stands_beside_discrepancy(pool, accepted, chosen):
+        of_time = is_time_bound(pool, chosen) and misfit_remains(mine, level, share)
+        if of_time and not stands_beside_discrepancy(pool, accepted, chosen):
             return i
     if level.source == "differences":
         return None
