@@ -93,7 +93,7 @@ def test_a_folder_is_no_bench_file_and_its_own_name_says_so(tmp_path: Path, caps
 
 def test_a_run_whose_progress_nobody_reads_any_more_is_stopped_and_not_failed(tmp_path: Path) -> None:
     words = ["run", "ambient", "--bench", str(SIMULATED), "--clock", "real", "--progress", "json"]
-    words += ["--set", "mains_s=2"]  # what is said next comes after it
+    words += ["--set", "mains_s=5"]  # what is said next comes after it
     with subprocess.Popen(
         [sys.executable, "-P", "-m", "labcal", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "LABCAL_HOME": str(tmp_path)},

@@ -9,7 +9,9 @@ import time
 import pytest
 
 WATCH = """
-import sys
+import signal, sys
+for name in {"SIGTERM", "SIGHUP"} & set(dir(signal)):
+    signal.signal(getattr(signal, name), signal.SIG_DFL)  # whoever runs the tests may have it ignored, as nohup does
 from labcal.system.window_watch import watch
 window = "import os, sys, time; open(sys.argv[1], 'w').write(str(os.getpid())); time.sleep(60)"
 sys.exit(watch((), print, (sys.executable, "-c", window, sys.argv[1])))
@@ -46,5 +48,6 @@ def test_the_window_ends_with_its_watch(tmp_path, number):
         assert not (tmp_path / "home" / "crashes").exists()  # it was wanted: nothing broke off
     finally:
         watch.kill()
+        watch.wait()
         if told.exists() and lives(int(told.read_text())):
             os.kill(int(told.read_text()), signal.SIGKILL)
