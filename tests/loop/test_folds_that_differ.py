@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,8 +18,9 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.selection import heldout_rules, proof, select
-from labcal.loop.selection.crossval import HeldOutErrors, block_folds
+from labcal.loop.selection.crossval import NEVER, HeldOutErrors, block_folds
 from labcal.record import Channel, Run
+from labcal.store import read_bundle
 from labcal.testing.made_up_runs import made_up_run
 
 Started = Callable[..., LinearProblem]
@@ -78,3 +82,17 @@ def test_a_gain_that_hardly_changes_is_not_the_readings_own_residual(started: St
         base = one.T.reshape(len(as_gain), -1)
         left = as_gain - base @ np.linalg.lstsq(base, as_gain, rcond=None)[0]
         assert np.linalg.norm(left) < 1e-6 * np.linalg.norm(as_gain)
+
+
+def test_the_simplest_form_that_is_no_worse_is_not_far_worse_than_the_next(tmp_path: Path) -> None:
+    """A slow gain, whose curve is a detail of four fifths of the rows: without the curve it is still slow."""
+    program = Path(__file__).parents[1] / "blind" / "spacecraft.py"
+    subprocess.run([sys.executable, program, tmp_path, "20", "41129", "19"], check=True)
+    problem, level, _ = prepare(read_bundle(tmp_path / "b0019" / "bundle"))
+    pool = CandidateSet.of(problem, 0.85)
+    pool = pool.among(tuple(c for c in pool.candidates if c.cause == ("gain-temperature", ("t_sensor",))))
+    blocks = select.select(pool, level, most=1).blocks
+    for fold in np.unique(blocks.fold[blocks.fold != NEVER]).tolist():
+        part = pool.on(blocks.training(problem.scene.t_s, fold))
+        (chosen,) = select.select(part, level, blocks.restricted_to(part.rows), most=1).accepted
+        assert [shape.name for shape in chosen.term.shape] == ["tau_s"], fold

@@ -228,15 +228,22 @@ def prefer_computable(
 
 
 def _simplest(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate]) -> list[Candidate]:
-    """Each cause by its simplest candidate that is not worse on held-out data: a detail of this run alone misleads."""
+    """Each cause by its simplest candidate that is not worse on held-out data: a detail of this run alone misleads.
+
+    Nor worse than the next larger one, which may be better than both.
+    """
     for place, chosen in enumerate(accepted):
         others = [c for c in accepted if c is not chosen]
+        rms_nT, found = float("inf"), accepted
         for candidate in _simpler_candidates(pool, chosen, others):
             simple = [*accepted[:place], candidate, *accepted[place + 1 :]]
             richer = cross_validate(pool, blocks, fixed_choice(accepted), simple)
-            if richer.before <= policy.POLICY.equivalent_rms * richer.after:
-                accepted = simple
+            not_worse_than = richer.after if found is accepted else rms_nT / policy.POLICY.equivalent_rms**2
+            if richer.before <= policy.POLICY.equivalent_rms * not_worse_than:
+                rms_nT, found = richer.before, simple
+            elif found is not accepted:
                 break
+        accepted = found
     return accepted
 
 
