@@ -37,9 +37,9 @@ def demo(finished):
 def test_into_a_pipe_it_says_every_few_seconds_what_it_is_at(finished):
     _, preflight, process = finished
     lines = process.stderr.splitlines()
-    assert len(lines) >= 3
+    assert len(lines) >= (1 if preflight else 3)  # the short one is through before most of its lines would come
     assert all(line.startswith("  ... ") for line in lines)
-    assert preflight or any("scoring" in line for line in lines)  # the short one is scored in less than a line's time
+    assert preflight or any("scoring" in line for line in lines)
 
 
 def home_of(folder):
