@@ -310,6 +310,7 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
+        self.scan_card.catch(*self.scanner.caught)
         return self.app_state.scan(text)
 
     def _show_login(self) -> None:
