@@ -48,6 +48,7 @@ class CertificatePage(QWidget):
         self.paper.handed_out.connect(self._handed_out)
         self.list = combo_box(self.tr("Calibrations, the newest first"))
         self.list.currentIndexChanged.connect(self._show)
+        self.list.activated.connect(self._picked)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
         column.addWidget(self.empty_card)
         column.addWidget(self.list)
@@ -118,7 +119,10 @@ class CertificatePage(QWidget):
     def _known(self, files: tuple[CalibrationFile, ...]) -> None:
         self._app_state.path.take_calibrations(files)
         before = self.chosen()
-        kept = self._wanted or (before.path if before is not None else "")
+        here = self._app_state.lab.state.dut_serial
+        mine = [one.path for one in files if one.dut.serial == here]
+        kept = self._wanted or (before.path if before is not None and (before.path in mine or not mine) else "")
+        kept = kept or next(iter(mine), "")
         self._files = {one.path: one for one in files}
         with QSignalBlocker(self.list):
             self.list.clear()
@@ -129,6 +133,11 @@ class CertificatePage(QWidget):
             self.list.setCurrentIndex(max(0, self.list.findData(kept)))
         self._wanted = ""
         self._show()
+
+    def _picked(self) -> None:
+        """Whose calibration is looked at stands at the top."""
+        if (one := self.chosen()) is not None:
+            self._app_state.one_dut.take(one.dut.serial)
 
     def _keys_known(self, names: tuple[str, ...]) -> None:
         self.steps.take_keys(names)

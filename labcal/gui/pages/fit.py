@@ -106,7 +106,7 @@ class FitPage(QWidget):
     def open_run(self, run: str) -> None:
         """Study `run`."""
         self.chooser.show_run(run)
-        self._study.open(run)
+        self._app_state.one_dut.open(run)
 
     def _trace(self) -> None:
         self._app_state.page_requested.emit("Loop")

@@ -80,7 +80,7 @@ class LoopPage(QWidget):
 
     def _head(self) -> Flow:
         self.chooser = RunChooser(self._app_state)
-        self.chooser.chosen.connect(self._study.open)
+        self.chooser.chosen.connect(self._app_state.one_dut.open)
         self.chooser.known.connect(self._show)
         self.close_loop = button(
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
