@@ -1,11 +1,14 @@
 """The top, the page and the sidebar are of one DUT: that of the run that was opened, or the one that was said since."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from test_path import calibration
 
 from labcal.gui.ipc.answers import Look, RunLine
-from labcal.gui.ipc.messages import ListRuns, LookAt, RunProcedure
+from labcal.gui.ipc.messages import ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
 from labcal.gui.standing import come_back
 from labcal.gui.viewmodels.one_dut import KEPT
 
@@ -84,3 +87,43 @@ def test_a_window_that_is_started_again_after_a_crash_has_the_serial_that_was_sa
     come_back(new_window, "Fit", "window-1.zip", ran=False)
     new_window.app_state.propose_dut()
     assert new_window.top.dut.text() == "EM-99"
+
+
+def test_what_is_kept_of_a_run_is_said_where_it_is_opened_and_in_the_lists(listed):
+    released = replace(calibration(), run_id="r21")
+    released = replace(released, standing=replace(released.standing, status="released"))
+    listed.page("History").refresh()
+    listed.app_state.quick_worker.answer(ListRuns, (OF_22, replace(OF_21, left_nT=(41.2, 15.4, 15.1))))
+    listed.app_state.quick_worker.answer(ListCalibrations, (released,))
+    history = listed.page("History")
+    assert [history.table.text(row, 5) for row in range(2)] == ["–", "✓ EXPLAINED · ✓ released"]
+    history.search.setText("released")
+    assert history.table.rowCount() == 1
+    open_from_history(listed, "r21")
+    listed.app_state.fit_worker.answer(LookAt, Look("r21", "EM-21", 1, np.zeros((1, 3)), {}))
+    listed.app_state.fit_worker.answer(ListMethods, ("ml",))
+    fit, loop = listed.page("Fit"), listed.page("Loop")
+    for page in (fit, loop):
+        assert "Kept of this run: ✓ EXPLAINED · 41.2 → 15.4 nT, noise alone 15.1 nT" in page.empty.text()
+        assert "✓ released" in page.empty.text()
+    assert loop.close_loop.text() == "Work it out again"
+    listed.app_state.path.take_handed_out(released)
+    assert listed.app_state.path.stands("r21") == "✓ handed out"
+    listed.open_page("Start")
+    listed.app_state.quick_worker.answer(ListRuns, (OF_21,))
+    assert listed.page("Start").facts["runs"][1].text().endswith("✓ handed out")
+
+
+def test_the_certificate_is_of_the_dut_at_the_top(listed):
+    mine, other = (
+        calibration(),
+        replace(calibration(), path="other.json", dut=replace(calibration().dut, serial="EM-22")),
+    )
+    listed.open_page("Certificate")
+    page, worker = listed.page("Certificate"), listed.app_state.quick_worker
+    worker.answer(ListCalibrations, (mine, other))
+    assert page.chosen() == other
+    listed.app_state.set_identity(dut="EM-23")
+    page.refresh()
+    worker.answer(ListCalibrations, (mine, other))
+    assert (page.chosen(), page.list.isVisible(), "EM-23" in page.empty.text()) == (None, True, True)

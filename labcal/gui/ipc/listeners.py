@@ -1,4 +1,4 @@
-"""Answers that come for a page which is gone: the window was made anew in another language while they were under way."""
+"""Answers for a page that is gone: the window was made anew in another language while they were under way."""
 
 from __future__ import annotations
 

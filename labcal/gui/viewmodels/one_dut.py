@@ -60,7 +60,7 @@ class OneDut(QObject):
             self.take(serial)
 
     def take(self, serial: str) -> None:
-        """A person looks at what is of this DUT. A serial that was typed and is of no run is not written over unasked."""
+        """What is of this DUT is looked at. A serial that was typed and is of no run is not written over unasked."""
         here = self._lab.state.dut_serial
         if serial == here or self._run.alive:
             return

@@ -1,4 +1,4 @@
-"""A serial that was scanned, or is of a run that was opened, and that nobody asked for: held up as a question, and once taken, to be undone. No widgets."""
+"""A serial that was scanned, or is an opened run's: held up as a question, and to be undone. No widgets."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from labcal.gui.viewmodels.lab import LabState, LabViewModel
 
 
 class ScanViewModel(QObject):
-    """`serial` came while `before` was the DUT; `taken` says that it is the DUT now, `of_run` that it is an opened run's."""
+    """`serial` came while `before` was the DUT; `taken` says that it is the DUT now, `of_run` that a run was opened."""
 
     changed = Signal()
 
