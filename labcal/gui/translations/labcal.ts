@@ -5314,7 +5314,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>scoring {0} beside {1}</source>
-        <translation>bewertet wird {0} neben {1}</translation>
+        <translation>geprüft wird: {0}, verglichen mit: {1}</translation>
     </message>
     <message>
         <source>scoring {0}</source>
@@ -3960,7 +3960,7 @@
     </message>
     <message>
         <source>what does as well</source>
-        <translation>was ebenso viel tut</translation>
+        <translation>was ebenso gut passt</translation>
     </message>
     <message>
         <source>this run takes about {0} s more and may be stopped</source>
@@ -5314,8 +5314,8 @@
         <translation>{0:g} s gehalten: die Antwort auf dem Knopf dieser Taste</translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
-        <translation>zum nächsten Feld oder Knopf; Umschalt und Tab geht zurück, Leertaste drückt oder wählt</translation>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
+        <translation>zum nächsten Feld oder Knopf; Umschalt und Tab geht zurück, Leertaste drückt oder wählt, aber keine Antwort, die montiert, bestromt oder bewegt: deren eigene Taste wird gehalten</translation>
     </message>
 </context>
 <context>

@@ -5314,8 +5314,8 @@
         <translation>tenue {0:g} s : la réponse du bouton de cette touche</translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
-        <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne</translation>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
+        <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne, mais aucune réponse qui monte, alimente ou déplace : sa propre touche est maintenue</translation>
     </message>
 </context>
 <context>
