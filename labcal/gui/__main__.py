@@ -41,6 +41,7 @@ def main() -> int:
     from labcal.gui.reopened import Shown
     from labcal.gui.standing import Standing, come_back
     from labcal.gui.translations.translate import install_translator
+    from labcal.gui.viewmodels.one_dut import KEPT
     from labcal.gui.viewmodels.window_settings import window_settings
     from labcal.gui.window import open_window
 
@@ -48,6 +49,8 @@ def main() -> int:
     application.setApplicationName("labcal")
     chosen = str(window_settings().value("language", "") or "")
     install_translator(application, QLocale(chosen) if chosen else QLocale.system())
+    if not given.after_crash:
+        window_settings().remove(KEPT)
     window = open_window(given.bench, watched=given.state is not None, worker=given.worker)
     shown = Shown(window, lambda window: Standing(window, given.state))
     sys.excepthook = shown.window.app_state.handle_exception

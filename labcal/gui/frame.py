@@ -307,7 +307,8 @@ class Frame(QMainWindow):
             OFF_KEY.name.removeprefix("Key_"): self.tr("coils off, at any moment"),
             held: self.tr("held for {0:g} s: the answer on the button of this key").format(HOLD_MS / 1000),
             "Tab": self.tr(
-                "to the next field or button; Shift and Tab goes back, Space presses a button or picks a row"
+                "to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, "
+                "but no answer that mounts, energises or moves: its own key is held"
             ),
         }
         return list((first | shortcuts(self)).items())

@@ -13,6 +13,7 @@ from PySide6.QtCore import QCoreApplication, QObject
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.one_dut import KEPT
 from labcal.gui.window import Window
 
 
@@ -58,6 +59,8 @@ def come_back(window: Window, page: str, report: str, *, ran: bool) -> None:
     """
     if page in window.lazy_pages:
         window.open_page(page)
+    if kept := str(window.app_state.settings.value(KEPT, "") or ""):
+        window.app_state.set_identity(dut=kept)  # not that of the bench file in its place
     words = QCoreApplication.translate(
         "Standing", "The window broke off, and was started again. What it said last is kept in {0}."
     )

@@ -132,6 +132,7 @@ class Window(Frame):
         self.side.read_all.clicked.connect(app_state.watch.read_all)
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
+        self.top.dut.editingFinished.connect(app_state.one_dut.settle)
         app_state.page_requested.connect(self.open_page)
         app_state.next_requested.connect(self._go_on)
         self.theme_switch.clicked.connect(self._other_theme)
@@ -289,6 +290,7 @@ class Window(Frame):
 
     def _page_turned(self) -> None:
         self.app_state.put_away_said()
+        self.app_state.one_dut.settle()
         self._show_next()
 
     def _go_on(self) -> None:
@@ -310,6 +312,7 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
+        self.scan_card.catch(*self.scanner.caught)
         return self.app_state.scan(text)
 
     def _show_login(self) -> None:

@@ -19,6 +19,7 @@ from labcal.errors import InputError
 from labcal.gui.ipc.client import OnFault
 from labcal.gui.ipc.codec import decode, encode
 from labcal.gui.ipc.lines import answer_type
+from labcal.gui.ipc.listeners import while_there
 from labcal.gui.ipc.messages import Command, Word
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import build_more, build_page, pages
@@ -53,7 +54,7 @@ class DeafWorker(QObject):
 
     def request(self, command: Command[Any], then: Callable[[Any], object], failed: OnFault) -> None:
         """Remember that it was asked for."""
-        self.asked.append(Asked(command, then, failed))
+        self.asked.append(Asked(command, while_there(then), while_there(failed)))
 
     def send(self, word: Word) -> None:
         """Remember what was said."""

@@ -216,3 +216,23 @@ def test_what_was_said_of_a_scan_is_past_with_the_next_input_that_is_accepted(st
     else:
         still.page("Run").choose.form.set_text("rate_deg_per_s", "20")
     assert still.message.text() == ""
+
+
+def test_quick_fingers_in_a_number_field_are_no_scan(still, keys):
+    field = still.page("Run").choose.form.fields["magnitudes_nT"]
+    field.clear()
+    keys(field, "20000; abc", 0.0315)  # xdotool type --delay 60
+    assert (field.text(), shown(still)) == ("20000; abc", None)
+
+
+def test_what_came_as_a_scan_is_given_back_to_the_field_where_it_was_typed(still, keys, qtbot):
+    field = still.page("Run").choose.form.fields["magnitudes_nT"]
+    field.clear()
+    keys(field, "10", 0.2)
+    keys(field, "0002", 0.01)
+    keys(field, "0abc", 0.01)
+    assert (field.text(), still.scan_card.typed.isVisible()) == ("10", True)
+    qtbot.mouseClick(still.scan_card.typed, Qt.MouseButton.LeftButton)
+    assert (field.text(), field.hasFocus(), shown(still)) == ("1000020abc", True, None)
+    keys(still.sidebar, "EM-19", 0.01)
+    assert not still.scan_card.typed.isVisible()

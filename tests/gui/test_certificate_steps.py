@@ -9,7 +9,9 @@ from test_path import SIGNATURE, calibration
 
 from labcal.gui.ipc.messages import Approve, ListCalibrations, ListKeys, NewKey, Sign
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.key_rules import as_key_name
 from labcal.gui.viewmodels.signing import steps
+from labcal.gui.widgets.stated_fields import day_stated
 
 DRAFT = calibration(signed=False)
 APPROVED = replace(DRAFT, approvers=("a.smith",))
@@ -177,3 +179,57 @@ def test_the_signatures_of_others_are_awaited_by_name():
     one = replace(ONE_SIGNED, standing=replace(ONE_SIGNED.standing, signatures=(SIGNATURE,)))
     words = steps(one, ("b.jones",), "J. Doe")[2].words
     assert words == "Good to use as PROVISIONAL; a.smith has still to sign. Their key is not on this computer."
+
+
+@pytest.mark.parametrize(
+    ("typed", "day"),
+    [("", ""), ("2027-11-29", "2027-11-29"), ("29.11.2027", "2027-11-29"), ("9.1.2027", "2027-01-09"),
+     ("31.11.2027", None), ("soon", None), ("29.11.27", None)],
+)  # fmt: skip
+def test_a_day_is_taken_as_it_is_written(typed, day):
+    assert day_stated(typed) == day
+
+
+def test_what_is_refused_says_so_at_its_field_and_moves_nothing(page):
+    told(page, APPROVED, "a.smith")
+    page.steps.passphrase.setText("wrong")
+    page.steps.sign.click()
+    before = page.steps.mapTo(page, QPoint(0, 0))
+    (asked,) = [one for one in page._app_state.quick_worker.asked if isinstance(one.command, Sign)]
+    asked.failed(Fault("input", "the passphrase is not that of the key"))
+    settle()
+    assert not page.fault.isVisible()
+    assert page.steps.mapTo(page, QPoint(0, 0)) == before
+    assert "passphrase" in page.steps.signature.wrong.text()
+    assert page.steps.passphrase.property("state") == "bad"
+    page.steps.passphrase.setText("again")
+    assert page.steps.passphrase.property("state") == ""
+    page.refresh()
+    told(page, DRAFT, "a.smith")
+    page.steps.approver.setCurrentText("a.smith")
+    page.steps.stated.until.setText("31.11.2027")
+    assert "“31.11.2027” is no day" in page.steps.approval.wrong.text()
+    assert not page.steps.approve.isEnabled()
+    assert page.steps.stated.until.property("state") == "bad"
+
+
+def test_a_key_s_name_is_made_of_a_person_s_and_all_that_is_wrong_is_said(page):
+    told(page, DRAFT)
+    steps = page.steps
+    for entry, words in ((steps.key_name, "L. Holm"), (steps.new_words, "short")):
+        entry.setText(words)
+    assert "“L. Holm”" in steps.key.wrong.text()
+    assert "5 characters" in steps.key.wrong.text()
+    steps.key_name.editingFinished.emit()
+    assert steps.key_name.text() == "l.holm"
+    assert "l.holm, made of “L. Holm”" in steps.key.done.text()
+    assert [as_key_name(name) for name in ("Jürgen O'Brien", "山田", "a.smith")] == ["jurgen.o.brien", "", "a.smith"]
+
+
+def test_what_was_done_is_said_in_the_card_of_its_step(page):
+    told(page, DRAFT, "a.smith")
+    page.steps.approver.setCurrentText("a.smith")
+    page.steps.approve.click()
+    page._app_state.quick_worker.answer(Approve, APPROVED)
+    assert page.steps.approval.done.text() == "Approved by a.smith."
+    assert not page.paper.said.text()

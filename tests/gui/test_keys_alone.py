@@ -193,7 +193,7 @@ def signed(hands):
         for entry in (steps.new_words, steps.again):
             hands.enter(entry, f"sixteen reasons of {name}")
         hands.press(steps.new_key)
-        hands.until(lambda n=name: n in page.said.text())
+        hands.until(lambda n=name: n in steps.key.done.text())
     hands.enter(steps.approver, "j.doe")
     assert "is the operator" in steps.approval.wrong.text()
     hands.enter(steps.approver, "a.smith")

@@ -7,10 +7,21 @@ from xml.etree import ElementTree
 
 import PySide6
 import pytest
-from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QInputDialog, QLabel, QPushButton
+from PySide6.QtCore import QEvent, QLocale
+from PySide6.QtWidgets import QApplication, QInputDialog, QLabel, QPushButton
 from shiboken6 import delete, isValid
 
+from labcal.gui.ipc.answers import RunLine
+from labcal.gui.ipc.messages import (
+    LastCageCheck,
+    LastClosingCheck,
+    ListCalibrations,
+    ListKeys,
+    ListMethods,
+    ListProcedures,
+    ListRuns,
+)
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.reopened import Shown
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations import translate
@@ -108,6 +119,41 @@ def test_the_end_of_a_run_is_not_sounded_by_the_window_before(qapp, qtbot, new_w
     delete(before)
     shown.window.app_state.run.ended.emit("r1", "finished")
     assert played == [(True, "done")]
+
+
+ANSWERS = {
+    ListRuns: (RunLine("r1", "2026-11-22T23:30:00Z", "finished", "EM-07", "J. Doe", "preflight", simulated=True),),
+    ListCalibrations: (),
+    ListKeys: ("jdoe",),
+    LastClosingCheck: None,
+    LastCageCheck: None,
+    ListMethods: ("ml",),
+}
+
+
+@pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])
+def test_what_a_page_asked_before_the_language_changed_twice_reaches_the_page_that_is_there(
+    qapp, qtbot, new_window, restored, name
+):
+    shown, app_state = Shown(new_window), new_window.app_state
+    app_state.study_vm.open("r1")
+    new_window.open_page(name)
+    new_window.page(name)
+    for _ in range(2):
+        before = shown.window
+        before.language_switch.click()
+        shown.window.page(name)
+        QApplication.sendPostedEvents(before, QEvent.Type.DeferredDelete)
+        assert not isValid(before)
+    qtbot.addWidget(shown.window)
+    for worker in (app_state.quick_worker, app_state.fit_worker):
+        for kind, answer in (ANSWERS | {ListProcedures: new_window.procedures}).items():
+            worker.answer(kind, answer)
+        for one in worker.asked:
+            one.failed(Fault("input", "refused"))
+    assert app_state.path.runs == (() if name in ("Run", "Bench", "Certificate") else ANSWERS[ListRuns])
+    if name == "History":
+        assert shown.window.page(name).table.rowCount() == 1
 
 
 def test_no_other_language_while_a_run_goes_on(qapp, new_window, restored, monkeypatch):

@@ -95,7 +95,7 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
         (
             11.6,
             10.0,
-            "ml: ▲ The calibration is not good yet, however well it was measured: 11.6 nT of |b| are left over "
+            "ml: ▲ The map alone is not enough yet, however well it was measured: 11.6 nT of |b| are left over "
             "in held-out rows, the stated noise is 10.0 nT. Trace the residual.",
             "warning",
         ),

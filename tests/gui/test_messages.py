@@ -5,11 +5,14 @@ import json
 import os
 import typing
 from dataclasses import fields, is_dataclass, replace
+from functools import partial
 from types import UnionType
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QLabel
+from shiboken6 import delete
 
 from labcal.bench.coils.state import CoilReading, LabState
 from labcal.bench.parameters import Limits, ParameterSpec
@@ -19,6 +22,7 @@ from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.codec import decode, encode
 from labcal.gui.ipc.lines import answer_type, kinds, read_answer, read_event, read_request, write_line
+from labcal.gui.ipc.listeners import while_there
 from labcal.gui.ipc.messages import (
     Command,
     Done,
@@ -255,6 +259,34 @@ def test_of_states_that_come_faster_than_they_are_shown_the_newest_is_and_before
     assert seen[seen.index("half-way") - 1] == 299.0
     assert len(seen) < 200
     assert [one for one in seen if one != "half-way"] == sorted(one for one in seen if one != "half-way")
+
+
+def test_whoever_breaks_over_an_answer_keeps_nobody_waiting_for_theirs(qtbot, patience, tmp_path):
+    file, heard = tmp_path / "said", []
+    file.write_text("".join(f"{write_line(Done(n, []))}\n" for n in (1, 2, 3)), encoding="utf-8")
+    client = Client(None, ("-c", TALKS.format(file=str(file))))
+    with qtbot.captureExceptions() as broken:
+        client.request(ListRuns(), lambda _: 1 / 0, heard.append)
+        client.request(ListRuns(), heard.append, heard.append)
+        client.request(ListRuns(), heard.append, heard.append)
+        qtbot.waitUntil(lambda: len(heard) == 2, timeout=patience)
+    client.close(500)
+    assert heard == [(), ()]
+    assert [kind for kind, *_ in broken] == [ZeroDivisionError]
+
+
+def test_an_answer_for_what_is_gone_is_heard_by_nobody(qapp):
+    label, heard = QLabel(), []
+
+    def known(words):
+        heard.append(label.setText(words))
+
+    for listener in (label.setText, known, partial(known), lambda words: known(words)):
+        while_there(listener)("here")
+    delete(label)
+    for listener in (label.setText, known, partial(known), lambda words: known(words)):
+        while_there(listener)("too late")
+    assert heard == [None, None, None]
 
 
 def how_it_ended(qtbot, patience, program, kill=False):

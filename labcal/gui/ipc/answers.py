@@ -286,7 +286,7 @@ class Loop:
 
 @dataclass(frozen=True, slots=True)
 class RunLine:
-    """A run of the store in one line, with the verdict of its loop where there is one."""
+    """A run of the store in one line, with the verdict and figures of its loop where there is one."""
 
     run_id: str
     started_utc: str
@@ -298,6 +298,7 @@ class RunLine:
     verdict: str = ""
     site: str = ""  # of a run of the archive, and which one it is there: names of runs repeat
     sha256: str = ""
+    left_nT: tuple[float, float, float] | None = None  # by its loop: before, after, and noise alone
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 from labcal.errors import InputError
 from labcal.gui.ipc.environment import child_environment
 from labcal.gui.ipc.lines import read_answer, read_event, write_line
+from labcal.gui.ipc.listeners import while_there
 from labcal.gui.ipc.messages import (
     Beat,
     Command,
@@ -107,10 +108,10 @@ class Client(QObject):
         self._heartbeat.start()
 
     def request(self, command: Command[R], then: Callable[[R], object], failed: OnFault) -> None:
-        """Ask for `command`; `then` gets its answer, `failed` what went wrong."""
+        """Ask for `command`; `then` gets its answer, `failed` what went wrong, where they are still there."""
         self.start()
         self._number += 1
-        self._pending[self._number] = command, then, failed
+        self._pending[self._number] = command, while_there(then), while_there(failed)
         self.send(Request(self._number, command))
 
     def send(self, message: Word | Request) -> None:
@@ -166,11 +167,13 @@ class Client(QObject):
     def _drain(self) -> None:
         """What has come, as far as one turn of the event loop may take; the rest in the next."""
         until = time.monotonic() + TIME_SLICE_S
-        while self._lines and time.monotonic() < until:
-            self._take(self._lines.popleft())
-        self._show_state()
-        if self._lines:
-            QTimer.singleShot(0, self, self._drain)
+        try:
+            while self._lines and time.monotonic() < until:
+                self._take(self._lines.popleft())
+            self._show_state()
+        finally:  # whoever breaks over an answer keeps nobody else waiting for theirs
+            if self._lines:
+                QTimer.singleShot(0, self, self._drain)
 
     def _take(self, line: bytes) -> None:
         """A line that is no message comes of a worker that is broken: it ends."""

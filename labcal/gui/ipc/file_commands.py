@@ -57,12 +57,15 @@ def runs(channel: Channel, asked: ListRuns) -> tuple[RunLine, ...]:
     """The runs of the store, the newest first, each with the verdict of its loop where there is one."""
     from labcal import session
 
-    verdicts = {path.name.split(".")[0]: json.loads(path.read_text())["verdict"] for path in _folder().glob("*.loop")}
-    return tuple(_line(one, verdicts.get(one.run_id, "")) for one in reversed(session.runs()))
+    loops = {path.name.split(".")[0]: json.loads(path.read_text()) for path in sorted(_folder().glob("*.loop"))}
+    return tuple(_line(one, loops.get(one.run_id)) for one in reversed(session.runs()))
 
 
-def _line(one: RunSummary, verdict: str = "") -> RunLine:
-    return RunLine(**asdict(one), verdict=verdict)
+def _line(one: RunSummary, loop: Mapping[str, Any] | None = None) -> RunLine:
+    if loop is None:
+        return RunLine(**asdict(one))
+    left = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"], loop["noise_floor_nT"]
+    return RunLine(**asdict(one), verdict=loop["verdict"], left_nT=left)
 
 
 def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:

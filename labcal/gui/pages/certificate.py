@@ -37,6 +37,7 @@ class CertificatePage(QWidget):
         self._app_state = app_state
         self._files: dict[str, CalibrationFile] = {}
         self._wanted = ""
+        self._for = ""  # this DUT it was chosen
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -47,7 +48,9 @@ class CertificatePage(QWidget):
         self.said = self.paper.said
         self.paper.handed_out.connect(self._handed_out)
         self.list = combo_box(self.tr("Calibrations, the newest first"))
+        self.list.setPlaceholderText(self.tr("Choose a calibration"))
         self.list.currentIndexChanged.connect(self._show)
+        self.list.activated.connect(self._picked)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
         column.addWidget(self.empty_card)
         column.addWidget(self.list)
@@ -86,7 +89,7 @@ class CertificatePage(QWidget):
 
     def _empty_card(self) -> Card:
         card = Card()
-        self.empty = label(self.tr("None yet. Fit a run, then trace its residual: that writes a draft."), wrap=True)
+        self.empty = label("", wrap=True)
         self.to_fit = button(self.tr("Go to Fit"), self.tr("Estimate a calibration"), primary=True)
         self.to_fit.clicked.connect(lambda: self._app_state.page_requested.emit("Fit"))
         card.body.addWidget(self.empty)
@@ -118,7 +121,11 @@ class CertificatePage(QWidget):
     def _known(self, files: tuple[CalibrationFile, ...]) -> None:
         self._app_state.path.take_calibrations(files)
         before = self.chosen()
-        kept = self._wanted or (before.path if before is not None else "")
+        here = self._app_state.lab.state.dut_serial
+        mine = [one.path for one in files if one.dut.serial == here]
+        stays = before is not None and here == self._for
+        kept = self._wanted or (before.path if before is not None and stays else next(iter(mine), ""))
+        self._for = here
         self._files = {one.path: one for one in files}
         with QSignalBlocker(self.list):
             self.list.clear()
@@ -126,9 +133,21 @@ class CertificatePage(QWidget):
                 simulated = translated("SIMULATED") if one.simulated else ""
                 words = (standing_word(one.standing), one.dut.serial, Path(one.path).stem, simulated)
                 self.list.addItem("  ·  ".join(filter(None, words)), one.path)
-            self.list.setCurrentIndex(max(0, self.list.findData(kept)))
+            at = self.list.findData(kept)
+            self.list.setCurrentIndex(at if at >= 0 or here else 0)
         self._wanted = ""
         self._show()
+
+    def _say_empty(self) -> None:
+        none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
+        words = self.tr("No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.")
+        here = self._app_state.lab.state.dut_serial
+        self.empty.setText(words.format(here) if self._files and here else none)
+
+    def _picked(self) -> None:
+        """Whose calibration is looked at stands at the top."""
+        if (one := self.chosen()) is not None:
+            self._app_state.one_dut.take(one.dut.serial)
 
     def _keys_known(self, names: tuple[str, ...]) -> None:
         self.steps.take_keys(names)
@@ -137,7 +156,9 @@ class CertificatePage(QWidget):
     def _show(self) -> None:
         one = self.chosen()
         self.empty_card.setVisible(one is None)
-        for part in (self.list, self.detail, self.steps, self.paper, self.figures):
+        self.list.setVisible(bool(self._files))
+        self._say_empty()
+        for part in (self.detail, self.steps, self.paper, self.figures):
             part.setVisible(one is not None)
         self.steps.show_file(one, self._files.values())
         if one is not None:
@@ -179,8 +200,7 @@ class CertificatePage(QWidget):
         return self.paper.export if stands[-1].mark in ("now", "done") else self.steps.begins_at(stands)
 
     def _done(self, words: str, one: CalibrationFile | None) -> None:
-        """What was done, here and in the window's line; who is at work here goes on with what is next."""
-        self.said.setText(words)
+        """What was done, in the window's line too; who is at work here goes on with what is next."""
         self._app_state.lab.update(message=words)
         here = QApplication.focusWidget()
         at_work = here is not None and self.isAncestorOf(here)

@@ -55,6 +55,11 @@ class Paper(StepCard):
         self.words.setMinimumWidth(20 * GRID)
         for part in (self.words, self.said):
             words.addWidget(part)
+        self._paper = "", ""  # the calibration that was copied, and where its certificate goes
+        self.add = button(self.tr("Add the PDF"), self.tr("Write the certificate beside the files that were copied"))
+        self.add.clicked.connect(lambda: self.write_report(*self._paper))
+        self.add.hide()
+        words.addWidget(self.add, 0, Qt.AlignmentFlag.AlignLeft)
         words.addWidget(self.folder, 0, Qt.AlignmentFlag.AlignLeft)
         words.addStretch()
         row.addLayout(words, 1)
@@ -128,11 +133,15 @@ class Paper(StepCard):
         """Copy the chosen calibration, its signatures and the public keys to `folder`."""
         if (one := self._chosen()) is not None:
             words = self.tr("Copied to {0}").format(folder)
+            paper = Path(folder) / f"{_file_name(one)}.pdf"
+            lacks = self.tr("The certificate for people, a PDF, is not in it.")
 
             def said(_: object) -> str:
                 self.folder.show_folder(folder)
+                self._paper = one.path, str(paper)
+                self.add.setVisible(not paper.exists())
                 self.handed_out.emit(one)
-                return words
+                return words if paper.exists() else f"{words}. {lacks}"
 
             self._send(HandOut(one.path, folder), said)
 
@@ -158,6 +167,7 @@ class Paper(StepCard):
 
         self._fault.show_fault(None)
         self.folder.show_folder("")
+        self.add.hide()
         self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)
 
 

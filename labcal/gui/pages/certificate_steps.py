@@ -12,10 +12,11 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.messages import Approve, Command, NewKey, Sign
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.key_rules import approver_objection, key_objection
+from labcal.gui.viewmodels.key_rules import approver_objection, as_key_name, key_name_objection, key_objection
 from labcal.gui.viewmodels.signing import SigningStep, awaited
-from labcal.gui.widgets.common import button, combo_box, say_wanted
+from labcal.gui.widgets.common import button, combo_box, say_wanted, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.secret import secret_entry
 from labcal.gui.widgets.stated_fields import StatedFields
@@ -38,9 +39,11 @@ class SigningSteps(StepRow):
         super().__init__()
         self._app_state, self._chosen, self._fault, self._done = app_state, chosen, fault, done
         self.keys: tuple[str, ...] = ()
+        self._shown = ""  # of this file is what was done
         self.stated = StatedFields()
         self.signer, self.approver = QComboBox(), QComboBox()
         self.key, self.approval, self.signature = self._key_card(), self._approve_card(), self._sign_card()
+        self.stated.until.textChanged.connect(self.check)
         self.hold((self.key, self.approval, self.signature))
 
     def _key_card(self) -> StepCard:
@@ -59,6 +62,7 @@ class SigningSteps(StepRow):
         self.key_name.setToolTip(self.tr("The name that this person signs under"))
         self.key_name.setAccessibleName(self.tr("Whose key"))
         self.key_name.textChanged.connect(self.check)
+        self.key_name.editingFinished.connect(self._offer_name)
         self.new_key = button(self.tr("New key"), self.tr("Make a key for this name, and trust it in this lab"))
         self.new_key.clicked.connect(self._new_key)
         card.put((self.key_name, self.new_words, self.again), self.new_key)
@@ -115,6 +119,10 @@ class SigningSteps(StepRow):
         """Another file, or the same as it stands now."""
         self.stated.show_draft(one, others)
         self._offer()
+        if (path := "" if one is None else one.path) != self._shown:
+            self._shown = path
+            for card in (self.key, self.approval, self.signature):
+                card.say_done("")
 
     def _offer(self) -> None:
         """Who may approve, and who is to sign next."""
@@ -156,16 +164,32 @@ class SigningSteps(StepRow):
         words, again = self.new_words.text(), self.again.text()
         wrong = key_objection(name, words, again, self.keys)
         self.key.say_wrong(wrong)
+        self.signature.say_wrong("")
+        for entry in (self.key_name, self.approver, self.passphrase):
+            set_state(entry, "")
+        set_state(self.key_name, "bad" if key_name_objection(name) else "")
         self.new_key.setEnabled(bool(name) and bool(words) and words == again and not wrong)
         draft = one is not None and not one.standing.signatures
-        refused = approver_objection(approver, self._operator(one)) if draft else ""
+        refused = "\n✕ ".join(
+            filter(None, (approver_objection(approver, self._operator(one)), self.stated.objection()))
+        )
+        refused = refused if draft else ""
         self.approval.say_wrong(refused)
         self.approver.setEnabled(draft)  # nobody can be added after the first signature
         self.approve.setEnabled(draft and bool(approver) and not refused)
         signs = one is not None and bool(self.keys)
         for widget in (self.signer, self.passphrase):
             widget.setEnabled(signs)
-        self.sign.setEnabled(signs and bool(self.signer.currentText()) and bool(self.passphrase.text()))
+        self.sign.setEnabled(
+            signs and not self.stated.objection() and bool(self.signer.currentText()) and bool(self.passphrase.text())
+        )
+
+    def _offer_name(self) -> None:
+        """L. Holm's key is l.holm: it need not be invented."""
+        typed = self.key_name.text().strip()
+        if key_name_objection(typed) and (name := as_key_name(typed)):
+            self.key_name.setText(name)
+            self.key.say_done(self.tr("The key's name is {0}, made of “{1}”; or type another one.").format(name, typed))
 
     def _new_key(self) -> None:
         name, passphrase = self.key_name.text().strip(), self.new_words.text()
@@ -176,9 +200,9 @@ class SigningSteps(StepRow):
                 entry.clear()
             self._offer()
             self.check()
-            self._done(self.tr("{0} has a key now.").format(name), None)
+            self._said(self.key, self.tr("{0} has a key now.").format(name), None)
 
-        self._ask(NewKey(name, passphrase), self.key_name, known)
+        self._ask(NewKey(name, passphrase), self.key, self.key_name, known)
         self.new_key.setEnabled(False)  # a second click makes no second one
 
     def _approve(self) -> None:
@@ -187,24 +211,35 @@ class SigningSteps(StepRow):
 
             def known(approved: CalibrationFile) -> None:
                 self.approver.setCurrentText("")
-                self._done(self.tr("Approved by {0}.").format(name), approved)
+                self._said(self.approval, self.tr("Approved by {0}.").format(name), approved)
 
-            self._ask(Approve(one.path, name, *self.stated.stated()), self.approver, known)
+            self._ask(Approve(one.path, name, *self.stated.stated()), self.approval, self.approver, known)
             self.approve.setEnabled(False)
 
     def _sign(self) -> None:
         if (one := self._chosen()) is not None:
             name, passphrase = self.signer.currentText(), self.passphrase.text()
             command = Sign(one.path, name, passphrase, *self.stated.stated())
-            self._ask(command, self.passphrase, partial(self._done, self.tr("Signed by {0}.").format(name)))
+            known = partial(self._said, self.signature, self.tr("Signed by {0}.").format(name))
+            self._ask(command, self.signature, self.passphrase, known)
             self.passphrase.clear()
 
-    def _ask(self, command: Command[R], entry: QWidget, then: Callable[[R], object]) -> None:
-        """`entry` is where the person goes on where it is refused."""
+    def _said(self, card: StepCard, words: str, one: CalibrationFile | None) -> None:
+        """What was done, in the card of its own step."""
+        for each in (self.key, self.approval, self.signature):
+            each.say_done(words if each is card else "")
+        self._done(words, one)
+
+    def _ask(self, command: Command[R], card: StepCard, entry: QWidget, then: Callable[[R], object]) -> None:
+        """`entry` is where the person goes on where it is refused: it says why, and nothing on the page moves away."""
 
         def refused(fault: Fault) -> None:
-            self._fault.show_fault(fault)
             self.check()
+            if fault.kind == "input":
+                card.say_wrong(" ".join(filter(None, (in_words(fault.text), in_words(fault.remedy)))))
+                set_state(entry, "bad")
+            else:
+                self._fault.show_fault(fault)
             entry.setFocus(Qt.FocusReason.OtherFocusReason)
 
         self._fault.show_fault(None)

@@ -13,6 +13,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.fit_words import said_of
+from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fault_card import FaultCard
@@ -106,7 +107,7 @@ class FitPage(QWidget):
     def open_run(self, run: str) -> None:
         """Study `run`."""
         self.chooser.show_run(run)
-        self._study.open(run)
+        self._app_state.one_dut.open(run)
 
     def _trace(self) -> None:
         self._app_state.page_requested.emit("Loop")
@@ -154,7 +155,10 @@ class FitPage(QWidget):
         """What to do where there is no fit yet."""
         study, none = self._study, self.chooser.none and not self._study.run
         refused = self._app_state.path.why_no_fit(study.run)
-        ready = refused or self.tr("Fit estimates K and k; All methods compares eleven ways.")
+        kept = kept_words(self._app_state.path, study.run)
+        if kept and not refused:
+            kept += "\n" + self.tr("Fit works it out again: figures and pictures side by side.")
+        ready = refused or kept or self.tr("Fit estimates K and k; All methods compares eleven ways.")
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
         self.empty.setText(
             translated(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit.")

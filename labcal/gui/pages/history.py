@@ -27,8 +27,8 @@ from labcal.gui.widgets.open_externally import FolderButton
 from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
-HEADINGS = ("started", "DUT", "procedure", "operator", "status", "verdict", "run")
-OF_ARCHIVE = tuple(heading if heading != "verdict" else "site" for heading in HEADINGS)
+HEADINGS = ("started", "DUT", "procedure", "operator", "status", "state", "run")
+OF_ARCHIVE = tuple(heading if heading != "state" else "site" for heading in HEADINGS)
 NOT_WHOLE = ("running", "interrupted")
 Format = Literal["bundle", "csv", "hdf5", "mat"]
 FORMATS: dict[str, Format] = {
@@ -48,7 +48,6 @@ class HistoryPage(QWidget):
         self._archived = app_state.archived
         self.runs: tuple[RunLine, ...] = ()
         self._found: list[RunLine] = []
-        self._calibrations: tuple[CalibrationFile, ...] = ()
         self._compared: CompareRuns | None = None
         self._idle_queue = IdleQueue(self)
         column = QVBoxLayout(self)
@@ -219,18 +218,20 @@ class HistoryPage(QWidget):
         self._show()
 
     def _calibrations_known(self, files: tuple[CalibrationFile, ...]) -> None:
-        self._calibrations = files
+        self._app_state.path.take_calibrations(files)
+        self._show()
         self._idle_queue.add(self._draw)
 
     def _show(self) -> None:
         now, chosen = datetime.now().astimezone(), self.chosen_runs()
         runs = self._archived.runs if self.of_archive else self.runs
-        found = in_order((one for one in runs if matches(one, self.search.text(), now)), *self._order)
+        words, stands = self.search.text(), self._app_state.path.stands
+        found = in_order((one for one in runs if matches(one, words, now, stands(one.run_id))), *self._order)
         self._found = found
         self._say_why_empty(found)
         self.table.setRowCount(len(found))
         for row, one in enumerate(found):
-            for column, text in enumerate(cells(one)):
+            for column, text in enumerate(cells(one, stands(one.run_id))):
                 tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_words(one.status)}
                 self.table.set_cell(row, column, text or "–", tip=tips.get(column, ""))
         self._keep_chosen(chosen, found)
@@ -388,7 +389,7 @@ class HistoryPage(QWidget):
             self._archived.ask_for(dut)
             there = self._archived.calibrations.get(dut, ())
             return self.trend.show_files(dut, there, [moment_s(one.measured_utc) for one in there])
-        mine = [c for c in reversed(self._calibrations) if c.dut.serial == dut]
+        mine = [c for c in reversed(self._app_state.path.files) if c.dut.serial == dut]
         return self.trend.show_files(dut, mine, [self._when(one) for one in mine])
 
     def _when(self, one: CalibrationFile) -> float:

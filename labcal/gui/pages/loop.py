@@ -15,6 +15,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
@@ -80,7 +81,7 @@ class LoopPage(QWidget):
 
     def _head(self) -> Flow:
         self.chooser = RunChooser(self._app_state)
-        self.chooser.chosen.connect(self._study.open)
+        self.chooser.chosen.connect(self._app_state.one_dut.open)
         self.chooser.known.connect(self._show)
         self.close_loop = button(
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
@@ -221,6 +222,8 @@ class LoopPage(QWidget):
         self.cancel.setVisible(study.busy)
         self.work.show_work(study.busy)
         self.close_loop.setVisible(not study.busy)
+        again = study.loop is None and bool(self._kept())
+        self.close_loop.setText(self.tr("Work it out again") if again else self.tr("Trace the residual"))
         refused = self._app_state.path.why_no_fit(study.run)
         self.close_loop.setEnabled(bool(study.run) and not study.busy and not refused)
         self.sign.setEnabled(study.loop is not None)
@@ -240,11 +243,14 @@ class LoopPage(QWidget):
             words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
         elif study.run:
             refused = self._app_state.path.why_no_fit(study.run)
-            words = refused or self.tr("Trace the residual of this run to its cause.")
+            words = refused or self._kept() or self.tr("Trace the residual of this run to its cause.")
         self.empty.setText(translated(NO_RUNS) if none else words)
         self.to_run.setVisible(none)
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
         self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
+
+    def _kept(self) -> str:
+        return kept_words(self._app_state.path, self._study.run)
 
     def _show_progress(self) -> None:
         """How far the work is."""

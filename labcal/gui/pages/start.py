@@ -8,7 +8,7 @@ from datetime import UTC, date, datetime
 from PySide6.QtCore import QDate, QLocale, Qt
 from PySide6.QtWidgets import QApplication, QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.answers import Cage, Checked, RunLine
+from labcal.gui.ipc.answers import Cage, CalibrationFile, Checked, RunLine
 from labcal.gui.ipc.messages import LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
@@ -75,7 +75,7 @@ class StartPage(QWidget):
         self._app_state.request(ListRuns(), self._runs_known)
         self._app_state.request(LastClosingCheck(), self._closing_known)
         self._app_state.request(LastCageCheck(), self._cage_known)
-        self._app_state.request(ListCalibrations(), self._app_state.path.take_calibrations)
+        self._app_state.request(ListCalibrations(), self._calibrations_known)
 
     def _hello_card(self) -> Card:
         card = Card()
@@ -227,12 +227,7 @@ class StartPage(QWidget):
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self._app_state.path.take_runs(runs)
         self._app_state.propose_dut()
-        if runs:
-            lines = [run_title(one) for one in runs[:3]]
-            self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
-        else:
-            words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
-            self._say("runs", self.tr("none yet"), words)
+        self._say_runs(runs)
         here = QApplication.focusWidget()
         had_focus = here is not None and self.interrupted.isAncestorOf(here)
         while (old := self.interrupted.body.takeAt(0)) is not None:
@@ -247,6 +242,20 @@ class StartPage(QWidget):
             there = next((one for one in again if one.objectName() == "primary"), self.calibrate)
             there.show()
             there.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _calibrations_known(self, files: tuple[CalibrationFile, ...]) -> None:
+        self._app_state.path.take_calibrations(files)
+        self._say_runs(self._app_state.path.runs)
+
+    def _say_runs(self, runs: tuple[RunLine, ...]) -> None:
+        """The last three, and what became of their calibrations."""
+        if runs:
+            path, titles = self._app_state.path, [run_title(one) for one in runs[:3]]
+            stands = [path.stands(one.run_id) for one in runs]
+            lines = [" · ".join(filter(None, both)) for both in zip(titles, stands, strict=False)]
+            return self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
+        words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
+        return self._say("runs", self.tr("none yet"), words)
 
     def _list_interrupted(self, broken: list[RunLine]) -> None:
         """A button each; how many more there are is said."""

@@ -424,11 +424,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Choose a calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Estimate a calibration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5108,6 +5116,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Fit works it out again: figures and pictures side by side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a run above, then Fit.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5302,7 +5314,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5792,6 +5804,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Work it out again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Trace the residual of this run to its cause.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5890,6 +5906,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Add the PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the certificate beside the files that were copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Files into a folder …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5935,6 +5959,10 @@
     </message>
     <message>
         <source>Copied to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate for people, a PDF, is not in it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6041,6 +6069,10 @@
     </message>
     <message>
         <source>See what is found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ handed out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6310,11 +6342,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>It was typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Into the field where it was typed; it is no scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6461,6 +6505,10 @@
     </message>
     <message>
         <source>Sign the file as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6694,6 +6742,10 @@
     </message>
     <message>
         <source>Supersedes {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{0}” is no day: 2027-11-21, or {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7884,7 +7936,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7929,6 +7981,18 @@
     </message>
     <message>
         <source>Then “{0}”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept of this run: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} → {1} nT, noise alone {2} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offsets {0} nT</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -424,8 +424,16 @@
         <translation>Zum Fit</translation>
     </message>
     <message>
+        <source>Choose a calibration</source>
+        <translation>Eine Kalibrierung wählen</translation>
+    </message>
+    <message>
         <source>Estimate a calibration</source>
         <translation>Eine Kalibrierung schätzen</translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
+        <translation>Noch keine Kalibrierung von {0}. Eine Messung davon auswerten, dann den Rest erklären; oder eine andere wählen.</translation>
     </message>
     <message>
         <source>{0} is handed out.</source>
@@ -3920,7 +3928,7 @@
     </message>
     <message>
         <source>scoring {0} beside {1}</source>
-        <translation>bewertet wird {0} neben {1}</translation>
+        <translation>geprüft wird: {0}, verglichen mit: {1}</translation>
     </message>
     <message>
         <source>scoring {0}</source>
@@ -3952,7 +3960,7 @@
     </message>
     <message>
         <source>what does as well</source>
-        <translation>was ebenso viel tut</translation>
+        <translation>was ebenso gut passt</translation>
     </message>
     <message>
         <source>this run takes about {0} s more and may be stopped</source>
@@ -5124,6 +5132,10 @@
         <translation>rechnet: {0}</translation>
     </message>
     <message>
+        <source>Fit works it out again: figures and pictures side by side.</source>
+        <translation>Fit rechnet es noch einmal: Zahlen und Bilder nebeneinander.</translation>
+    </message>
+    <message>
         <source>Fit estimates K and k; All methods compares eleven ways.</source>
         <translation>Fit schätzt K und k; Alle Verfahren vergleicht elf Wege.</translation>
     </message>
@@ -5302,8 +5314,8 @@
         <translation>{0:g} s gehalten: die Antwort auf dem Knopf dieser Taste</translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
-        <translation>zum nächsten Feld oder Knopf; Umschalt und Tab geht zurück, Leertaste drückt oder wählt</translation>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
+        <translation>zum nächsten Feld oder Knopf; Umschalt und Tab geht zurück, Leertaste drückt oder wählt, aber keine Antwort, die montiert, bestromt oder bewegt: deren eigene Taste wird gehalten</translation>
     </message>
 </context>
 <context>
@@ -5760,6 +5772,10 @@
         <translation>Diese Messung ist von {0}; der Prüfling oben ist {1}. {0} auf den Messplatz stellen und scannen.</translation>
     </message>
     <message>
+        <source>Work it out again</source>
+        <translation>Noch einmal rechnen</translation>
+    </message>
+    <message>
         <source>Choose a run above, then let its residual be traced to a cause.</source>
         <translation>Oben eine Messung wählen, dann ihren Rest auf eine Ursache zurückführen lassen.</translation>
     </message>
@@ -5890,6 +5906,14 @@
         <translation>Die Datei mit Signaturen und Schlüsseln, der Kalibrierschein auf Papier, ein Etikett für den Prüfling</translation>
     </message>
     <message>
+        <source>Add the PDF</source>
+        <translation>Das PDF dazulegen</translation>
+    </message>
+    <message>
+        <source>Write the certificate beside the files that were copied</source>
+        <translation>Den Kalibrierschein neben die kopierten Dateien schreiben</translation>
+    </message>
+    <message>
         <source>Files into a folder …</source>
         <translation>Dateien in einen Ordner …</translation>
     </message>
@@ -5936,6 +5960,10 @@
     <message>
         <source>Copied to {0}</source>
         <translation>Kopiert nach {0}</translation>
+    </message>
+    <message>
+        <source>The certificate for people, a PDF, is not in it.</source>
+        <translation>Der Kalibrierschein für Menschen, ein PDF, ist nicht dabei.</translation>
     </message>
     <message>
         <source>Readings of this DUT</source>
@@ -6042,6 +6070,10 @@
     <message>
         <source>See what is found</source>
         <translation>Sehen, was gefunden wird</translation>
+    </message>
+    <message>
+        <source>✓ handed out</source>
+        <translation>✓ übergeben</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -6310,12 +6342,24 @@
         <translation>Der Prüfling ist wieder der vorige</translation>
     </message>
     <message>
+        <source>It was typed</source>
+        <translation>Es war getippt</translation>
+    </message>
+    <message>
+        <source>Into the field where it was typed; it is no scan</source>
+        <translation>In das Feld, wo es getippt wurde; es ist kein Scan</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keiner</translation>
     </message>
     <message>
         <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
         <translation>{0} gescannt. Ist das ab hier der Prüfling? Bisher: {1}.</translation>
+    </message>
+    <message>
+        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
+        <translation>Die Messung ist von {0}. Ist das ab hier der Prüfling? Getippt und noch nicht gemessen: {1}.</translation>
     </message>
     <message>
         <source>The DUT is {0}, in place of {1}.</source>
@@ -6462,6 +6506,10 @@
     <message>
         <source>Sign the file as it is</source>
         <translation>Die Datei signieren, wie sie ist</translation>
+    </message>
+    <message>
+        <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
+        <translation>Der Name des Schlüssels ist {0}, aus „{1}“; oder einen anderen tippen.</translation>
     </message>
     <message>
         <source>{0} has a key now.</source>
@@ -6695,6 +6743,10 @@
     <message>
         <source>Supersedes {0}</source>
         <translation>Ersetzt {0}</translation>
+    </message>
+    <message>
+        <source>“{0}” is no day: 2027-11-21, or {1}</source>
+        <translation>„{0}“ ist kein Tag: 2027-11-21 oder {1}</translation>
     </message>
 </context>
 <context>
@@ -7884,8 +7936,8 @@
         <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Die Kalibrierung ist noch nicht gut, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -7930,6 +7982,18 @@
     <message>
         <source>Then “{0}”.</source>
         <translation>Dann „{0}“.</translation>
+    </message>
+    <message>
+        <source>Kept of this run: {0}</source>
+        <translation>Aufbewahrt von dieser Messung: {0}</translation>
+    </message>
+    <message>
+        <source>{0} → {1} nT, noise alone {2} nT</source>
+        <translation>{0} → {1} nT, Rauschen allein {2} nT</translation>
+    </message>
+    <message>
+        <source>offsets {0} nT</source>
+        <translation>Nullpunkte {0} nT</translation>
     </message>
 </context>
 <context>

@@ -424,8 +424,16 @@
         <translation>Aller à Ajuster</translation>
     </message>
     <message>
+        <source>Choose a calibration</source>
+        <translation>Choisir un étalonnage</translation>
+    </message>
+    <message>
         <source>Estimate a calibration</source>
         <translation>Estimer un étalonnage</translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
+        <translation>Pas encore d’étalonnage de {0}. Ajuster une mesure, puis expliquer le résidu ; ou en choisir un autre.</translation>
     </message>
     <message>
         <source>{0} is handed out.</source>
@@ -5124,6 +5132,10 @@
         <translation>calcul : {0}</translation>
     </message>
     <message>
+        <source>Fit works it out again: figures and pictures side by side.</source>
+        <translation>Ajuster le recalcule : chiffres et images côte à côte.</translation>
+    </message>
+    <message>
         <source>Fit estimates K and k; All methods compares eleven ways.</source>
         <translation>Ajuster estime K et k ; Toutes compare onze voies.</translation>
     </message>
@@ -5302,8 +5314,8 @@
         <translation>tenue {0:g} s : la réponse du bouton de cette touche</translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
-        <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne</translation>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
+        <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne, mais aucune réponse qui monte, alimente ou déplace : sa propre touche est maintenue</translation>
     </message>
 </context>
 <context>
@@ -5760,6 +5772,10 @@
         <translation>Cette mesure est de {0} ; le DUT en haut est {1}. Mettez {0} sur le banc, et lisez son code.</translation>
     </message>
     <message>
+        <source>Work it out again</source>
+        <translation>Recalculer</translation>
+    </message>
+    <message>
         <source>Choose a run above, then let its residual be traced to a cause.</source>
         <translation>Choisissez une mesure ci-dessus, puis faites remonter son résidu à une cause.</translation>
     </message>
@@ -5890,6 +5906,14 @@
         <translation>Le fichier avec ses signatures et ses clés, le certificat sur papier, une étiquette pour le DUT</translation>
     </message>
     <message>
+        <source>Add the PDF</source>
+        <translation>Ajouter le PDF</translation>
+    </message>
+    <message>
+        <source>Write the certificate beside the files that were copied</source>
+        <translation>Écrire le certificat à côté des fichiers copiés</translation>
+    </message>
+    <message>
         <source>Files into a folder …</source>
         <translation>Les fichiers dans un dossier …</translation>
     </message>
@@ -5936,6 +5960,10 @@
     <message>
         <source>Copied to {0}</source>
         <translation>Copié vers {0}</translation>
+    </message>
+    <message>
+        <source>The certificate for people, a PDF, is not in it.</source>
+        <translation>Le certificat lisible, un PDF, n’y est pas.</translation>
     </message>
     <message>
         <source>Readings of this DUT</source>
@@ -6042,6 +6070,10 @@
     <message>
         <source>See what is found</source>
         <translation>Voir ce qui est trouvé</translation>
+    </message>
+    <message>
+        <source>✓ handed out</source>
+        <translation>✓ remis</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -6310,12 +6342,24 @@
         <translation>Le DUT est de nouveau le précédent</translation>
     </message>
     <message>
+        <source>It was typed</source>
+        <translation>C’était tapé</translation>
+    </message>
+    <message>
+        <source>Into the field where it was typed; it is no scan</source>
+        <translation>Dans le champ où cela a été tapé ; ce n’est pas un scan</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>aucun</translation>
     </message>
     <message>
         <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
         <translation>{0} lu. Est-ce désormais le DUT ? Jusqu&apos;ici : {1}.</translation>
+    </message>
+    <message>
+        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
+        <translation>La mesure est de {0}. Est-ce désormais l’appareil ? Tapé, et pas encore mesuré : {1}.</translation>
     </message>
     <message>
         <source>The DUT is {0}, in place of {1}.</source>
@@ -6462,6 +6506,10 @@
     <message>
         <source>Sign the file as it is</source>
         <translation>Signer le fichier tel qu&apos;il est</translation>
+    </message>
+    <message>
+        <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
+        <translation>Le nom de la clé est {0}, tiré de « {1} » ; ou en taper un autre.</translation>
     </message>
     <message>
         <source>{0} has a key now.</source>
@@ -6695,6 +6743,10 @@
     <message>
         <source>Supersedes {0}</source>
         <translation>Remplace {0}</translation>
+    </message>
+    <message>
+        <source>“{0}” is no day: 2027-11-21, or {1}</source>
+        <translation>« {0} » n’est pas un jour : 2027-11-21, ou {1}</translation>
     </message>
 </context>
 <context>
@@ -7884,8 +7936,8 @@
         <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
     </message>
     <message>
-        <source>▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ L&apos;étalonnage n&apos;est pas encore bon, si bien qu&apos;on ait mesuré : il reste {0} nT de |b| dans les lignes mises de côté, le bruit déclaré est {1} nT. Expliquez le résidu.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
+        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué est de {1} nT. Expliquer le résidu.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -7930,6 +7982,18 @@
     <message>
         <source>Then “{0}”.</source>
         <translation>Puis « {0} ».</translation>
+    </message>
+    <message>
+        <source>Kept of this run: {0}</source>
+        <translation>Conservé de cette mesure : {0}</translation>
+    </message>
+    <message>
+        <source>{0} → {1} nT, noise alone {2} nT</source>
+        <translation>{0} → {1} nT, bruit seul {2} nT</translation>
+    </message>
+    <message>
+        <source>offsets {0} nT</source>
+        <translation>décalages {0} nT</translation>
     </message>
 </context>
 <context>

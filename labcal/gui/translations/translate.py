@@ -96,6 +96,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "operator"),
     QT_TRANSLATE_NOOP("Words", "status"),
     QT_TRANSLATE_NOOP("Words", "verdict"),
+    QT_TRANSLATE_NOOP("Words", "state"),
     QT_TRANSLATE_NOOP("Words", "site"),
     QT_TRANSLATE_NOOP("Words", "run"),
     QT_TRANSLATE_NOOP("Words", "measured"),

@@ -32,6 +32,7 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import reference_U, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
+from labcal.gui.viewmodels.one_dut import OneDut
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.run import RunViewModel
@@ -67,14 +68,12 @@ class AppState(QObject):
         self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
-        self.watch_worker = Client(self)
+        looks = self.watch_worker = Client(self)
         self.watch = LabWatch(
-            self.watch_worker,
-            self.lab,
-            self._may_be_read,
-            lambda: lab_heard.wrong(self.known, self.facts),
-            self._take_read,
+            looks, self.lab, self._may_be_read, lambda: lab_heard.wrong(self.known, self.facts), self._take_read
         )
+        views = self.study_vm, self.path, self.scan_vm
+        self.one_dut = OneDut(self.settings, self.lab, self.run, views, lambda dut: self.set_identity(dut=dut))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -82,7 +81,7 @@ class AppState(QObject):
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
-        self._said_of_dut, self._dut_stated = "", False  # below of the serial at the top; by a person or the run's
+        self._said_of_dut = ""  # below of the serial at the top
         self._kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
         self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
@@ -134,7 +133,7 @@ class AppState(QObject):
         if self.facts is None:
             return
         state, of_run = self.lab.state, self.path.broken_off(self.facts.simulated)
-        serial = state.dut_serial if self._dut_stated else of_run or self.facts.dut.serial
+        serial = state.dut_serial if self.one_dut.stated else of_run or self.facts.dut.serial
         self.lab.update(dut_serial=serial, dut_objection=self.serial_objection(serial))
 
     def come_back(self, worker: int) -> None:
@@ -180,9 +179,9 @@ class AppState(QObject):
         return wanted
 
     def open_study(self, run: str) -> None:
-        """Show `run` on the Fit page."""
+        """Show `run` on the Fit page, with its DUT at the top."""
         self.page_requested.emit("Fit")
-        self.study_vm.open(run)
+        self.one_dut.open(run)
 
     def go(self, to: Next) -> None:
         """Open the page of what is next, with its run, and begin it; Calibrate shows the preflight."""
@@ -200,7 +199,7 @@ class AppState(QObject):
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
         if dut is not None:
-            self._dut_stated = True
+            self.one_dut.stated = True
             refused = self.serial_objection(dut.strip())
             self.lab.update(dut_serial=dut.strip(), dut_objection=refused)
         if operator is not None:

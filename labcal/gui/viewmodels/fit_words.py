@@ -27,7 +27,7 @@ GOOD = QT_TRANSLATE_NOOP(
 )
 DOUBT = QT_TRANSLATE_NOOP(
     "Words",
-    "▲ The calibration is not good yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
+    "▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
     "the stated noise is {1} nT. Trace the residual.",
 )
 LEFT_OPEN = QT_TRANSLATE_NOOP(

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
+
 from labcal.certificate.allowed_signers import check_principal
 from labcal.certificate.passphrases import objection
 from labcal.gui.translations.sentences import in_words
@@ -18,17 +21,23 @@ def key_name_objection(name: str) -> str:
     return ""
 
 
+def as_key_name(typed: str) -> str:
+    """A name as a key can bear it: of "L. Holm" l.holm; "" where nothing is left of it."""
+    plain = unicodedata.normalize("NFKD", typed.casefold()).encode("ascii", "ignore").decode()
+    name = re.sub(r"[^a-z0-9_@+-]+", ".", plain).strip(".")
+    return "" if key_name_objection(name) else name
+
+
 def key_objection(name: str, passphrase: str, again: str, keys: tuple[str, ...]) -> str:
-    """What is against making this key, of what has been typed so far; "" where nothing is."""
-    if said := key_name_objection(name):
-        return said
-    if twin := next((one for one in keys if name and perhaps_one_person(name, one)), ""):
-        return translated("{0} has a key here already, as {1}.").format(name, twin)
+    """What is against making this key, of what has been typed so far, all of it; "" where nothing is."""
+    said = [key_name_objection(name)]
+    if not said[0] and (twin := next((one for one in keys if name and perhaps_one_person(name, one)), "")):
+        said.append(translated("{0} has a key here already, as {1}.").format(name, twin))
     if passphrase and (why := objection(passphrase, name)) is not None:
-        return in_words(why)
+        said.append(in_words(why))
     if again and not passphrase.startswith(again):
-        return translated("The two passphrases differ.")
-    return ""
+        said.append(translated("The two passphrases differ."))
+    return "\n✕ ".join(filter(None, said))
 
 
 def approver_objection(name: str, operator: str) -> str:

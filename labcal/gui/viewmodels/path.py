@@ -13,7 +13,7 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
-from labcal.gui.viewmodels.signing import NO_LONGER, awaited
+from labcal.gui.viewmodels.signing import NO_LONGER, awaited, standing_word
 from labcal.gui.viewmodels.study import StudyViewModel
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
@@ -81,6 +81,18 @@ class PathViewModel(QObject):
         """The next DUT comes: this run's is done with."""
         self.handed_out.close(run_id)
         self.changed.emit()
+
+    def stands(self, run_id: str) -> str:
+        """What became of a run's calibration: a draft, released, handed out …; "" where there is none."""
+        file = self.kept(run_id)
+        if file is None:
+            return ""
+        return self.tr("✓ handed out") if self.handed_out.holds(file) else standing_word(file.standing)
+
+    def kept(self, run_id: str) -> CalibrationFile | None:
+        """The calibration of a run: the signed one where there is one."""
+        mine = [one for one in self.files if one.run_id == run_id]
+        return next((one for one in mine if one.standing.signatures), mine[0] if mine else None)
 
     def why_no_fit(self, run_id: str) -> str:
         """Why a run gives no calibration; "" where it may, or is not known."""
@@ -229,6 +241,4 @@ class PathViewModel(QObject):
         return "doubt" if file.standing.provisional else "done"
 
     def _file(self, last: RunLine) -> CalibrationFile | None:
-        """The calibration of a run: the signed one where there is one."""
-        mine = [one for one in self.files if one.run_id == last.run_id]
-        return next((one for one in mine if one.standing.signatures), mine[0] if mine else None)
+        return self.kept(last.run_id)

@@ -21,8 +21,11 @@ def local_time(utc: str) -> datetime:
         return datetime.fromtimestamp(0).astimezone()
 
 
-def cells(one: RunLine) -> tuple[str, ...]:
-    """A run's row: when it began by the clock of this place, DUT, procedure, operator, status, verdict or site, id."""
+def cells(one: RunLine, stands: str = "") -> tuple[str, ...]:
+    """A run's row: when it began by the clock of this place, DUT, procedure, operator, status, verdict or site, id.
+
+    `stands`: what became of its calibration.
+    """
     simulated = translated("SIMULATED") if one.simulated else ""
     return (
         f"{local_time(one.started_utc):%Y-%m-%d %H:%M}",
@@ -30,14 +33,14 @@ def cells(one: RunLine) -> tuple[str, ...]:
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
         translated(one.status.partition(":")[0]),
-        one.site or verdict_word(one.verdict),  # the archive knows no verdicts
+        one.site or " · ".join(filter(None, (verdict_word(one.verdict), stands))),  # the archive knows no verdicts
         one.run_id,
     )
 
 
-def matches(one: RunLine, words: str, now: datetime) -> bool:
+def matches(one: RunLine, words: str, now: datetime, stands: str = "") -> bool:
     """Whether every word is a day on which the run began, or stands somewhere in its row."""
-    began, line = local_time(one.started_utc).date(), " ".join((*cells(one), one.status)).casefold()
+    began, line = local_time(one.started_utc).date(), " ".join((*cells(one, stands), one.status)).casefold()
     return all(word.casefold() in line or _is_day(word, began, now.date()) for word in words.split())
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QHBoxLayout
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit
+from shiboken6 import isValid
 
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.widgets.common import Card, button, label
@@ -14,29 +16,50 @@ class ScanCard(Card):
     def __init__(self, scan: ScanViewModel) -> None:
         super().__init__()
         self._scan = scan
+        self._field: QLineEdit | None = None
+        self._caught = ""
         self.words = label("", wrap=True)
         self.take = button("", self.tr("From here on this is the serial of the DUT"))
         self.leave = button("", self.tr("The scan is forgotten"), primary=True)  # it changes nothing
         self.undo = button(self.tr("Undo"), self.tr("The DUT is the one before again"))
+        self.typed = button(self.tr("It was typed"), self.tr("Into the field where it was typed; it is no scan"))
+        self.typed.clicked.connect(self._give_back)
         self.take.clicked.connect(scan.take)
         self.leave.clicked.connect(scan.put_away)
         self.undo.clicked.connect(scan.undo)
         row = QHBoxLayout()
         row.addWidget(self.words, 1)
-        for widget in (self.undo, self.leave, self.take):
+        for widget in (self.typed, self.undo, self.leave, self.take):
             row.addWidget(widget)
         self.body.addLayout(row)
         scan.changed.connect(self._show)
         self._show()
 
+    def catch(self, field: QLineEdit | None, text: str) -> None:
+        """What came so fast while `field` had the focus: quick fingers may have typed it there."""
+        more = self._scan.asks and field is not None and field is self._field
+        self._field, self._caught = field, (self._caught if more else "") + text
+
+    def _give_back(self) -> None:
+        field, text = self._field, self._caught
+        self._field, self._caught = None, ""
+        self._scan.put_away()
+        if field is not None and isValid(field):
+            field.setFocus(Qt.FocusReason.OtherFocusReason)
+            field.end(False)
+            field.insert(text)
+
     def _show(self) -> None:
         scan = self._scan
         before = scan.before or self.tr("none")
         asks = self.tr("Scanned {0}. Is it the DUT from here on? Until now: {1}.")
+        if scan.of_run:
+            asks = self.tr("The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.")
         done = self.tr("The DUT is {0}, in place of {1}.")
         self.words.setText((done if scan.taken else asks).format(scan.serial, before))
         self.take.setText(self.tr("Take {0}").format(scan.serial))
         self.leave.setText(self.tr("Close") if scan.taken else self.tr("Leave {0}").format(before))
         self.take.setVisible(not scan.taken)
         self.undo.setVisible(scan.taken)
+        self.typed.setVisible(scan.asks and self._field is not None and not scan.of_run)
         self.setVisible(bool(scan.serial))

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QDate, QLocale, QObject, Qt
 from PySide6.QtWidgets import QLineEdit
 
 from labcal.gui.ipc.answers import CalibrationFile
-from labcal.gui.widgets.common import combo_box
+from labcal.gui.widgets.common import combo_box, set_state
 
 
 class StatedFields(QObject):
@@ -40,8 +40,33 @@ class StatedFields(QObject):
             if other.standing.signatures and other.dut.serial == one.dut.serial:
                 self.superseded.addItem(self.tr("Supersedes {0}").format(Path(other.path).stem), other.path)
 
+    def objection(self) -> str:
+        """Why what stands for the day is none; "" where it is one, or nothing is stated."""
+        wrong = not self.until.isHidden() and self._day() is None
+        set_state(self.until, "bad" if wrong else "")
+        if not wrong:
+            return ""
+        example = QLocale().toString(QDate(2027, 11, 21), QLocale.FormatType.ShortFormat)
+        words = self.tr("“{0}” is no day: 2027-11-21, or {1}")
+        return words.format(self.until.text().strip(), example)
+
+    def _day(self) -> str | None:
+        """As the file states it; also of a day as it is written here. None where it is none."""
+        return day_stated(self.until.text())
+
     def stated(self) -> tuple[str, str]:
         """The day, and the file that is superseded; "" for neither, and for both where there is nothing to state."""
         if self.until.isHidden():
             return "", ""
-        return self.until.text().strip(), str(self.superseded.currentData(Qt.ItemDataRole.UserRole) or "")
+        return self._day() or "", str(self.superseded.currentData(Qt.ItemDataRole.UserRole) or "")
+
+
+def day_stated(typed: str) -> str | None:
+    """A day that was typed, as 2027-11-21: so, or with the points, or as this place writes it; "" of nothing."""
+    typed = typed.strip()
+    points = QDate.fromString(typed, "d.M.yyyy")
+    here = QLocale().toDate(typed, QLocale.FormatType.ShortFormat)
+    days = (QDate.fromString(typed, "yyyy-MM-dd"), points, here)
+    whole = typed[-4:].isdigit() or typed[:4].isdigit()  # of a year in two digits the century is not known
+    found = next((day for day in days if day.isValid() and whole), None)
+    return "" if not typed else None if found is None else found.toString("yyyy-MM-dd")

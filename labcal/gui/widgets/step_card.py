@@ -22,15 +22,17 @@ class StepCard(Card):
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
+        self.done = label("", "caption", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
         self.fields = QVBoxLayout()
         self.fields.setSpacing(GRID)
         self.body.addWidget(self.mark)
         self.body.addLayout(self.fields)
-        for part in (self.words, self.wrong, self.rules):
+        for part in (self.wrong, self.words, self.done, self.rules):
             self.body.addWidget(part)
         set_state(self.wrong, "bad")
         self.wrong.hide()
+        self.done.hide()
         self.rules.setVisible(bool(rules))
         self.body.addStretch()
         self.button = QPushButton()
@@ -53,6 +55,11 @@ class StepCard(Card):
         self.edge, self.width_px = (QPalette.ColorRole.Highlight, 2) if now else (Card.edge, Card.width_px)
         set_primary(self.button, now)
         self.update()
+
+    def say_done(self, words: str) -> None:
+        """What was done in this step just now."""
+        self.done.setText(words)
+        self.done.setVisible(bool(words))
 
     def say_wrong(self, words: str) -> None:
         """What is against that which is typed."""

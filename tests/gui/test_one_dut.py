@@ -1,0 +1,129 @@
+"""The top, the page and the sidebar are of one DUT: that of the run that was opened, or the one that was said since."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from test_path import calibration
+
+from labcal.gui.ipc.answers import Look, RunLine
+from labcal.gui.ipc.messages import ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
+from labcal.gui.standing import come_back
+from labcal.gui.viewmodels.one_dut import KEPT
+
+OF_21 = RunLine("r21", "2026-11-22T01:00:00Z", "finished", "EM-21", "J. Doe", "preflight", verdict="explained")
+OF_22 = RunLine("r22", "2026-11-22T02:00:00Z", "finished", "EM-22", "J. Doe", "preflight")
+
+
+@pytest.fixture
+def listed(still):
+    """Two runs of two DUTs; EM-22 stands at the top."""
+    still.open_page("History")
+    still.page("History").search.clear()
+    still.app_state.quick_worker.answer(ListRuns, (OF_22, OF_21))
+    still.app_state.set_identity(dut="EM-22")
+    return still
+
+
+def open_from_history(window, run_id):
+    history = window.page("History")
+    row = next(row for row in range(history.table.rowCount()) if history.table.text(row, 6) == run_id)
+    history.table.selectRow(row)
+    history.open.click()
+
+
+def test_a_run_that_is_opened_brings_its_dut_to_the_top(listed):
+    open_from_history(listed, "r21")
+    assert (listed.page_shown(), listed.top.dut.text()) == ("Fit", "EM-21")
+    assert listed.app_state.path.last() == OF_21
+    assert listed.app_state.study_vm.run == "r21"
+    listed.page("Fit").chooser.chosen.emit("r22")
+    assert (listed.top.dut.text(), listed.app_state.study_vm.run) == ("EM-22", "r22")
+
+
+def test_whose_run_it_is_may_be_known_later(listed):
+    listed.app_state.path.take_runs(())
+    listed.app_state.open_study("r21")
+    assert listed.top.dut.text() == "EM-22"
+    listed.app_state.path.take_runs((OF_22,))
+    listed.app_state.fit_worker.answer(LookAt, Look("r21", "EM-21", 1, np.zeros((1, 3)), {}))
+    assert listed.top.dut.text() == "EM-21"
+
+
+def test_a_serial_that_was_typed_and_not_measured_is_not_written_over_unasked(listed, qtbot):
+    listed.app_state.set_identity(dut="EM-99")
+    for answer, then in (("leave", ("EM-99", "")), ("take", ("EM-21", "r21"))):
+        open_from_history(listed, "r21")
+        assert listed.scan_card.words.text().startswith("The run is of EM-21.")
+        assert "EM-99" in listed.scan_card.words.text()
+        assert listed.top.dut.text() == "EM-99"
+        qtbot.mouseClick(getattr(listed.scan_card, answer), Qt.MouseButton.LeftButton)
+        assert (listed.top.dut.text(), listed.app_state.study_vm.run) == then
+        listed.open_page("History")
+
+
+def test_another_serial_at_the_top_lets_go_of_the_run_of_the_one_before(listed):
+    open_from_history(listed, "r21")
+    listed.app_state.set_identity(dut="EM-23")
+    assert listed.app_state.study_vm.run == "r21"  # it is still being typed
+    listed.top.dut.editingFinished.emit()
+    assert listed.app_state.study_vm.run == ""
+    assert listed.page("Fit").chooser.currentData() is None
+
+
+def test_while_a_run_goes_on_its_dut_stays_and_any_run_may_be_looked_at(listed):
+    listed.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-22", "J. Doe"))
+    listed.app_state.open_study("r21")
+    listed.open_page("Loop")
+    assert (listed.top.dut.text(), listed.app_state.study_vm.run) == ("EM-22", "r21")
+
+
+def test_a_window_that_is_started_again_after_a_crash_has_the_serial_that_was_said_last(new_window):
+    new_window.app_state.set_identity(dut="EM-99")
+    assert new_window.app_state.settings.value(KEPT) == "EM-99"
+    new_window.app_state.one_dut.stated = False
+    new_window.app_state.lab.update(dut_serial="")
+    come_back(new_window, "Fit", "window-1.zip", ran=False)
+    new_window.app_state.propose_dut()
+    assert new_window.top.dut.text() == "EM-99"
+
+
+def test_what_is_kept_of_a_run_is_said_where_it_is_opened_and_in_the_lists(listed):
+    released = replace(calibration(), run_id="r21")
+    released = replace(released, standing=replace(released.standing, status="released"))
+    listed.page("History").refresh()
+    listed.app_state.quick_worker.answer(ListRuns, (OF_22, replace(OF_21, left_nT=(41.2, 15.4, 15.1))))
+    listed.app_state.quick_worker.answer(ListCalibrations, (released,))
+    history = listed.page("History")
+    assert [history.table.text(row, 5) for row in range(2)] == ["–", "✓ EXPLAINED · ✓ released"]
+    history.search.setText("released")
+    assert history.table.rowCount() == 1
+    open_from_history(listed, "r21")
+    listed.app_state.fit_worker.answer(LookAt, Look("r21", "EM-21", 1, np.zeros((1, 3)), {}))
+    listed.app_state.fit_worker.answer(ListMethods, ("ml",))
+    fit, loop = listed.page("Fit"), listed.page("Loop")
+    for page in (fit, loop):
+        assert "Kept of this run: ✓ EXPLAINED · 41.2 → 15.4 nT, noise alone 15.1 nT" in page.empty.text()
+        assert "✓ released" in page.empty.text()
+    assert loop.close_loop.text() == "Work it out again"
+    listed.app_state.path.take_handed_out(released)
+    assert listed.app_state.path.stands("r21") == "✓ handed out"
+    listed.open_page("Start")
+    listed.app_state.quick_worker.answer(ListRuns, (OF_21,))
+    assert listed.page("Start").facts["runs"][1].text().endswith("✓ handed out")
+
+
+def test_the_certificate_is_of_the_dut_at_the_top(listed):
+    mine, other = (
+        calibration(),
+        replace(calibration(), path="other.json", dut=replace(calibration().dut, serial="EM-22")),
+    )
+    listed.open_page("Certificate")
+    page, worker = listed.page("Certificate"), listed.app_state.quick_worker
+    worker.answer(ListCalibrations, (mine, other))
+    assert page.chosen() == other
+    listed.app_state.set_identity(dut="EM-23")
+    page.refresh()
+    worker.answer(ListCalibrations, (mine, other))
+    assert (page.chosen(), page.list.isVisible(), "EM-23" in page.empty.text()) == (None, True, True)
