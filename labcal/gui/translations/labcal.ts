@@ -6134,6 +6134,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6155,6 +6159,10 @@
     </message>
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold this button, or {0}, for 0.7 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

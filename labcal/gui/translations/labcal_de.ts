@@ -6134,6 +6134,10 @@
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
     </message>
     <message>
+        <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
+        <translation>Knopf oder Taste halten, bis er voll ist. Enter tut hier nichts.</translation>
+    </message>
+    <message>
         <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
         <translation>Übersprungen fehlt es: Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
     </message>
@@ -6156,6 +6160,10 @@
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
         <translation>Klicken oder {0} 0,7 s halten</translation>
+    </message>
+    <message>
+        <source>Hold this button, or {0}, for 0.7 s</source>
+        <translation>Diesen Knopf oder {0} 0,7 s lang halten</translation>
     </message>
     <message>
         <source>▲ Let go too early. {0}.</source>

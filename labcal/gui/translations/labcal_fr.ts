@@ -6134,6 +6134,10 @@
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
     </message>
     <message>
+        <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
+        <translation>Maintenir le bouton, ou sa touche, jusqu’à ce qu’il soit plein. Entrée ne fait rien ici.</translation>
+    </message>
+    <message>
         <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
         <translation>Sautée, elle manque : le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
     </message>
@@ -6156,6 +6160,10 @@
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
         <translation>Cliquez, ou tenez {0} 0,7 s</translation>
+    </message>
+    <message>
+        <source>Hold this button, or {0}, for 0.7 s</source>
+        <translation>Maintenir ce bouton, ou {0}, pendant 0,7 s</translation>
     </message>
     <message>
         <source>▲ Let go too early. {0}.</source>
