@@ -248,6 +248,8 @@ class Bench:
         if self.by_hand is not None or not isinstance(self.platform, BenchPlatform):
             return ""
         self._stands = self.platform.brought_to_rest(self.clock)
+        if self._stands.read_s is not None:
+            self._heard_s[self.platform.name] = self._stands.read_s
         return self._stands.sentence(self.clock.now())
 
     def still_wrong(self) -> str:

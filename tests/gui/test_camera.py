@@ -7,7 +7,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from labcal.gui.ipc.messages import Answer, KeepPhoto, Note, RunProcedure

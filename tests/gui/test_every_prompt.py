@@ -15,7 +15,6 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QApplication
 from scalar_lab import SCALAR, sensor
 
 import procedures

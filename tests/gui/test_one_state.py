@@ -169,9 +169,14 @@ def of_the_coils(seen):
     if on_bench != seen.currents:
         yield f"{on_bench} on the bench page, {seen.currents} beside it"
     asked = seen.live.prompt
-    beside = "\n".join(filter(None, (seen.zero, seen.side.platform.text())))
-    if not asked.isHidden() and seen.window.app_state.run.prompt and asked.lab.text() != beside:
-        yield f"the question says {asked.lab.text()!r}, the panel {beside!r}"
+    beside, said = (seen.zero, seen.side.platform.text()), (asked.lab.text(), asked.stands.text())
+    if not asked.isHidden() and seen.window.app_state.run.prompt and said != beside:
+        yield f"the question says {said!r}, the panel {beside!r}"
+    colours = (seen.side.zero_words.property("state"), seen.side.platform.property("state"))
+    if not asked.isHidden() and colours != (asked.lab.property("state"), asked.stands.property("state")):
+        yield f"the question is in other colours than {colours}"
+    if not asked.hands.isHidden() and ("may go in" in asked.hands.text()) != seen.zero.startswith(("✓", "● zero by")):
+        yield f"{asked.hands.text()!r} beside {seen.zero!r}"
 
 
 def of_ages(seen, app_state):

@@ -755,6 +755,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils read back at zero by their supplies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5536,6 +5544,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Pausing after this step …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5561,6 +5573,10 @@
     </message>
     <message>
         <source>{0}: no answer from {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6119,6 +6135,14 @@
     </message>
     <message>
         <source>Choose a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the platform is</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7713,6 +7737,18 @@
     </message>
     <message>
         <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out: the coils are not being read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Hands may go in: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -755,6 +755,14 @@
         <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
     </message>
     <message>
+        <source>coils read back at zero by their supplies</source>
+        <translation>Spulen von ihren Netzgeräten bei null zurückgelesen</translation>
+    </message>
+    <message>
+        <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation>Spulen vielleicht an: eine Messung läuft, und noch nichts wurde gelesen</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
@@ -5584,6 +5592,10 @@
         <translation>Foto</translation>
     </message>
     <message>
+        <source>Pausing after this step …</source>
+        <translation>Pause nach diesem Schritt …</translation>
+    </message>
+    <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
         <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
     </message>
@@ -5618,6 +5630,10 @@
     <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation>Eine Messung läuft: die Spulen sind vielleicht an. Hände weg.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -6120,6 +6136,14 @@
     <message>
         <source>Choose a file …</source>
         <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation>Ob Hände hinein dürfen</translation>
+    </message>
+    <message>
+        <source>How the platform is</source>
+        <translation>Wie der Tisch steht</translation>
     </message>
     <message>
         <source>Write the path of a file into the answer</source>
@@ -7714,6 +7738,18 @@
     <message>
         <source>lost</source>
         <translation>verloren</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: {0}</source>
+        <translation>▲ Hände heraus: {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: the coils are not being read</source>
+        <translation>▲ Hände heraus: die Spulen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>✓ Hands may go in: {0}</source>
+        <translation>✓ Hände dürfen hinein: {0}</translation>
     </message>
     <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>

@@ -755,6 +755,14 @@
         <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
     </message>
     <message>
+        <source>coils read back at zero by their supplies</source>
+        <translation>bobines relues à zéro par leurs alimentations</translation>
+    </message>
+    <message>
+        <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation>bobines peut-être alimentées : une mesure est en cours, et rien n’a encore été lu</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
@@ -5584,6 +5592,10 @@
         <translation>photo</translation>
     </message>
     <message>
+        <source>Pausing after this step …</source>
+        <translation>Pause après cette étape …</translation>
+    </message>
+    <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
         <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
     </message>
@@ -5618,6 +5630,10 @@
     <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0} : pas de réponse de {1}</translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains éloignées.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -6120,6 +6136,14 @@
     <message>
         <source>Choose a file …</source>
         <translation>Choisir un fichier …</translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation>Si les mains peuvent entrer</translation>
+    </message>
+    <message>
+        <source>How the platform is</source>
+        <translation>État de la plateforme</translation>
     </message>
     <message>
         <source>Write the path of a file into the answer</source>
@@ -7714,6 +7738,18 @@
     <message>
         <source>lost</source>
         <translation>perdu</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: {0}</source>
+        <translation>▲ Mains dehors : {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: the coils are not being read</source>
+        <translation>▲ Mains dehors : les bobines ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>✓ Hands may go in: {0}</source>
+        <translation>✓ Les mains peuvent entrer : {0}</translation>
     </message>
     <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>

@@ -18,7 +18,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import asked_text, below, headline
-from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import hands_words, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
@@ -97,6 +97,7 @@ class PromptCard(Card):
         super().__init__()
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
+        self._reached_into = False  # what is asked brings hands to the lab
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -108,9 +109,12 @@ class PromptCard(Card):
         words.addWidget(self.text, 1)
         self.details = label("", "title", wrap=True)
         words.addWidget(self.details)
-        self.lab = label("", "title", wrap=True)
+        self.hands, self.lab, self.stands = label("", "title", wrap=True), label("", wrap=True), label("", wrap=True)
+        self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
-        words.addWidget(self.lab)
+        self.stands.setAccessibleName(self.tr("How the platform is"))
+        for said in (self.hands, self.lab, self.stands):
+            words.addWidget(said)
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
         self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
@@ -151,6 +155,8 @@ class PromptCard(Card):
             return
         self._call()
         self.call.start()
+        self._reached_into = prompt.acts and prompt.key != "ready"
+        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
         self.text.set_text(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self.details.setText(below(prompt, translated(WORDS[RETRY])))
@@ -209,12 +215,17 @@ class PromptCard(Card):
     def say_lab(self, coil_words: str, platform_words: str = "", platform_deg: float | None = None) -> None:
         """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
         self.drawing.show_platform(platform_deg)
-        marks = {coil_words: mark_of(coil_words), platform_words: platform_mark(platform_words)}
-        self.lab.setText(
-            "\n".join(f"{shape} {in_words(words)}".strip() for words, (shape, _) in marks.items() if words)
-        )
-        states = [mark for _, mark in marks.values()]
-        set_state(self.lab, next((one for one in ("bad", "warning", "good") if one in states), ""))
+        for place, words, (shape, mark) in (
+            (self.lab, coil_words, mark_of(coil_words)),
+            (self.stands, platform_words, platform_mark(platform_words)),
+        ):
+            place.setText(f"{shape} {in_words(words)}".strip())
+            place.setVisible(bool(words))
+            set_state(place, mark)
+        words, mark = hands_words(coil_words, platform_words)
+        self.hands.setText(words)
+        self.hands.setVisible(bool(coil_words) and self._reached_into)
+        set_state(self.hands, mark)
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
