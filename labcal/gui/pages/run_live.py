@@ -237,7 +237,7 @@ class Live(QWidget):
             " · ".join(filter(None, (run.order.dut, run.order.operator, run.began))) if run.order else ""
         )
         self._show_steps()
-        waits = self.tr("Pausing after this step …") if run.pausing else self.tr("Pause")
+        waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
         self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
         self.pause.setEnabled(run.state in ("running", "asking", "paused") and not run.pausing)
         self.stop.setEnabled(run.alive and run.state != "stopping")

@@ -5544,10 +5544,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pausing after this step …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5633,6 +5629,11 @@
     </message>
     <message>
         <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing
+after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5592,10 +5592,6 @@
         <translation>Foto</translation>
     </message>
     <message>
-        <source>Pausing after this step …</source>
-        <translation>Pause nach diesem Schritt …</translation>
-    </message>
-    <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
         <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
     </message>
@@ -5614,6 +5610,12 @@
     <message>
         <source>Go on</source>
         <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Pausing
+after this step …</source>
+        <translation>Pause nach
+diesem Schritt …</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>

@@ -5592,10 +5592,6 @@
         <translation>photo</translation>
     </message>
     <message>
-        <source>Pausing after this step …</source>
-        <translation>Pause après cette étape …</translation>
-    </message>
-    <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
         <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
     </message>
@@ -5614,6 +5610,12 @@
     <message>
         <source>Go on</source>
         <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Pausing
+after this step …</source>
+        <translation>Pause après
+cette étape …</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
