@@ -999,7 +999,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils go to {0} A. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -999,8 +999,16 @@
         <translation>Das Feld geht auf {0} µT. Hände weg?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT, und der Tisch kann drehen. Hände weg?</translation>
+    </message>
+    <message>
         <source>The coils go to {0} A. Hands off?</source>
         <translation>Die Spulen gehen auf {0} A. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} A, und der Tisch kann drehen. Hände weg?</translation>
     </message>
     <message>
         <source>The platform turns to {0}°. Hands off?</source>

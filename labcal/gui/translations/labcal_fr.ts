@@ -999,8 +999,16 @@
         <translation>Le champ va à {0} µT. Mains éloignées ?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains éloignées ?</translation>
+    </message>
+    <message>
         <source>The coils go to {0} A. Hands off?</source>
         <translation>Les bobines vont à {0} A. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
+        <translation>Les bobines vont à {0} A, et le plateau peut tourner. Mains éloignées ?</translation>
     </message>
     <message>
         <source>The platform turns to {0}°. Hands off?</source>
