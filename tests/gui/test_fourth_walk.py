@@ -12,6 +12,7 @@ from labcal.bench.coils.state import AT_ZERO, BY_WORD, LabState, PlatformReading
 from labcal.gui.ipc.backlog import PastMessages
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import GoesOn, Pause, ReadBench, Recorded, RunProcedure, StateRead
+from labcal.gui.pages import run_live
 from labcal.gui.viewmodels.lab_now import hands_words
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentOpened, Step
@@ -145,3 +146,25 @@ def test_a_turn_that_is_begun_again_has_neither_ticks_nor_rows_of_the_one_that_w
     send(running, SegmentOpened(9.0, Segment(TURN, "rotation")))
     assert list(run.measurements) == [other.name]
     assert len(run.locus[TURN].rows()) == 0
+
+
+def test_the_spheres_follow_by_the_clock_however_seldom_rows_come(running):
+    live = running.page("Run").live
+    send(running, SegmentOpened(0.5, Segment(TURN, "rotation")))
+    first = circle()
+    send(running, replace(first, t_s=first.t_s[:2], values=first.values[:2]))
+    live.draw()
+    before = drawn(live)
+    send(running, replace(first, t_s=first.t_s[2:], values=first.values[2:]))  # a block of half a second, and no more
+    for _ in range(run_live.LOCI_EVERY):
+        live.draw()
+    assert drawn(live) > before
+
+
+def test_what_was_covered_is_of_this_step(running):
+    run = running.app_state.run
+    angle = Block("angle", "stage", ("angle_deg",), np.arange(24.0), 15.0 * np.arange(24.0)[:, None])
+    send(running, SegmentOpened(0.5, Segment(TURN, "rotation")), circle(), angle)
+    assert run.coverage() > 0.0
+    send(running, Step(30.0, 3, 3, "closing", 60.0, STEPS, 20.0))
+    assert run.coverage() == 0.0

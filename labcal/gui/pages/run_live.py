@@ -55,7 +55,7 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
-        self._drawn, self._ticks = -1, 0
+        self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
         self._details = False  # of a run that has ended: what was measured is shown in place of the verdict
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -160,7 +160,7 @@ class Live(QWidget):
         self.prompt.camera.source = "" if facts is None else facts.camera
 
     def _answer(self, text: str) -> None:
-        """Send it; what the camera sees as the DUT is said to stand goes into the record as well."""
+        """What the camera sees as the DUT is said to stand goes into the record as well."""
         seen = self.prompt.camera.save() if text == "done" else ""
         self._run.answer(text)
         if seen:
@@ -367,14 +367,14 @@ class Live(QWidget):
             self.tr("{0} % of the circle").format(f"{round(100 * run.coverage()):3d}".replace(" ", FIGURE_SPACE))
         )
         rows = run.dut.rows()
-        if len(rows) == self._drawn and run.alive and len(rows) < 10_000:
-            return
-        if len(rows) < self._drawn or not self._drawn:  # another run: nothing of the one before stays, all is drawn
-            self._ticks = 0
-        self._drawn = len(rows)
-        self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
         self._ticks += 1
-        if self._ticks % LOCI_EVERY == 1 or not run.alive:
+        if len(rows) != self._drawn or not run.alive or len(rows) >= 10_000:
+            if len(rows) < self._drawn or self._drawn <= 0:  # another run: nothing of the one before stays
+                self._ticks = LOCI_EVERY
+            self._drawn, self._behind = len(rows), True
+            self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
+        if self._behind and (self._ticks >= LOCI_EVERY or not run.alive):
+            self._ticks, self._behind = 0, False
             self.loci.show_field(run.field_rows())
 
     def _now(self) -> str:

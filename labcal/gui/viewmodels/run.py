@@ -292,7 +292,7 @@ class RunViewModel(QObject):
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
-                self._waited_s, self._waits_since_s = 0.0, None
+                self._waited_s, self._waits_since_s, self.sectors = 0.0, None, set()
                 self._running(step_title(item.name))
             case Measurement():
                 self.measurements[item.name] = item
