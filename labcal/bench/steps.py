@@ -274,6 +274,7 @@ def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str, *instead
     """
     yield from coils_off(bench)
     yield from to_angle(bench, 0.0)
+    bench.look_at_platform()
     attitude = np.asarray(body_from_cage, dtype=float)
     drawing = {"body_from_cage": attitude.tolist(), "axis_cage": list(bench.config.platform.axis_cage)}
     answer = (yield Prompt(bench.clock.now(), key, text, ("done", *instead), True, drawing)) or "done"
