@@ -128,6 +128,7 @@ def run(drive: UserActions) -> None:
         drive.do("a question in the wall size", window.toggle_wall)
         drive.do("a question in the wall size", window.toggle_wall)
         choice = vm.prompt.choices[0]
+        drive.do("a question comes alive", lambda: None, lambda: live.prompt.alive)
         drive.do("an answer, and a run at once", live.prompt.choices[choice].click,
                  lambda: vm.state in ("asking", "ended"))  # fmt: skip
     drive.do("put away", live.close_run.click)

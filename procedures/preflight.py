@@ -32,6 +32,7 @@ from labcal.bench.steps import (
     mount,
     not_used,
     record,
+    standstill,
     switch_mode,
     to_angle,
 )
@@ -218,6 +219,8 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
 def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
     """The DUT mounted along `axis`: by a person now, or as it `stood` before the interruption where it still does."""
     if axis == stood:
+        yield from coils_off(bench)  # nobody has read them since, and the person is sent to look
+        yield from standstill(bench)
         text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
         up = list(bench.config.platform.axis_cage)
         drawing = {"body_from_cage": attitude(bench, axis).tolist(), "axis_cage": up}

@@ -112,7 +112,7 @@ class Studio:
             self.window.open_page(page)
             self.window.style_queue.finish()
             self.window.sidebar.setFocus()
-            self.live(0.5)
+            self.live(1.5 if self.app_state.run.state == "asking" else 0.5)  # its buttons are grey for a second
             self.wait(lambda: not self.app_state.quick_worker.busy)
             self.live(0.7)
             if (self.window.width(), self.window.height()) != size:

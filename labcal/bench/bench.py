@@ -248,7 +248,15 @@ class Bench:
         if self.by_hand is not None or not isinstance(self.platform, BenchPlatform):
             return ""
         self._stands = self.platform.brought_to_rest(self.clock)
+        if self._stands.read_s is not None:
+            self._heard_s[self.platform.name] = self._stands.read_s
         return self._stands.sentence(self.clock.now())
+
+    def look_at_platform(self) -> None:
+        """Read where a platform with a motor is, for whoever is asked next; the record has it as it is polled."""
+        if self.by_hand is None and isinstance(self.platform, BenchPlatform):
+            (angle, moving), t = self.platform.state(), self.clock.now()
+            self._stands, self._heard_s[self.platform.name] = PlatformReading(angle, moving, t), t
 
     def still_wrong(self) -> str:
         """What does not answer yet, in a sentence for whoever wants to begin again; "" where nothing is known."""

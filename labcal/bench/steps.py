@@ -235,7 +235,7 @@ def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Wo
     """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record; as `Cage.set_field`."""
     b = [float(v) for v in np.asarray(b_nT)]
     bench.cage.refuse_beyond_limits(b)  # before anybody is asked for what cannot be done
-    yield from hands_off(bench, f"The field goes to {np.linalg.norm(b) / 1000:g} µT.")
+    yield from hands_off(bench, f"The field goes to {np.linalg.norm(b) / 1000:g} µT{_and_turns(bench)}.")
     bench.cage.set_field(b, confirm_signs=confirm_signs)
     yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
 
@@ -244,7 +244,7 @@ def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[N
     """Bring the coil currents to `i_A` (3,), and say so in the record; as `Cage.set_currents`."""
     i = [float(v) for v in np.asarray(i_A)]
     if any(i):
-        yield from hands_off(bench, f"The coils go to {max(map(abs, i)):.2g} A.")
+        yield from hands_off(bench, f"The coils go to {max(map(abs, i)):.2g} A{_and_turns(bench)}.")
     bench.cage.set_currents(i, confirm_signs=confirm_signs)
     yield _set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
 
@@ -274,6 +274,7 @@ def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str, *instead
     """
     yield from coils_off(bench)
     yield from to_angle(bench, 0.0)
+    bench.look_at_platform()
     attitude = np.asarray(body_from_cage, dtype=float)
     drawing = {"body_from_cage": attitude.tolist(), "axis_cage": list(bench.config.platform.axis_cage)}
     answer = (yield Prompt(bench.clock.now(), key, text, ("done", *instead), True, drawing)) or "done"
@@ -322,6 +323,11 @@ def hands_off(bench: Bench, what: str) -> Work[None]:
     """
     if bench.hands_near:
         yield from ready(bench, f"{what} Hands off?")
+
+
+def _and_turns(bench: Bench) -> str:
+    """Who stands back from the coils stands back from a platform as well: no other question comes before it turns."""
+    return ", and the platform may turn" if bench.by_hand is None else ""
 
 
 def measured(

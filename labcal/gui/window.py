@@ -16,6 +16,7 @@ from PySide6.QtGui import (
     QDropEvent,
     QGuiApplication,
     QKeySequence,
+    QResizeEvent,
     QShortcut,
 )
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
@@ -32,7 +33,7 @@ from labcal.gui.pages.registry import pages
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.palette import palette
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
-from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, wall_scale
 from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.path import SHAPES
@@ -91,6 +92,7 @@ class Window(Frame):
 
     def __init__(self, app_state: AppState, theme: Theme | None = None) -> None:
         self.app_state = app_state
+        self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self.theme = theme or chosen_theme(app_state) or system_theme()
         self.lazy_pages = {
             name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
@@ -100,7 +102,6 @@ class Window(Frame):
         self.prebuild_timer = QTimer(self, singleShot=True)
         self.prebuild_timer.timeout.connect(self.prebuild)
         self.imports = Thread(target=import_pages, daemon=True, name="imports")
-        self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self._before_wall: QSize | None = None
         self.fault = FaultCard()
         self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
@@ -241,14 +242,23 @@ class Window(Frame):
 
     def sheet(self) -> str:
         """The style sheet of every part."""
-        return style_sheet(self.theme, WALL_SCALE if self.wall else 1.0)
+        return style_sheet(self.theme, self._text_scale())
+
+    def _text_scale(self) -> float:
+        return wall_scale(self.width(), self.height()) if self.wall else 1.0
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another size: large letters become as large as it has room for."""
+        super().resizeEvent(event)
+        if self.wall and self._text_scale() != self._scale:
+            self._restyle()
 
     def _restyle(self, *, recolour: bool = False) -> None:
         """Style everything bit by bit, what is in sight first: no event takes long."""
         self._say_switches()
         QApplication.setPalette(palette(self.theme))
         sheet = self.sheet()
-        self.set_scale(WALL_SCALE if self.wall else 1.0)
+        self.set_scale(self._text_scale())
         for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):

@@ -9,19 +9,46 @@ from types import SimpleNamespace
 
 import pytest
 from lab_states import runs_of
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Qt
 from shiboken6 import delete, isValid
 
 from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets import hold_button, prompt_card
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.testing.pages import DeafWorker
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20"}
 SCAN_WAIT_MS = 40
+DEAD_MS = 1  # of a question; test_hold_button.py tests the second that it is
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
+
+
+@pytest.fixture(autouse=True)
+def answered_soon(monkeypatch):
+    """No second is waited for at each question, and no key of the test before is down."""
+    monkeypatch.setattr(prompt_card, "DEAD_MS", DEAD_MS)
+    hold_button.heard_ms.clear()
+
+
+@pytest.fixture
+def by_mouse(qtbot):
+    """Answers by a button, as soon as it is alive: a click, or held where it wants that."""
+
+    def answer(button):
+        qtbot.waitUntil(button.isEnabled, timeout=PATIENCE_MS)
+        if getattr(button, "held_by_mouse", False):
+            button.held.setInterval(0)  # counted, not waited for
+            answered = []
+            button.clicked.connect(lambda: answered.append(button))
+            qtbot.mousePress(button, Qt.MouseButton.LeftButton)
+            qtbot.waitUntil(lambda: bool(answered), timeout=PATIENCE_MS)
+        else:
+            qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+    return answer
 
 
 @pytest.fixture

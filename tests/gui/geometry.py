@@ -7,7 +7,7 @@ from itertools import combinations
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QAbstractScrollArea, QComboBox, QLabel, QLineEdit, QWidget
 
-from labcal.gui.widgets.common import plain
+from labcal.gui.widgets.common import AutoSizeLabel, plain
 
 SLACK_PX = 1
 KINDS = (QLabel, QAbstractButton, QLineEdit, QComboBox)
@@ -33,13 +33,16 @@ def _in_sight(one: QWidget) -> bool:
 
 
 def _cut(one: QWidget) -> str:
-    """How a text is cut; "" where it is whole, or rolls into sight, or its whole is in its tip."""
+    """How a text is cut; "" where it is whole, or rolls into sight, or its whole is in its tip.
+
+    What is read from the cage has to be whole: nobody there opens a tip.
+    """
     if one.visibleRegion().boundingRect() != one.rect() and not _rolls(one):
         return f"is cut by what holds it: {_size(one.visibleRegion().boundingRect())} of {_size(one.rect())} are seen"
     room, needed = _room(one), _needed(one)
     if needed.width() <= room.width() + SLACK_PX and needed.height() <= room.height() + SLACK_PX:
         return ""
-    if _text(one) in one.toolTip() or plain(_text(one)) in one.toolTip():
+    if (not isinstance(one, AutoSizeLabel) and _text(one) in one.toolTip()) or plain(_text(one)) in one.toolTip():
         return ""
     return f"needs {_size(needed)} and has {_size(room)}"
 

@@ -129,13 +129,15 @@ def test_serials_are_those_of_the_pattern_of_the_bench_file(still, keys, monkeyp
     assert shown(still) is not None
 
 
-def test_a_scan_reaches_no_answer_of_an_open_question(still, keys):
+def test_a_scan_reaches_no_answer_of_an_open_question(qtbot, still, keys, patience):
     from labcal.gui.ipc.messages import Answer, RunProcedure
     from labcal.record.stream import Prompt
 
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     still.app_state.bench_worker.items.emit((Prompt(1.0, "why", "Why?", ()),))
-    entry = still.page("Run").live.prompt.entry
+    card = still.page("Run").live.prompt
+    qtbot.waitUntil(lambda: card.alive, timeout=patience)
+    entry = card.entry
     keys(entry, "EM-19", 0.01, Qt.Key.Key_Return)
     assert entry.text() == ""
     assert still.app_state.bench_worker.said == []

@@ -7,7 +7,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from labcal.gui.ipc.messages import Answer, KeepPhoto, Note, RunProcedure
@@ -74,10 +73,10 @@ def test_what_the_camera_sees_is_shown_while_the_dut_is_mounted_and_no_longer(st
     qtbot.waitUntil(lambda: StandIn.made[0].released, timeout=WAIT_MS)
 
 
-def test_the_picture_of_that_moment_goes_into_the_record(still, camera, qtbot):
+def test_the_picture_of_that_moment_goes_into_the_record(still, camera, qtbot, by_mouse):
     ask(still, MOUNT)
     qtbot.waitUntil(lambda: camera.picture() is not None, timeout=WAIT_MS)
-    qtbot.mouseClick(still.page("Run").live.prompt.choices["done"], Qt.MouseButton.LeftButton)
+    by_mouse(still.page("Run").live.prompt.choices["done"])
     kept = still.app_state.quick_worker.commands(KeepPhoto)[-1]
     assert QImage(kept.path).pixelColor(20, 15).red() == ORANGE[2]
     still.app_state.quick_worker.answer(KeepPhoto, {"file": "p.png", "sha256": "ab"})
@@ -86,10 +85,10 @@ def test_the_picture_of_that_moment_goes_into_the_record(still, camera, qtbot):
 
 
 @pytest.mark.parametrize("answer", ["stop", "redo x"])
-def test_no_other_answer_keeps_a_picture(still, camera, qtbot, answer):
+def test_no_other_answer_keeps_a_picture(still, camera, qtbot, by_mouse, answer):
     ask(still, replace(MOUNT, choices=("done", answer)))
     qtbot.waitUntil(lambda: camera.picture() is not None, timeout=WAIT_MS)
-    qtbot.mouseClick(still.page("Run").live.prompt.choices[answer], Qt.MouseButton.LeftButton)
+    by_mouse(still.page("Run").live.prompt.choices[answer])
     assert still.app_state.quick_worker.commands(KeepPhoto) == []
 
 
@@ -101,14 +100,14 @@ def test_no_other_answer_keeps_a_picture(still, camera, qtbot, answer):
     ],
 )
 def test_a_camera_that_is_missing_says_so_and_keeps_nobody_from_answering(
-    still, camera, qtbot, monkeypatch, source, module, said
+    still, camera, qtbot, by_mouse, monkeypatch, source, module, said
 ):
     monkeypatch.setitem(sys.modules, "cv2", module)
     state(still, source)
     ask(still, MOUNT)
     qtbot.waitUntil(lambda: camera.words() == said, timeout=WAIT_MS)
     assert camera.picture() is None
-    qtbot.mouseClick(still.page("Run").live.prompt.choices["done"], Qt.MouseButton.LeftButton)
+    by_mouse(still.page("Run").live.prompt.choices["done"])
     assert still.app_state.bench_worker.said == [Answer("mount-x", "done")]
 
 

@@ -15,7 +15,6 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QApplication
 from scalar_lab import SCALAR, sensor
 
 import procedures
@@ -26,7 +25,7 @@ from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations.sentences import form_of
 from labcal.gui.viewmodels.failed_step import asked_text
-from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
+from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton, heard_ms
 from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import FAULT, Prompt
 from labcal.runner import find, run_procedure
@@ -187,7 +186,7 @@ class Asked:
     def ask(self):
         self.worker.said = []
         self.worker.items.emit((self.prompt,))
-        QApplication.processEvents()
+        self.bot.waitUntil(lambda: self.card.alive, timeout=180_000)
         assert self.window.app_state.run.state == "asking"
 
     def told(self):
@@ -213,6 +212,7 @@ class Asked:
         """The button's own key, held, with the focus elsewhere; the 0.7 s are counted, not waited for."""
         assert button.held.interval() == HOLD_MS
         button.held.setInterval(0)
+        heard_ms.clear()
         self.window.sidebar.setFocus()
         self.bot.keyPress(self.window, button.key)
         self.bot.waitUntil(lambda: bool(self.worker.said), timeout=180_000)
@@ -254,7 +254,7 @@ class Asked:
 @pytest.mark.parametrize(
     "case", [pytest.param(one, marks=pytest.mark.slow) if one in DEAR else one for one in (*INSTALLED, *BESIDE)]
 )
-def test_every_question_of_a_procedure_is_shown_and_answered_as_it_may_be(qtbot, still, questions, case):
+def test_every_question_of_a_procedure_is_shown_and_answered_as_it_may_be(qtbot, by_mouse, still, questions, case):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     still.scanner.now = float  # the time stands still: whatever is struck until it is looked at is one burst
     still.scanner.wait.setInterval(3_600_000)
@@ -265,12 +265,12 @@ def test_every_question_of_a_procedure_is_shown_and_answered_as_it_may_be(qtbot,
         assert len(set(held)) == len(held), "two answers by one key"
         first = questions.is_new(prompt)  # a question that many procedures ask is typed at once, and clicked in all
         for words in asked.buttons():
-            by_hand(asked, words)
+            by_hand(asked, words, by_mouse)
             if first:
                 by_keyboard(asked, words)
 
 
-def by_hand(asked, words):
+def by_hand(asked, words, by_mouse):
     button = asked.ready()[words]
     assert button.isVisible()
     assert button.isEnabled()
@@ -284,7 +284,7 @@ def by_hand(asked, words):
             asked.scan(asked.card.entry)
         assert asked.told() == []
         assert "EM-99" in asked.window.app_state.lab.state.message
-    asked.bot.mouseClick(button, Qt.MouseButton.LeftButton)
+    by_mouse(button)
     assert asked.told() == [words]
 
 
@@ -307,11 +307,11 @@ def by_keyboard(asked, words):
     assert [told.strip() for told in asked.told()] == [words]
 
 
-def test_a_photograph_that_is_not_wanted_is_answered_too(qtbot, still, questions):
+def test_a_photograph_that_is_not_wanted_is_answered_too(qtbot, by_mouse, still, questions):
     still.app_state.run.start(RunProcedure("configuration", "bench.toml"))
     photo = next(p for p in questions.of("configuration") if p.key.startswith("photo-"))
     asked = Asked(still, photo, qtbot)
-    qtbot.mouseClick(asked.card.choices[""], Qt.MouseButton.LeftButton)
+    by_mouse(asked.card.choices[""])
     assert asked.told() == [""]
 
 

@@ -1,20 +1,34 @@
-"""What acts on the lab is a click or its own key held; Enter, Space and a short press are nothing."""
+"""What acts on the lab is a click or its own key held; Enter, Space and a short press are nothing.
+
+No second click, and no key that stays down, answers the next question: each is dead for its first second.
+"""
+
+import time
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.gui.widgets import prompt_card
+from labcal.gui.widgets.hold_button import LET_GO_MS
+from labcal.gui.widgets.prompt_card import moves_by_itself
 from labcal.record.stream import Prompt
+
+LAB_DEAD_MS = prompt_card.DEAD_MS
 
 ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo x"), True)
 
 
 @pytest.fixture
-def asked(still):
+def asked(qtbot, still, patience):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     still.app_state.bench_worker.items.emit((ACTS,))
-    return still.page("Run").live.prompt
+    card = still.page("Run").live.prompt
+    qtbot.waitUntil(lambda: card.alive, timeout=patience)
+    return card
 
 
 def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked, patience):
@@ -69,3 +83,141 @@ def test_a_key_that_repeats_by_letting_go_for_a_blink_is_held(qtbot, still, aske
     qtbot.waitUntil(lambda: button.filled() > 0, timeout=patience)
     button.held.timeout.emit()
     assert still.app_state.bench_worker.said == [Answer("ready", "done")]
+
+
+# the second in which a question takes no answer, and the key that stays down
+
+ENERGISES = Prompt(2.0, "ready", "The coils go to 50 µT and the platform turns. Hands off?", ("done",), True)
+SWITCH = Prompt(1.0, "mode-nominal", "Switch the DUT to power mode nominal.", ("done",), True, {"mode": "nominal"})
+
+
+@pytest.fixture
+def for_a_second(monkeypatch):
+    """The dead time as it is in the lab."""
+    monkeypatch.setattr(prompt_card, "DEAD_MS", LAB_DEAD_MS)
+
+
+@pytest.fixture
+def switched(still, for_a_second):
+    """A question whose answer is followed by the next one at once, as a run does."""
+    worker, card = still.app_state.bench_worker, still.page("Run").live.prompt
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    worker.items.emit((SWITCH,))
+    follows = card.answered.connect(lambda _: QTimer.singleShot(0, lambda: worker.items.emit((ENERGISES,))))
+    yield card
+    card.disconnect(follows)
+
+
+def answers(still):
+    return [word.key for word in still.app_state.bench_worker.said if isinstance(word, Answer)]
+
+
+@pytest.mark.parametrize("apart_ms", [0, 120, 400])
+def test_a_double_click_answers_one_question_and_the_next_is_dead_for_a_second(
+    qtbot, still, switched, patience, apart_ms
+):
+    first = switched.choices["done"]
+    qtbot.waitUntil(first.isEnabled, timeout=patience)
+    place = first.mapTo(still, first.rect().center())
+    qtbot.mouseClick(first, Qt.MouseButton.LeftButton)
+    asked_s = time.monotonic()
+    qtbot.wait(apart_ms)
+    there = still.childAt(place)
+    qtbot.mouseDClick(there, Qt.MouseButton.LeftButton, pos=there.mapFrom(still, place))
+    qtbot.waitUntil(lambda: still.app_state.run.prompt is ENERGISES, timeout=patience)
+    assert answers(still) == ["mode-nominal"]
+    qtbot.waitUntil(switched.choices["done"].isEnabled, timeout=patience)
+    assert time.monotonic() - asked_s > 0.95
+    assert answers(still) == ["mode-nominal"]
+
+
+def test_a_press_that_began_on_a_dead_button_answers_nothing_when_it_ends_on_a_live_one(
+    qtbot, still, switched, patience
+):
+    button = switched.choices["done"]
+    assert not button.isEnabled()
+    QTest.mousePress(button, Qt.MouseButton.LeftButton)
+    QTest.keyPress(still, button.key)
+    qtbot.waitUntil(button.isEnabled, timeout=patience)
+    QTest.mouseRelease(button, Qt.MouseButton.LeftButton)
+    assert not button.held.isActive()
+    qtbot.wait(50)
+    assert answers(still) == []
+
+
+def test_a_click_while_the_window_stood_still_is_heard_by_a_dead_button(qtbot, still, switched, patience):
+    button = switched.choices["done"]
+    qtbot.waitUntil(switched.dead.isActive, timeout=patience)
+    switched.dead.stop()
+    switched.dead.timeout.emit()  # the timer is due, and what was clicked before waits to be heard
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert answers(still) == []
+    qtbot.waitUntil(button.isEnabled, timeout=patience)
+
+
+def test_a_question_that_is_seen_again_is_dead_again(qtbot, still, switched, patience):
+    qtbot.waitUntil(switched.choices["done"].isEnabled, timeout=patience)
+    still.open_page("Start")
+    still.open_page("Run")
+    assert not switched.choices["done"].isEnabled()
+    qtbot.waitUntil(switched.choices["done"].isEnabled, timeout=patience)
+
+
+def test_what_energises_is_held_by_mouse_as_well_and_a_click_says_so(qtbot, still, asked, patience):
+    button = asked.choices["done"]
+    qtbot.waitUntil(button.isEnabled, timeout=patience)
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert "too early" in asked.hint.text()
+    assert answers(still) == []
+    qtbot.mousePress(button, Qt.MouseButton.LeftButton)
+    qtbot.mouseMove(button, button.rect().bottomRight() + QPoint(20, 20))
+    QApplication.sendEvent(button, away(button))
+    assert not button.held.isActive()
+    began_s = time.monotonic()
+    qtbot.mousePress(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: bool(answers(still)), timeout=patience)
+    assert time.monotonic() - began_s > 0.65
+
+
+def away(button):
+    """The mouse, pressed, beyond the button's edge."""
+    at, left = QPointF(-5, -5), Qt.MouseButton.LeftButton
+    return QMouseEvent(
+        QEvent.Type.MouseMove, at, button.mapToGlobal(at), Qt.MouseButton.NoButton, left, Qt.KeyboardModifier.NoModifier
+    )
+
+
+def test_what_a_person_has_done_is_said_by_a_click(asked):
+    assert asked.choices["done"].held_by_mouse
+    assert not asked.choices["redo x"].held_by_mouse
+    asked.show_prompt(SWITCH)
+    assert not asked.choices["done"].held_by_mouse
+    assert moves_by_itself(Prompt(1.0, "failed-x", "", ("retry", "stop"), True), "retry")
+
+
+@pytest.mark.parametrize("marked", [True, False])  # X11 marks what it repeats, where press and release come together
+def test_one_long_hold_answers_one_question_and_fills_nothing_before_the_key_was_let_go(
+    qtbot, still, switched, patience, marked
+):
+    qtbot.waitUntil(switched.choices["done"].isEnabled, timeout=patience)
+    strike(still, QEvent.Type.KeyPress)
+    qtbot.wait(660)  # then a keyboard repeats
+    ends_s = time.monotonic() + 3.0
+    while time.monotonic() < ends_s:
+        strike(still, QEvent.Type.KeyRelease, marked)
+        strike(still, QEvent.Type.KeyPress, marked)
+        qtbot.wait(40)
+        if answers(still):
+            assert not switched.choices["done"].held.isActive()
+    assert answers(still) == ["mode-nominal"]
+    assert switched.choices["done"].isEnabled()
+    strike(still, QEvent.Type.KeyRelease)
+    qtbot.wait(LET_GO_MS + 50)
+    assert answers(still) == ["mode-nominal"]
+    strike(still, QEvent.Type.KeyPress)
+    assert switched.choices["done"].held.isActive()
+    qtbot.waitUntil(lambda: answers(still) == ["mode-nominal", "ready"], timeout=patience)
+
+
+def strike(still, kind, repeated=False):
+    QApplication.sendEvent(still, QKeyEvent(kind, Qt.Key.Key_F8, Qt.KeyboardModifier.NoModifier, "", repeated))

@@ -60,6 +60,7 @@ def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, acti
     active.scanner.flush()  # Space is held back until it is known to be no scan
     assert isinstance(worker.asked[-1].command, RunProcedure)
     worker.items.emit((Prompt(1.0, "ready", "Hands off?", ("done",), True),))
+    qtbot.waitUntil(lambda: page.live.prompt.alive, timeout=patience)
     qtbot.keyPress(active, Qt.Key.Key_F8)
     qtbot.waitUntil(lambda: active.app_state.run.state == "running", timeout=patience)
     by_tab(qtbot, active, page.live.note)

@@ -13,7 +13,7 @@ SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "n
 
 
 def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
-    qtbot, tmp_path, monkeypatch, windows, patience
+    qtbot, by_mouse, tmp_path, monkeypatch, windows, patience
 ):
     from labcal import session
     from labcal.bench.clock import VirtualClock
@@ -57,7 +57,7 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
         while run.state != "ended":
             qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=patience)
             if run.state == "asking":
-                click(live.prompt.choices[run.prompt.choices[0]])
+                by_mouse(live.prompt.choices[run.prompt.choices[0]])
         assert run.status == "finished", run.fault
         second = run.run_id
         qtbot.waitUntil(

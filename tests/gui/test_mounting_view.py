@@ -39,4 +39,4 @@ def test_where_it_stands_is_as_old_as_its_reading_says_beside_it(still):
     still.app_state.bench_worker.states.emit(LabState(unread(), platform=before))
     card = still.page("Run").live.prompt
     assert card.drawing.platform_words() == "platform at 137°"
-    assert "platform stands at 137°, read 40 s ago" in card.lab.text()
+    assert "platform stands at 137°, read 40 s ago" in card.stands.text()

@@ -14,7 +14,7 @@ from test_choose import told_by_the_loop
 from test_compare import side
 from test_path import RUN, calibration
 
-from labcal.bench.coils.state import FieldReading, Heard
+from labcal.bench.coils.state import FieldReading, Heard, PlatformReading
 from labcal.errors import OutOfControl
 from labcal.gui.ipc.answers import Checked, Comparison, Ended, FitFigures, Fitted, Look
 from labcal.gui.ipc.messages import (
@@ -41,6 +41,11 @@ SIZES = {
     "4K at scale 1": ((3840, 2160), False),
     "1920 x 1080, F11": ((1920, 1080), True),
     "4K, F11": ((3840, 2160), True),
+}
+LARGE = {  # letters to be read from two metres, on the screens that there are
+    "1024 x 700, F11": ((1024, 700), True),
+    "1360 x 860, F11": ((1360, 860), True),
+    "1440 x 900, F11": ((1440, 900), True),
 }
 STEPS = ("zero", "axes-check", "x+20uT-nominal", "x-50uT-full", "closing")
 MOUNT = "Mount the DUT with body Y up along the platform axis, body X towards the cage's X, at platform angle 0."
@@ -255,9 +260,9 @@ def settle(window):
         window.style_queue.finish()
 
 
-def faults_at(window, bring, page, words):
+def faults_at(window, bring, page, words, sizes=SIZES):
     """What is wrong with this page at the size that is called so."""
-    size, wall = SIZES[words]
+    size, wall = sizes[words]
     for _ in range(2):  # a narrow window has a narrow frame, and then room for less
         bring(size, wall)
         settle(window)
@@ -283,6 +288,42 @@ def shown(window, state):
 def test_no_text_is_cut_and_nothing_lies_over_anything_else(still, sized, state):
     page = shown(still, state)
     found = [fault for words in SIZES for fault in faults_at(still, sized, page, words)]
+    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+def by_word(window, *items):
+    """What is said of coils and platform at its longest, in a run."""
+    begun(window)
+    told(window, (0.0, 0.0, 0.0), verdict="not known")
+    lab = window.app_state.run.lab
+    why = "no ambient field was measured since the mounting"
+    lab = replace(
+        lab, reference=replace(lab.reference, why=why), platform=PlatformReading(0.0, False, time.monotonic())
+    )
+    window.app_state.bench_worker.states.emit(lab)
+    send(window, *items)
+    return "Run"
+
+
+READY = Prompt(1.0, "ready", "The coils go to 50 µT and the platform turns. Hands off?", ("done",), True)
+LONG = {
+    "to mount": lambda window: by_word(window, TURNED),
+    "hands off": lambda window: by_word(window, READY),
+    "to switch": lambda window: by_word(
+        window,
+        Prompt(1.0, "mode-nominal", "Switch the DUT to power mode nominal.", ("done",), True, {"mode": "nominal"}),
+    ),
+    "measuring": measuring,
+    "a pause asked for": lambda window: (measuring(window), window.app_state.run.pause(), "Run")[2],
+    "finished": lambda window: ended(window, "finished"),
+}
+
+
+@pytest.mark.parametrize("state", LONG)
+def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
+    page = LONG[state](still)
+    still.open_page(page)
+    found = [fault for words in LARGE for fault in faults_at(still, sized, page, words, LARGE)]
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
 
 

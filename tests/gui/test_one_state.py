@@ -8,7 +8,7 @@ import pytest
 from lab_states import silent
 from PySide6.QtWidgets import QLabel
 
-from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, Witness
+from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, PlatformReading, Witness
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
@@ -83,7 +83,8 @@ def told(names, coils, instruments, guardian, now):
     witness = Witness(verdict, "no reference was asked", difference_nT=9e4, limit_nT=2e3, read_s=now - age_s)
     field = FieldReading((3e4, 0.0, 4e4) if max(map(abs, filter(None, currents)), default=0) > 0.1 else None,
                          (3e4, 10.0, 4e4), field_s)  # fmt: skip
-    return LabState(axes, witness, guardian, heard, field)
+    stands = None if instruments is None else PlatformReading(69.0, False, now - instruments[0])
+    return LabState(axes, witness, guardian, heard, field, stands)
 
 
 def brought(window, which):
@@ -169,9 +170,14 @@ def of_the_coils(seen):
     if on_bench != seen.currents:
         yield f"{on_bench} on the bench page, {seen.currents} beside it"
     asked = seen.live.prompt
-    beside = "\n".join(filter(None, (seen.zero, seen.side.platform.text())))
-    if not asked.isHidden() and seen.window.app_state.run.prompt and asked.lab.text() != beside:
-        yield f"the question says {asked.lab.text()!r}, the panel {beside!r}"
+    beside, said = (seen.zero, seen.side.platform.text()), (asked.lab.text(), asked.stands.text())
+    if not asked.isHidden() and seen.window.app_state.run.prompt and said != beside:
+        yield f"the question says {said!r}, the panel {beside!r}"
+    colours = (seen.side.zero_words.property("state"), seen.side.platform.property("state"))
+    if not asked.isHidden() and colours != (asked.lab.property("state"), asked.stands.property("state")):
+        yield f"the question is in other colours than {colours}"
+    if not asked.hands.isHidden() and ("may go in" in asked.hands.text()) != seen.zero.startswith(("✓", "● zero by")):
+        yield f"{asked.hands.text()!r} beside {seen.zero!r}"
 
 
 def of_ages(seen, app_state):
@@ -236,6 +242,17 @@ def of_the_instruments(seen):
     for _, name, _, _, _, state in seen.rows:
         if beside[name] != state[0]:
             yield f"{name}: {state!r} on the bench page, {beside[name]} beside it"
+    yield from of_the_platform(seen, beside)
+
+
+def of_the_platform(seen, beside):
+    """Where it stands is said alike, and who stands was heard."""
+    role, name, _, _, reading, _ = next(row for row in seen.rows if row[0] == "platform")
+    said = seen.side.platform.text()
+    if ("69°" in said) != ("69.0°" in reading):
+        yield f"{role} at {reading!r} on the bench page, {said!r} beside it"
+    if said.startswith("✓") and beside[name] in "…○":
+        yield f"{said!r} beside {beside[name]} {name}"
 
 
 @pytest.fixture

@@ -54,7 +54,9 @@ app.exec()
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, which Windows lacks")
-def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_path, monkeypatch, patience, windows):
+def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(
+    qtbot, by_mouse, tmp_path, monkeypatch, patience, windows
+):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
     command = [sys.executable, "-c", BEGUN, str(BENCH), str(tmp_path / "w.ini")]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as killed:
@@ -82,7 +84,7 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
             qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=patience)
             if run.state == "asking":
                 asked.append(run.prompt.key)
-                qtbot.mouseClick(live.prompt.choices[run.prompt.choices[0]], Qt.MouseButton.LeftButton)
+                by_mouse(live.prompt.choices[run.prompt.choices[0]])
         assert (run.status, run.fault) == ("finished", None)
         assert run.measurements["closure z"].verdict == "PASS"
         assert app_state.lab.state.now.coils_at_zero

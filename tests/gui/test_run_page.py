@@ -45,17 +45,17 @@ def begin(qtbot, window, procedure="preflight", given=QUICK):
     return page
 
 
-def answer_all(qtbot, window, page):
+def answer_all(qtbot, by_mouse, window, page):
     """Click the first button of every card until the run has ended."""
     run = window.app_state.run
     while True:
         qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=LONG_MS)
         if run.state == "ended":
             return
-        qtbot.mouseClick(page.live.prompt.choices[run.prompt.choices[0]], Qt.MouseButton.LeftButton)
+        by_mouse(page.live.prompt.choices[run.prompt.choices[0]])
 
 
-def test_a_preflight_is_clicked_through_to_its_verdicts_though_its_worker_is_killed_on_the_way(qtbot, window):
+def test_a_preflight_is_clicked_through_to_its_verdicts_though_its_worker_is_killed_on_the_way(qtbot, by_mouse, window):
     at_zero = read_at_zero(window)
     page = begin(qtbot, window)
     run = window.app_state.run
@@ -63,7 +63,7 @@ def test_a_preflight_is_clicked_through_to_its_verdicts_though_its_worker_is_kil
         qtbot.waitUntil(lambda words=words: run.state == "asking" and words in run.prompt.text, timeout=LONG_MS)
         assert page.live.prompt.isVisible()
         assert words in page.live.prompt.text.text()
-        qtbot.mouseClick(page.live.prompt.choices["done"], Qt.MouseButton.LeftButton)
+        by_mouse(page.live.prompt.choices["done"])
     qtbot.waitUntil(lambda: run.state == "asking", timeout=LONG_MS)
     os.kill(window.app_state.bench_worker.pid, signal.SIGKILL)
     qtbot.waitUntil(lambda: run.state == "ended", timeout=LONG_MS)
@@ -75,7 +75,7 @@ def test_a_preflight_is_clicked_through_to_its_verdicts_though_its_worker_is_kil
     qtbot.waitUntil(start.interrupted.isVisible, timeout=LONG_MS)
     qtbot.mouseClick(start.interrupted.findChildren(QPushButton)[0], Qt.MouseButton.LeftButton)
     assert window.stack.currentWidget() is window.lazy_pages["Run"]
-    answer_all(qtbot, window, page)
+    answer_all(qtbot, by_mouse, window, page)
     assert (run.status, run.fault) == ("finished", None)
     assert run.measurements["closure x"].verdict == "PASS"
     assert page.live.lights.worst["x"].text() == "X  ✓ PASS"

@@ -144,8 +144,9 @@ def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new
     assert card.lab.text() == "✓ Spulen auf null"
     assert card.lab.property("state") == "good"
     card.say_lab(AT_ZERO, "platform NOT confirmed at a standstill")
-    assert card.lab.text() == "✓ Spulen auf null\n✕ Stillstand des Tisches NICHT bestätigt"
-    assert card.lab.property("state") == "bad"
+    assert card.lab.text() == "✓ Spulen auf null"
+    assert card.stands.text() == "✕ Stillstand des Tisches NICHT bestätigt"
+    assert card.stands.property("state") == "bad"
     run.answer("done")
     assert Answer("mount-x", "done") in new_window.app_state.bench_worker.said
     assert "Feld" in in_words("Each coil goes to ±50 µT, then the field rotates. Hands off?")

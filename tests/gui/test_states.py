@@ -119,7 +119,7 @@ def test_coils_off_without_a_run_asks_for_them_at_once(qtbot, still):
     assert still.app_state.lab.state.now.coils_at_zero is True
 
 
-def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, monkeypatch):
+def test_a_question_sounds_at_once_and_again_until_it_is_answered(by_mouse, still, monkeypatch):
     card = still.page("Run").live.prompt
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     heard = []
@@ -133,7 +133,7 @@ def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, 
     closed = PromptCard(LIGHT)
     closed.show_prompt(still.app_state.run.prompt)
     assert heard == ["beep"]
-    qtbot.mouseClick(card.choices["done"], Qt.MouseButton.LeftButton)
+    by_mouse(card.choices["done"])
     assert not card.call.isActive()
 
 

@@ -120,14 +120,14 @@ def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_b
     assert card.choices["retry"].text().startswith("Hands off")
 
 
-def test_a_wrong_mounting_is_asked_about_and_to_mount_again_is_the_blue_one(running):
+def test_a_wrong_mounting_is_asked_about_and_to_mount_again_is_the_blue_one(running, by_mouse):
     wrong = "axes-check: the DUT's z axis shows +x. Is the DUT mounted as asked? Then look at its axes."
     running.app_state.bench_worker.items.emit((Prompt(1.0, "opening-failed", wrong, ("stop", "remount")),))
     card = running.page("Run").live.prompt
     assert {made.text(): made.objectName() for made in card.choices.values()} == {
         "Stop the run": "", "Mount it again": "primary"
     }  # fmt: skip
-    card.choices["remount"].click()
+    by_mouse(card.choices["remount"])
     assert running.app_state.bench_worker.said[-1] == Answer("opening-failed", "remount")
 
 

@@ -12,7 +12,7 @@ SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_de
 
 
 @pytest.mark.slow
-def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patience, windows):
+def test_from_an_empty_home_to_a_signed_file(qtbot, by_mouse, tmp_path, monkeypatch, patience, windows):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
     window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     windows.append(window)
@@ -48,7 +48,7 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
             qtbot.waitUntil(lambda: vm.state in ("asking", "ended"), timeout=patience)
             if vm.state == "ended":
                 break
-            click(live.prompt.choices[vm.prompt.choices[0]])
+            by_mouse(live.prompt.choices[vm.prompt.choices[0]])
         assert vm.status == "finished", vm.fault
         click(live.fit)
         study, fit = window.app_state.study_vm, window.page("Fit")

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import closing
+from datetime import UTC, datetime
 
+import numpy as np
 import pytest
 
+from labcal.bench.clock import VirtualClock
+from labcal.bench.opening import open_bench
+from labcal.bench.steps import mount
 from labcal.demo import simulated_bench
 from labcal.record.stream import Prompt
 from labcal.runner import find
@@ -57,3 +63,17 @@ AN_AXIS = ["mode-full", "ready", "mode-nominal", "ready"]
 def test_each_procedure_hears_hands_off_last(name: str, given: Mapping[str, str], asked: list[str]) -> None:
     trial = ProcedureTrial(find(name), given, simulated_bench(), first_choice)
     assert [item.key for item in check_normal_end(trial) if isinstance(item, Prompt)] == asked
+
+
+def test_who_is_asked_to_mount_is_told_where_the_platform_stands() -> None:
+    clock = VirtualClock(datetime(2026, 1, 5, tzinfo=UTC))
+    with closing(open_bench(simulated_bench(), clock=clock, seed=3)) as bench:
+        assert bench.state().platform is None
+        for item in mount(bench, "mount-x", np.eye(3), "Mount it."):
+            if isinstance(item, Prompt) and item.key == "mount-x":
+                state = bench.state()
+                assert state.platform_sentence(clock.now()) == "platform stands at 0°"
+                role = {one.role: name for name, one in bench.config.instruments.items()}
+                assert next(one for one in state.instruments if one.name == role["platform"]).heard_s is not None
+                return
+    raise AssertionError("nobody was asked")

@@ -141,6 +141,12 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
     assert outcome.status == "interrupted"
     assert left_as(outcome).startswith(BY_WORD)
     assert asked == ["mounting-stands", "ready", "mount-z"]
+    with Store.open() as store:
+        events = [one for one in store.items("R") if isinstance(one, Event)]
+    resumed = next(n for n, one in enumerate(events) if one.kind == "resumed")
+    first = next(n for n, one in enumerate(events) if n > resumed and one.kind == "answer")
+    before = [one.kind for one in events[resumed:first]]
+    assert before[-2:] == ["read-back", "standstill"]  # before a person is sent to look
     assert "'perhaps' is no answer" in str(outcome.fault)
     with pytest.raises(InputError, match="run R is of preflight, not of ambient"):
         session.resume("R", bench, "ambient", seed=2)

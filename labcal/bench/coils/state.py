@@ -18,11 +18,13 @@ from labcal.bench.coils.zero import AtZero
 MEAN_OF = 20  # readings of a reference are shown as one
 AT_ZERO = "coils at zero"
 BY_WORD = "zero by the supply's word only"
+BY_SUPPLIES = "coils read back at zero by their supplies"  # the same, for who is to reach in
 NOT_CONFIRMED = "coils NOT confirmed at zero"
 WAS_ZERO = "coils confirmed at zero"  # when it was read, and the reference agreed then
 WAS_ZERO_BY_WORD = "coils read back at zero by the supply's word"
 NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
+NOT_YET = "coils may be on: a run goes on, and nothing was read yet"
 NOT_SINCE = "coils not read back since another process was asked to switch them off"
 NOT_ASKED = "no reference was asked"
 MAY_TURN = "platform NOT confirmed at a standstill"

@@ -32,11 +32,11 @@ class PastMessages:
             self._end = event
 
     def events(self) -> list[Event]:
-        """What the run is, what it recorded, how the lab is, and how it ended where it has."""
+        """What the run is, how the lab is (coils first), what it recorded, and how it ended where it has."""
         parts = [tuple(self._items[n : n + AT_ONCE]) for n in range(0, len(self._items), AT_ONCE)]
         state = [] if self.state is None else [StateRead(self.state)]
         end = [] if self._end is None else [self._end]
-        return [self._going, *map(Recorded, parts), *state, *end]
+        return [self._going, *state, *map(Recorded, parts), *end]
 
     def _take(self, item: Item) -> None:
         if isinstance(item, Told) and item.kind == "answer":  # who comes back is not asked again

@@ -283,6 +283,8 @@ class BenchPage(QWidget):
                 age = age_words(now.coil_old_s)
             elif role == "reference" and seen is not None:
                 words, age = reading_text(role, seen), age_words(now.field_old_s)
+            elif role == "platform" and now.platform_deg is not None:
+                words = reading_text(role, (now.platform_deg,))
             elif said is not None:
                 age = age_words(old_s(run.read_s[name], time.monotonic())) or age  # to answer is no reading
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")

@@ -28,6 +28,7 @@ from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
@@ -54,7 +55,7 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
-        self._drawn, self._ticks = -1, 0
+        self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
         self._details = False  # of a run that has ended: what was measured is shown in place of the verdict
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -80,13 +81,14 @@ class Live(QWidget):
         self._run.ended.connect(self._sound_done)  # a method: it goes when the page does, as a lambda would not
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
+        self._say_lab()
         self._show()
 
     def _sound_done(self, _run_id: str, _status: str) -> None:
         self.sounds.play("done")
 
     def set_theme(self, theme: Theme) -> None:
-        """Steps, lights and verdicts in the theme's colours."""
+        """In the theme's colours."""
         self._theme = theme
         self._show()
 
@@ -115,7 +117,7 @@ class Live(QWidget):
         card.body.addLayout(self._buttons())
         return card
 
-    def _buttons(self) -> QHBoxLayout:
+    def _buttons(self) -> Flow:
         self.pause = button(self.tr("Pause"), self.tr("Wait where the next step begins, with the coils at zero"))
         self.pause.clicked.connect(self._pause_or_go_on)
         self.stop = button(
@@ -128,10 +130,7 @@ class Live(QWidget):
         self.go_on.clicked.connect(self._resume)
         self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
         self.fit.clicked.connect(self._fit)
-        row = QHBoxLayout()
-        for widget in (self.pause, self.stop, self.close_run, self.go_on, self.fit):
-            row.addWidget(widget)
-        return row
+        return Flow(self.pause, self.stop, self.close_run, self.go_on, self.fit)
 
     def _middle(self) -> QWidget:
         self.prompt, self.fault = PromptCard(self._theme), FaultCard(closable=False)
@@ -161,7 +160,7 @@ class Live(QWidget):
         self.prompt.camera.source = "" if facts is None else facts.camera
 
     def _answer(self, text: str) -> None:
-        """Send it; what the camera sees as the DUT is said to stand goes into the record as well."""
+        """What the camera sees as the DUT is said to stand goes into the record as well."""
         seen = self.prompt.camera.save() if text == "done" else ""
         self._run.answer(text)
         if seen:
@@ -238,8 +237,9 @@ class Live(QWidget):
             " · ".join(filter(None, (run.order.dut, run.order.operator, run.began))) if run.order else ""
         )
         self._show_steps()
-        self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
-        self.pause.setEnabled(run.state in ("running", "asking", "paused"))
+        waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
+        self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
+        self.pause.setEnabled(run.state in ("running", "asking", "paused") and not run.pausing)
         self.stop.setEnabled(run.alive and run.state != "stopping")
         turned = bool(run.names or run.locus)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
@@ -278,8 +278,7 @@ class Live(QWidget):
         self.frame_timer.start() if run.alive else self._draw_last()
 
     def _show_details(self) -> None:
-        """What was measured, in place of the verdict, until the next run."""
-        self._details = True
+        self._details = True  # what was measured, in place of the verdict, until the next run
         self._show()
 
     def _draw_last(self) -> None:
@@ -318,10 +317,13 @@ class Live(QWidget):
             and self._run.order.dut != self._app_state.lab.state.dut_serial
         ):
             self.put_away.emit()
-        now = self._app_state.lab.state.now
-        self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self._say_lab()
         if self._run.fault is not None:
             self._say_coils_left()
+
+    def _say_lab(self) -> None:
+        now = self._app_state.lab.state.now
+        self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
 
     def _say_coils_left(self) -> None:
         """One card at a time: that the coils may be on is said above, and comes first."""
@@ -365,12 +367,14 @@ class Live(QWidget):
             self.tr("{0} % of the circle").format(f"{round(100 * run.coverage()):3d}".replace(" ", FIGURE_SPACE))
         )
         rows = run.dut.rows()
-        if len(rows) == self._drawn and run.alive and len(rows) < 10_000:
-            return
-        self._drawn = len(rows)
-        self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
         self._ticks += 1
-        if self._ticks % LOCI_EVERY == 1 or not run.alive:
+        if len(rows) != self._drawn or not run.alive or len(rows) >= 10_000:
+            if len(rows) < self._drawn or self._drawn <= 0:  # another run: nothing of the one before stays
+                self._ticks = LOCI_EVERY
+            self._drawn, self._behind = len(rows), True
+            self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
+        if self._behind and (self._ticks >= LOCI_EVERY or not run.alive):
+            self._ticks, self._behind = 0, False
             self.loci.show_field(run.field_rows())
 
     def _now(self) -> str:
@@ -381,6 +385,8 @@ class Live(QWidget):
             shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
             ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
             return self.tr("{0}: no answer from {1}").format(ended, ", ".join(lost)) if lost and shape == "✕" else ended
+        if run.unheard:
+            return self.tr("A run goes on: the coils may be on. Hands off.")
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]

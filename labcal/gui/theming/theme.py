@@ -12,6 +12,13 @@ from string import Template
 GRID = 8
 TEXT, SMALL, LARGE = 10.5, 9.0, 22.0  # points: body, captions, what is read from across the room
 WALL_SCALE = 1.8
+WHOLE_PX = (1024, 600)  # a window of this size has room for its texts in their size
+
+
+def wall_scale(width: int, height: int) -> float:
+    """How large texts may be that are read from two metres, in tenths: in a window so large none is cut."""
+    room = min(width / WHOLE_PX[0], height / WHOLE_PX[1])
+    return min(WALL_SCALE, max(1.0, int(10 * room) / 10))
 
 
 @dataclass(frozen=True, slots=True)

@@ -763,6 +763,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils read back at zero by their supplies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -999,7 +1007,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils go to {0} A. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5576,6 +5592,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hands off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5629,6 +5649,11 @@
     </message>
     <message>
         <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing
+after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6154,6 +6179,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Whether hands may go in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the platform is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6163,6 +6196,10 @@
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6187,6 +6224,10 @@
     </message>
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold this button, or {0}, for 0.7 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7757,6 +7798,18 @@
     </message>
     <message>
         <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out: the coils are not being read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Hands may go in: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

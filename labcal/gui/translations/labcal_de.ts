@@ -763,6 +763,14 @@
         <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
     </message>
     <message>
+        <source>coils read back at zero by their supplies</source>
+        <translation>Spulen von ihren Netzgeräten bei null zurückgelesen</translation>
+    </message>
+    <message>
+        <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation>Spulen vielleicht an: eine Messung läuft, und noch nichts wurde gelesen</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
@@ -999,8 +1007,16 @@
         <translation>Das Feld geht auf {0} µT. Hände weg?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT, und der Tisch kann drehen. Hände weg?</translation>
+    </message>
+    <message>
         <source>The coils go to {0} A. Hands off?</source>
         <translation>Die Spulen gehen auf {0} A. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} A, und der Tisch kann drehen. Hände weg?</translation>
     </message>
     <message>
         <source>The platform turns to {0}°. Hands off?</source>
@@ -5616,6 +5632,12 @@
         <translation>Weiter</translation>
     </message>
     <message>
+        <source>Pausing
+after this step …</source>
+        <translation>Pause nach
+diesem Schritt …</translation>
+    </message>
+    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
@@ -5630,6 +5652,10 @@
     <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation>Eine Messung läuft: die Spulen sind vielleicht an. Hände weg.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -6154,6 +6180,14 @@
         <translation>Datei wählen …</translation>
     </message>
     <message>
+        <source>Whether hands may go in</source>
+        <translation>Ob Hände hinein dürfen</translation>
+    </message>
+    <message>
+        <source>How the platform is</source>
+        <translation>Wie der Tisch steht</translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation>Den Pfad einer Datei in die Antwort schreiben</translation>
     </message>
@@ -6164,6 +6198,10 @@
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
+    </message>
+    <message>
+        <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
+        <translation>Knopf oder Taste halten, bis er voll ist. Enter tut hier nichts.</translation>
     </message>
     <message>
         <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
@@ -6188,6 +6226,10 @@
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
         <translation>Klicken oder {0} 0,7 s halten</translation>
+    </message>
+    <message>
+        <source>Hold this button, or {0}, for 0.7 s</source>
+        <translation>Diesen Knopf oder {0} 0,7 s lang halten</translation>
     </message>
     <message>
         <source>▲ Let go too early. {0}.</source>
@@ -7758,6 +7800,18 @@
     <message>
         <source>lost</source>
         <translation>verloren</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: {0}</source>
+        <translation>▲ Hände heraus: {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: the coils are not being read</source>
+        <translation>▲ Hände heraus: die Spulen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>✓ Hands may go in: {0}</source>
+        <translation>✓ Hände dürfen hinein: {0}</translation>
     </message>
     <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>

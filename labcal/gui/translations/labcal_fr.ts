@@ -763,6 +763,14 @@
         <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
     </message>
     <message>
+        <source>coils read back at zero by their supplies</source>
+        <translation>bobines relues à zéro par leurs alimentations</translation>
+    </message>
+    <message>
+        <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation>bobines peut-être alimentées : une mesure est en cours, et rien n’a encore été lu</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
@@ -999,8 +1007,16 @@
         <translation>Le champ va à {0} µT. Mains éloignées ?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains éloignées ?</translation>
+    </message>
+    <message>
         <source>The coils go to {0} A. Hands off?</source>
         <translation>Les bobines vont à {0} A. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
+        <translation>Les bobines vont à {0} A, et le plateau peut tourner. Mains éloignées ?</translation>
     </message>
     <message>
         <source>The platform turns to {0}°. Hands off?</source>
@@ -5616,6 +5632,12 @@
         <translation>Continuer</translation>
     </message>
     <message>
+        <source>Pausing
+after this step …</source>
+        <translation>Pause après
+cette étape …</translation>
+    </message>
+    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
@@ -5630,6 +5652,10 @@
     <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0} : pas de réponse de {1}</translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains éloignées.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -6154,6 +6180,14 @@
         <translation>Choisir un fichier …</translation>
     </message>
     <message>
+        <source>Whether hands may go in</source>
+        <translation>Si les mains peuvent entrer</translation>
+    </message>
+    <message>
+        <source>How the platform is</source>
+        <translation>État de la plateforme</translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation>Écrire le chemin d&apos;un fichier dans la réponse</translation>
     </message>
@@ -6164,6 +6198,10 @@
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
+    </message>
+    <message>
+        <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
+        <translation>Maintenir le bouton, ou sa touche, jusqu’à ce qu’il soit plein. Entrée ne fait rien ici.</translation>
     </message>
     <message>
         <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
@@ -6188,6 +6226,10 @@
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
         <translation>Cliquez, ou tenez {0} 0,7 s</translation>
+    </message>
+    <message>
+        <source>Hold this button, or {0}, for 0.7 s</source>
+        <translation>Maintenir ce bouton, ou {0}, pendant 0,7 s</translation>
     </message>
     <message>
         <source>▲ Let go too early. {0}.</source>
@@ -7758,6 +7800,18 @@
     <message>
         <source>lost</source>
         <translation>perdu</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: {0}</source>
+        <translation>▲ Mains dehors : {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: the coils are not being read</source>
+        <translation>▲ Mains dehors : les bobines ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>✓ Hands may go in: {0}</source>
+        <translation>✓ Les mains peuvent entrer : {0}</translation>
     </message>
     <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>

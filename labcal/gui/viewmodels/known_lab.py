@@ -65,6 +65,8 @@ class KnownLab:
         known = self.as_now(facts, now_s)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven)
         now = replace(now, in_common=_in_common(known, facts))
+        if known is None and driven:
+            now = replace(now, coil_words=state.NOT_YET)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:

@@ -34,6 +34,9 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: {0}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: the coils are not being read"),
+    QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
 )
 
 
@@ -135,6 +138,19 @@ def platform_mark(words: str) -> tuple[str, str]:
     if words.startswith(state.MAY_TURN):
         return "✕", "bad"
     return ("●", "warning") if words.startswith("platform turns") else ("✓", "good" if "," not in words else "old")
+
+
+def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
+    """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short."""
+    if platform_mark(platform_words)[1] in ("warning", "bad"):
+        return translated("▲ Hands out: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
+    if coil_words == state.AT_ZERO:
+        return translated("✓ Hands may go in: {0}").format(in_words(state.AT_ZERO)), "good"
+    if coil_words.startswith(state.BY_WORD):
+        return translated("✓ Hands may go in: {0}").format(in_words(state.BY_SUPPLIES)), "good"
+    if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
+        return translated("▲ Hands out: the coils are not being read"), "warning"
+    return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
 
 
 def alarm_of(coil_words: str) -> str:

@@ -35,17 +35,7 @@ from labcal.gui.viewmodels.failed_step import asked_text
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
-from labcal.record.stream import (
-    NOT_USED,
-    Block,
-    Event,
-    Item,
-    Measurement,
-    Prompt,
-    SegmentClosed,
-    SegmentOpened,
-    Step,
-)
+from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
@@ -117,6 +107,7 @@ class RunViewModel(QObject):
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
         self.lab: LabState | None = None  # by the computer's monotonic clock
+        self.unheard = self.pausing = False  # it has not told a window that came back how the lab is; a pause was asked
         self.coils_at_zero: bool | None = None  # when that was read
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
         self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
@@ -150,6 +141,7 @@ class RunViewModel(QObject):
         """Show the run that went on while there was no window; its order comes with it."""
         self.forget()
         self.order, self.state, self.message = None, "starting", self.tr("Coming back to the run that goes on …")
+        self.unheard = True
         self._worker.request(Rejoin(), self._done, self._failed)
         self.changed.emit()
 
@@ -173,7 +165,7 @@ class RunViewModel(QObject):
     def pause(self) -> None:
         """Wait where the next step begins, coils at zero."""
         self._worker.send(Pause())
-        self.message = self.tr("Pauses where the next step begins.")
+        self.message, self.pausing = self.tr("Pauses where the next step begins."), True
         self.changed.emit()
 
     def go_on(self) -> None:
@@ -281,7 +273,7 @@ class RunViewModel(QObject):
         return np.concatenate(rows) if rows else np.empty((0, 3))
 
     def _take_state(self, lab: LabState) -> None:
-        self.lab = lab
+        self.lab, self.unheard = lab, False
         self.coils_at_zero = lab.at_zero(time.monotonic())
         self.changed.emit()
 
@@ -300,18 +292,20 @@ class RunViewModel(QObject):
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
-                self._waited_s, self._waits_since_s = 0.0, None
+                self._waited_s, self._waits_since_s, self.sectors = 0.0, None, set()
                 self._running(step_title(item.name))
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
                 if item.key.startswith("failed-"):  # what was seen of this turn counts no more
-                    self.sectors, _ = set(), self.locus.pop(item.key.removeprefix("failed-"), None)
+                    self.sectors = set()
+                    self._forget_turn(item.key.removeprefix("failed-"))
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
+                self._forget_turn(item.segment.id)  # as it was before, where it is begun again
                 self._turned = self._turned or item.segment.kind == "rotation"
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
                 self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
@@ -330,7 +324,7 @@ class RunViewModel(QObject):
         if event.kind == "answer":
             self._waits_no_more(event.t_s)
         if event.kind == "pause":
-            paused = event.text != "goes on"
+            paused, self.pausing = event.text != "goes on", False
             self._waits(event.t_s) if paused else self._waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
@@ -342,6 +336,11 @@ class RunViewModel(QObject):
             self.message = named_links(event.text, self.links)
             if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
                 self.message = f"{self.message.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
+
+    def _forget_turn(self, segment: str) -> None:
+        """Nothing that was seen or measured of it counts any more."""
+        self.locus.pop(segment, None)
+        self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(f"{segment}:")}
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""
@@ -395,6 +394,7 @@ class RunViewModel(QObject):
         self._over()
 
     def _over(self) -> None:
+        self.unheard = self.pausing = False
         self.prompt, self.segment, self.message = None, None, self._last_words()
         self._be("ended")
         self.ended.emit(self.run_id, self.status)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QPaintEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
@@ -17,7 +18,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import asked_text, below, headline
-from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import hands_words, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
@@ -26,6 +27,7 @@ from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
+DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
@@ -66,6 +68,11 @@ def acting(prompt: Prompt, choice: str) -> bool:
     return choice != "no" and (prompt.acts or choice == RETRY)
 
 
+def moves_by_itself(prompt: Prompt, choice: str) -> bool:
+    """Whether the lab energises or turns something once this is answered: held, by mouse as well."""
+    return choice == RETRY or (choice == "done" and prompt.key == "ready")
+
+
 def answer_label(prompt: Prompt, choice: str) -> str:
     """What stands on the button of an answer: what it says has been done, or is to be done."""
     redo, _, axis = choice.partition(" ")
@@ -79,7 +86,8 @@ def answer_label(prompt: Prompt, choice: str) -> str:
 class PromptCard(Card):
     """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices.
 
-    `calls` when it comes up, and again and again until it is answered.
+    `calls` when it comes up, and again and again until it is answered. Its buttons are dead (disabled) for the first
+    second that it is seen, each time.
     """
 
     answered = Signal(str)
@@ -89,6 +97,7 @@ class PromptCard(Card):
         super().__init__()
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
+        self._reached_into = False  # what is asked brings hands to the lab
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -100,9 +109,12 @@ class PromptCard(Card):
         words.addWidget(self.text, 1)
         self.details = label("", "title", wrap=True)
         words.addWidget(self.details)
-        self.lab = label("", "title", wrap=True)
+        self.hands, self.lab, self.stands = label("", "title", wrap=True), label("", wrap=True), label("", wrap=True)
+        self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
-        words.addWidget(self.lab)
+        self.stands.setAccessibleName(self.tr("How the platform is"))
+        for said in (self.hands, self.lab, self.stands):
+            words.addWidget(said)
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
         self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
@@ -128,6 +140,9 @@ class PromptCard(Card):
         self.send: QPushButton | None = None  # where the answer is in words
         self.call = QTimer(self, interval=CALLS_EVERY_MS)
         self.call.timeout.connect(self._call)
+        self.dead = QTimer(self, singleShot=True)
+        self.dead.timeout.connect(self._let_queued_events_pass)
+        self.alive, self._unseen = False, True
 
     def show_prompt(self, prompt: Prompt | None) -> None:
         """Ask `prompt`; the same one again changes nothing."""
@@ -140,6 +155,8 @@ class PromptCard(Card):
             return
         self._call()
         self.call.start()
+        self._reached_into = prompt.acts and prompt.key != "ready"
+        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
         self.text.set_text(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self.details.setText(below(prompt, translated(WORDS[RETRY])))
@@ -155,6 +172,40 @@ class PromptCard(Card):
             self.tr("Scan it, or type it") if SERIAL in prompt.drawing else self.tr("Write it here")
         )
         self._make_buttons(prompt)
+        self._die()
+
+    def _die(self) -> None:
+        """Take no answer before the question has been seen for a second."""
+        self.dead.stop()
+        self.alive, self._unseen = False, True
+        for made in self._answers():
+            made.setEnabled(False)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """From now on it is seen."""
+        super().paintEvent(event)
+        if self._unseen and self._prompt is not None:
+            self._unseen = False
+            self.dead.start(DEAD_MS)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Seen anew: nobody knows what was clicked just before."""
+        super().showEvent(event)
+        self._die()
+
+    def _let_queued_events_pass(self) -> None:
+        """What was clicked while the window stood still is heard first, by dead buttons."""
+        QTimer.singleShot(0, self._live)
+
+    def _live(self) -> None:
+        if not self._unseen and not self.dead.isActive():
+            self.alive = True
+            for made in self._answers():
+                made.setEnabled(True)
+
+    def _answers(self) -> list[QPushButton]:
+        return [made for made in (*self.choices.values(), self.send) if made is not None]
 
     def take_focus(self) -> None:
         """Where a serial is asked it is typed without a click; a field that is not in sight yet gets no focus."""
@@ -164,12 +215,17 @@ class PromptCard(Card):
     def say_lab(self, coil_words: str, platform_words: str = "", platform_deg: float | None = None) -> None:
         """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
         self.drawing.show_platform(platform_deg)
-        marks = {coil_words: mark_of(coil_words), platform_words: platform_mark(platform_words)}
-        self.lab.setText(
-            "\n".join(f"{shape} {in_words(words)}".strip() for words, (shape, _) in marks.items() if words)
-        )
-        states = [mark for _, mark in marks.values()]
-        set_state(self.lab, next((one for one in ("bad", "warning", "good") if one in states), ""))
+        for place, words, (shape, mark) in (
+            (self.lab, coil_words, mark_of(coil_words)),
+            (self.stands, platform_words, platform_mark(platform_words)),
+        ):
+            place.setText(f"{shape} {in_words(words)}".strip())
+            place.setVisible(bool(words))
+            set_state(place, mark)
+        words, mark = hands_words(coil_words, platform_words)
+        self.hands.setText(words)
+        self.hands.setVisible(bool(coil_words) and self._reached_into)
+        set_state(self.hands, mark)
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
@@ -187,7 +243,8 @@ class PromptCard(Card):
             (one for one in prompt.choices if one in (RETRY, REMOUNT)), prompt.choices[0] if prompt.choices else ""
         )
         for choice in prompt.choices:
-            made = self._button(answer_label(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
+            key = next(keys, KEYS[-1]) if acting(prompt, choice) else None
+            made = self._button(answer_label(prompt, choice), key, held=moves_by_itself(prompt, choice))
             named(made, "primary" if choice == wanted else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
@@ -195,8 +252,10 @@ class PromptCard(Card):
         if not prompt.choices:
             self._make_senders(prompt)
         self._buttons.addStretch()
-        held = [b for b in (*self.choices.values(), self.send) if isinstance(b, HoldButton)]
+        held = [b for b in self._answers() if isinstance(b, HoldButton)]
         by_key = self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else ""
+        if any(b.held_by_mouse for b in held):
+            by_key = self.tr("Hold the button, or its key, until it is full. Enter does nothing here.")
         if "skip" in prompt.choices:
             cost = self.tr(
                 "Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell."
@@ -216,11 +275,12 @@ class PromptCard(Card):
             self.choices[""].clicked.connect(lambda: self.answered.emit(""))
             self._buttons.addWidget(self.choices[""])
 
-    def _button(self, words: str, key: Qt.Key | None) -> QPushButton:
+    def _button(self, words: str, key: Qt.Key | None, *, held: bool = False) -> QPushButton:
         if key is None:
             return button(words, self.tr("Answer: {0}").format(words))
-        made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
-        words = self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_"))
+        made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key, held_by_mouse=held)
+        how = self.tr("Hold this button, or {0}, for 0.7 s") if held else self.tr("Click, or hold {0} for 0.7 s")
+        words = how.format(key.name.removeprefix("Key_"))
         made.setToolTip(words)
         made.tapped.connect(lambda: self._say_tapped(words))
         return made
@@ -231,7 +291,7 @@ class PromptCard(Card):
         self.hint.setText(self.tr("▲ Let go too early. {0}.").format(words))
 
     def _enter(self) -> None:
-        if self._prompt is not None and (SERIAL in self._prompt.drawing or not self._prompt.acts):
+        if self._prompt is not None and (SERIAL in self._prompt.drawing or (self.alive and not self._prompt.acts)):
             self._send_text()  # a scanner that is as slow as a person ends what it reads by Enter
 
     def _choose(self) -> None:
