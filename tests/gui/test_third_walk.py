@@ -124,3 +124,18 @@ def test_of_a_silent_dut_plug_and_power_are_named_in_the_panel(still):
     says(still, "dut")
     (row,) = [row.text() for row in still.side.instrument_rows if row.text().startswith("✕ dut")]
     assert row.startswith("✕ dut  silent (plug? power?)")
+
+
+def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):
+    live = begun(still)
+    asks = still.app_state.bench_worker.items.emit
+    asks((Prompt(3.0, "ready", "The coils go to 50 µT and the platform turns. Hands off?", acts=True),))
+    assert live.prompt.details.isHidden()
+    says(still, "dut")
+    assert live.prompt.details.text().startswith("✕ No answer from dut. Put that right first")
+    still_lost = "Still lost: dut (silent). Put that right first: a step begun now fails again."
+    asks((Prompt(4.0, "ready", still_lost, acts=True),))
+    assert live.prompt.text.text() == still_lost
+    says(still)
+    assert live.prompt.details.isHidden()
+    assert live.prompt.text.text() == "Every instrument answers again. Hands off?"

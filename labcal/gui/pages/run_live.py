@@ -320,6 +320,7 @@ class Live(QWidget):
             self.put_away.emit()
         now = self._app_state.lab.state.now
         self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self.prompt.say_lost(now.failed)
         if self._run.fault is not None:
             self._say_coils_left()
 
@@ -343,6 +344,7 @@ class Live(QWidget):
     def _ask(self) -> None:
         prompt = self._run.prompt
         self.prompt.show_prompt(prompt)
+        self.prompt.say_lost(self._app_state.lab.state.now.failed)
         decided = self._run.state == "ended" and not self._details
         over = self.answer_for if self.answer_for.asks else self.verdict
         shown = self.prompt if prompt is not None else over if decided else self._picture

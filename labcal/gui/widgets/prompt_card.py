@@ -76,6 +76,9 @@ def answer_label(prompt: Prompt, choice: str) -> str:
     return translated(WORDS.get(choice, choice))
 
 
+HANDS_OFF, STILL_LOST = "ready", "Still lost"  # the question before anything is energised; asked again in these words
+
+
 class PromptCard(Card):
     """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices.
 
@@ -170,6 +173,16 @@ class PromptCard(Card):
         )
         states = [mark for _, mark in marks.values()]
         set_state(self.lab, next((one for one in ("bad", "warning", "good") if one in states), ""))
+
+    def say_lost(self, lost: list[str]) -> None:
+        """Who does not answer, below a question that energises or turns: its answer is not taken until it does."""
+        if self._prompt is None or self._prompt.key != HANDS_OFF:
+            return
+        said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
+        self.details.setText(said.format(", ".join(lost)) if lost else "")
+        self.details.setVisible(bool(lost))
+        if not lost and self._prompt.text.startswith(STILL_LOST):
+            self.text.set_text(self.tr("Every instrument answers again. Hands off?"))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
