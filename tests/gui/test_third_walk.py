@@ -5,13 +5,13 @@ import time
 import numpy as np
 from lab_states import told
 
-from labcal.bench.coils.state import CoilReading, Heard, LabState
+from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.record import Segment
-from labcal.record.stream import Block, Prompt, SegmentOpened
+from labcal.record.stream import FAULT, Block, Event, Prompt, SegmentOpened
 from labcal.runner.rehearsal import Rehearsal
 
 LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then begin this step again.")
@@ -22,12 +22,11 @@ def begun(still):
     return still.page("Run").live
 
 
-def says(still, *faulty):
+def says(still, *faulty, z_A=0.0, platform=None):
     now = time.monotonic()
-    coils = tuple(CoilReading(a, None, 0.0, True, None, now) for a in "xyz")
-    still.app_state.bench_worker.states.emit(
-        LabState(coils, instruments=tuple(Heard(n, now, "silent") for n in faulty))
-    )
+    coils = tuple(CoilReading(a, None, i, not i, None, now) for a, i in (("x", 0.0), ("y", 0.0), ("z", z_A)))
+    heard = tuple(Heard(n, now, "silent") for n in faulty)
+    still.app_state.bench_worker.states.emit(LabState(coils, instruments=heard, platform=platform))
 
 
 def test_what_is_lost_is_in_the_largest_letters_while_the_run_goes_on_and_after_it(still):
@@ -138,4 +137,36 @@ def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):
     assert live.prompt.text.text() == still_lost
     says(still)
     assert live.prompt.details.isHidden()
-    assert live.prompt.text.text() == "Every instrument answers again. Hands off?"
+    assert live.prompt.text.text() == "Every instrument answers again."
+
+
+def test_as_long_as_anything_is_on_or_turns_the_headline_keeps_hands_off(still):
+    live, emit = begun(still), still.app_state.bench_worker.items.emit
+    emit((SegmentOpened(1.0, Segment("z+50uT", "rotation")),))
+    turns, now = PlatformReading(220.0, True, time.monotonic()), time.monotonic()
+    for z_A, platform, said in (
+        (1.13, turns, "HANDS OFF – no answer from dut; coils on, platform turning"),
+        (0.0, turns, "HANDS OFF – no answer from dut; platform turning"),
+        (0.0, PlatformReading(220.0, True, now - 12), "HANDS OFF – no answer from dut; platform may turn"),
+        (0.0, PlatformReading(220.0, False, now), "✕ No answer from dut"),
+    ):
+        says(still, "dut", z_A=z_A, platform=platform)
+        live.draw()
+        assert live.headline.text() == said
+    lost = "dut: no sample for 2.1 s. Is its plug in at both ends, and has it power?"
+    emit((Event(2.0, FAULT, lost, {"step": "z+50uT", "fault": "silent"}),))
+    assert still.app_state.run.message == "dut: no sample for 2.1 s"
+
+
+def test_a_platform_that_turned_when_it_was_read_last_is_not_said_to_turn_now():
+    turned = PlatformReading(220.0, True, 10.0)
+    assert turned.sentence(11.0) == "platform turns, at 220°"
+    assert turned.sentence(22.0) == "platform NOT confirmed at a standstill: at 220° it turned, 12 s ago"
+
+
+def test_a_failed_steps_headline_is_no_longer_than_its_instrument_is_lost(still):
+    card = failed(still, no_answer="dut", what="dut: no sample for 2.1 s.", remedy="Is its plug in?")
+    says(still, "dut")
+    assert card.text.text() == "✕ No answer from dut"
+    says(still)
+    assert card.text.text() == "Every instrument answers again."

@@ -31,7 +31,9 @@ def turned(path: Path, happens: Callable[[Any], None]) -> tuple[Outcome, list[It
 
         def tell(item: Item) -> None:
             items.append(item)
-            said.extend([True] if isinstance(item, Event) and item.kind == "answer" and item.data["key"] == "ready" else [])
+            said.extend(
+                [True] if isinstance(item, Event) and item.kind == "answer" and item.data["key"] == "ready" else []
+            )
             if len(said) == 2 and isinstance(item, Event) and item.data.get("key") == "ready":
                 happens(lab)
 

@@ -119,9 +119,11 @@ class PlatformReading:
         """What may be said of it at `now_s`."""
         if self.moving is None or self.angle_deg is None or self.read_s is None:
             return MAY_TURN
+        age_s = now_s - self.read_s
         if self.moving:
-            return f"platform turns, at {self.angle_deg:.0f}°"
-        if (age_s := now_s - self.read_s) > FRESH_S:
+            turns = f"platform turns, at {self.angle_deg:.0f}°"
+            return turns if age_s <= FRESH_S else f"{MAY_TURN}: at {self.angle_deg:.0f}° it turned, {ago(age_s)}"
+        if age_s > FRESH_S:
             return f"platform stands at {self.angle_deg:.0f}°, read {ago(age_s)}"
         return f"platform stands at {self.angle_deg:.0f}°"
 

@@ -21,7 +21,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark
+from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.answer_for import AnswerForCard
@@ -388,6 +388,8 @@ class Live(QWidget):
             return words[run.state]
         if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
             return alarm
+        if lost and (live := still_live(self._app_state.lab.state.now)):  # nobody is sent to a plug before they rest
+            return self.tr("HANDS OFF – no answer from {0}; {1}").format(", ".join(lost), live)
         if lost:
             return translated(str(SHOWN)).format(", ".join(lost))
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from labcal.bench.named_links import named_links
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.record.stream import FAULT, Prompt
+from labcal.record.stream import FAULT, Event, Prompt
 
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
@@ -38,6 +40,14 @@ def below(prompt: Prompt, again: str) -> str:
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
     return " ".join(part for part in (known, in_words(remedy), button) if part)
+
+
+def said_of(event: Event, links: Mapping[str, str]) -> str:
+    """What has happened, in one line; what to do about it comes with the question, once coils and platform rest."""
+    said = named_links(event.text, links)
+    if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
+        return f"{said.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
+    return said.partition(". ")[0] if event.kind == FAULT else said
 
 
 def _plain(what: str) -> str:

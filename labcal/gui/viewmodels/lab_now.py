@@ -34,6 +34,9 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
+    QT_TRANSLATE_NOOP("Words", "coils on"),
+    QT_TRANSLATE_NOOP("Words", "platform turning"),
+    QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
 
 
@@ -135,6 +138,13 @@ def platform_mark(words: str) -> tuple[str, str]:
     if words.startswith(state.MAY_TURN):
         return "✕", "bad"
     return ("●", "warning") if words.startswith("platform turns") else ("✓", "good" if "," not in words else "old")
+
+
+def still_live(now: LabNow) -> str:
+    """By what was read last: coils that are on, a platform that turns or may; "" where hands may go near."""
+    turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
+    on = "coils on" if now.coil_words.startswith("coils on") else ""
+    return ", ".join(translated(words) for words in (on, turns) if words)
 
 
 def alarm_of(coil_words: str) -> str:

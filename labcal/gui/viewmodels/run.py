@@ -31,7 +31,7 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.viewmodels.failed_step import asked_text
+from labcal.gui.viewmodels.failed_step import asked_text, said_of
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
@@ -339,9 +339,7 @@ class RunViewModel(QObject):
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
-            self.message = named_links(event.text, self.links)
-            if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
-                self.message = f"{self.message.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
+            self.message = said_of(event, self.links)
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""

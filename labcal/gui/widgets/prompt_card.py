@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.failed_step import asked_text, below, headline
+from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
 from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
@@ -92,6 +92,7 @@ class PromptCard(Card):
         super().__init__()
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
+        self._lost = False  # somebody, since it was asked
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -136,7 +137,7 @@ class PromptCard(Card):
         """Ask `prompt`; the same one again changes nothing."""
         if prompt is self._prompt:
             return
-        self._prompt = prompt
+        self._prompt, self._lost = prompt, False
         self.camera.watch(prompt is not None and MOUNTING in prompt.drawing)
         if prompt is None:
             self.call.stop()
@@ -175,14 +176,22 @@ class PromptCard(Card):
         set_state(self.lab, next((one for one in ("bad", "warning", "good") if one in states), ""))
 
     def say_lost(self, lost: list[str]) -> None:
-        """Who does not answer, below a question that energises or turns: its answer is not taken until it does."""
-        if self._prompt is None or self._prompt.key != HANDS_OFF:
+        """Who does not answer, below a question that energises or turns: its answer is not taken until it does.
+
+        A headline that says who is lost is true no longer than that.
+        """
+        if self._prompt is None:
+            return
+        says = NO_ANSWER in self._prompt.drawing or self._prompt.text.startswith(STILL_LOST)
+        if says and bool(lost) is not self._lost and (lost or self._lost):
+            again = self.tr("Every instrument answers again.")
+            self.text.set_text(unbroken(headline(self._prompt)) if lost else again)
+        self._lost = bool(lost)
+        if self._prompt.key != HANDS_OFF:
             return
         said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
         self.details.setText(said.format(", ".join(lost)) if lost else "")
         self.details.setVisible(bool(lost))
-        if not lost and self._prompt.text.startswith(STILL_LOST):
-            self.text.set_text(self.tr("Every instrument answers again. Hands off?"))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
