@@ -167,7 +167,7 @@ class Listening:
             return []
 
     def _dut_missed_s(self) -> float:
-        """How long the DUT may be missed: with coils on as long as until it is called silent, for hands go to its plug."""
+        """How long the DUT may be missed: with coils on until it is called silent, as hands go to its plug."""
         return NOTICED_S if self._cage.on else math.inf
 
     def _reference_missed_s(self) -> float:

@@ -1,4 +1,4 @@
-"""Who puts an instrument right has a hand at its plug: nothing is energised or turned before "hands off" is said anew."""
+"""Who puts an instrument right has a hand at its plug: nothing comes on or turns before "hands off" is said anew."""
 
 from __future__ import annotations
 
