@@ -6,12 +6,14 @@ import numpy as np
 from lab_states import told
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading
-from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.answers import Ended, RunLine
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.start import to_be_resumed
+from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.record import Segment
-from labcal.record.stream import FAULT, Block, Event, Prompt, SegmentOpened
+from labcal.record.stream import FAULT, Block, Event, Measurement, Prompt, SegmentOpened, Step
 from labcal.runner.rehearsal import Rehearsal
 
 LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then begin this step again.")
@@ -170,3 +172,35 @@ def test_a_failed_steps_headline_is_no_longer_than_its_instrument_is_lost(still)
     assert card.text.text() == "✕ No answer from dut"
     says(still)
     assert card.text.text() == "Every instrument answers again."
+
+
+def test_what_cannot_be_gone_on_with_is_offered_nowhere(still):
+    still.app_state.resumable = frozenset({"preflight"})
+    still.app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
+    live = still.page("Run").live
+    told(still)
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
+    assert live.go_on.isHidden()
+    said = live.fault.remedy.text(), live.verdict.next.text(), live.verdict.rule.text()
+    assert not any("Go on" in words for words in said)
+    began = "2026-11-22T01:10:00+00:00"
+    lines = tuple(
+        RunLine(f"r-{n}", began, "interrupted", "EM-07", "J. Doe", n) for n in ("rotate-axis", "preflight")
+    )
+        RunLine(f"r-{name}", "2026-11-22T01:10:00+00:00", "interrupted", "EM-07", "J. Doe", name)
+        for name in ("rotate-axis", "preflight")
+    )
+    assert [one.procedure for one in to_be_resumed(lines, still.app_state.resumable)] == ["preflight"]
+
+
+def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):
+    live, emit = begun(still), still.app_state.bench_worker.items.emit
+    names = ("mount-x", "closure-x", "closing")
+    for number, name in ((1, "mount-x"), (3, "closing")):
+        emit((Step(1.0, number, 3, name, 0.0, names),))
+    emit((Measurement(2.0, "closure, |B|", 1.0, 0.1, "nT", 500.0),))
+    still.app_state.run.skipped.add("closure-x")
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
+    verdict = run_verdict(still.app_state.run)
+    assert (verdict.word, verdict.state) == ("▲ PASS, without closure-x", "warning")
+    assert live.verdict.isVisibleTo(live)

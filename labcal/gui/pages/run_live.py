@@ -54,6 +54,7 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
+        self._goes_on = False  # it has ended, and may be gone on with
         self._drawn, self._ticks = -1, 0
         self._details = False  # of a run that has ended: what was measured is shown in place of the verdict
         row = QHBoxLayout(self)
@@ -244,7 +245,7 @@ class Live(QWidget):
         turned = bool(run.names or run.locus)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
         decided = ended and not self._details  # the verdict has the whole place
-        again = (
+        again = self._goes_on = (
             ended
             and bool(run.run_id)
             and run.status == "interrupted"
@@ -301,11 +302,11 @@ class Live(QWidget):
             "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. "
             "Or Close, and begin anew."
         )
-        return self.fault.text.setText(goes_on if self._run.status == "interrupted" else kept)
+        return self.fault.text.setText(goes_on if self._goes_on else kept)
 
     def _where_to_begin_again(self) -> str:
         """By which button, now that the run has ended."""
-        if self._run.status == "interrupted":
+        if self._goes_on:
             return self.tr("Here that is Go on: what was finished is kept.")
         return self.tr("This run has ended: Close, then Begin measures anew.")
 
