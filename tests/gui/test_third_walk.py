@@ -184,12 +184,7 @@ def test_what_cannot_be_gone_on_with_is_offered_nowhere(still):
     said = live.fault.remedy.text(), live.verdict.next.text(), live.verdict.rule.text()
     assert not any("Go on" in words for words in said)
     began = "2026-11-22T01:10:00+00:00"
-    lines = tuple(
-        RunLine(f"r-{n}", began, "interrupted", "EM-07", "J. Doe", n) for n in ("rotate-axis", "preflight")
-    )
-        RunLine(f"r-{name}", "2026-11-22T01:10:00+00:00", "interrupted", "EM-07", "J. Doe", name)
-        for name in ("rotate-axis", "preflight")
-    )
+    lines = tuple(RunLine(f"r-{n}", began, "interrupted", "EM-07", "J. Doe", n) for n in ("rotate-axis", "preflight"))
     assert [one.procedure for one in to_be_resumed(lines, still.app_state.resumable)] == ["preflight"]
 
 
