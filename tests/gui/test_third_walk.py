@@ -6,8 +6,8 @@ import numpy as np
 from lab_states import told
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading
-from labcal.gui.ipc.answers import Ended, RunLine
-from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.answers import CoilEnd, Ended, RunLine, SwitchedOff
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.start import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
@@ -199,3 +199,17 @@ def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):
     verdict = run_verdict(still.app_state.run)
     assert (verdict.word, verdict.state) == ("▲ PASS, without closure-x", "warning")
     assert live.verdict.isVisibleTo(live)
+
+
+def test_a_persons_own_coils_off_is_called_so_and_names_the_platform(still):
+    live = begun(still)
+    says(still, platform=PlatformReading(220.0, True, time.monotonic() - 12))
+    still.app_state.coils_off()
+    still.app_state.bench_worker.asked[-1].failed(Fault("ended", "The work was ended by this window."))
+    assert live.fault.heading.text() == "■ Ended by COILS OFF (F12)"
+    assert still.app_state.run.status == "interrupted"
+    ends = tuple(CoilEnd(a, 0.0, "0 A, open", True, time.monotonic()) for a in "xyz")
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends, ""))
+    said = still.app_state.lab.state.message
+    assert said.startswith("COILS OFF done ")
+    assert "platform NOT confirmed at a standstill: at 220° it turned, 12 s ago: stop it at its controller" in said

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.named_links import named_links
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.record.stream import FAULT, Event, Prompt
@@ -17,6 +19,7 @@ BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a li
 AGAIN = "begin this step again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
+BY_OFF = QT_TRANSLATE_NOOP("Words", "The run did not end by itself within seconds, so its process was ended.")
 THEN = QT_TRANSLATE_NOOP("Words", "Then “{0}”.")
 
 
@@ -40,6 +43,11 @@ def below(prompt: Prompt, again: str) -> str:
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
     return " ".join(part for part in (known, in_words(remedy), button) if part)
+
+
+def ended_by_off(fault: Fault) -> Fault:
+    """What a person's own COILS OFF did is called by its name, also where the run's process had to be ended for it."""
+    return replace(fault, kind="off", text=translated(str(BY_OFF))) if fault.kind == "ended" else fault
 
 
 def said_of(event: Event, links: Mapping[str, str]) -> str:

@@ -35,6 +35,8 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
     QT_TRANSLATE_NOOP("Words", "coils on"),
+    QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
+    QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     QT_TRANSLATE_NOOP("Words", "platform turning"),
     QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
@@ -138,6 +140,14 @@ def platform_mark(words: str) -> tuple[str, str]:
     if words.startswith(state.MAY_TURN):
         return "✕", "bad"
     return ("●", "warning") if words.startswith("platform turns") else ("✓", "good" if "," not in words else "old")
+
+
+def off_words(coils: str, platform_words: str) -> str:
+    """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands."""
+    said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
+    stop = translated("stop it at its controller, and see it stand")
+    turns = f"{in_words(platform_words)}: {stop}" if platform_mark(platform_words)[1] in ("bad", "warning") else ""
+    return "; ".join(filter(None, (said, turns or in_words(platform_words))))
 
 
 def still_live(now: LabNow) -> str:
