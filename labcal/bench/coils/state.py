@@ -25,6 +25,7 @@ NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
 NOT_SINCE = "coils not read back since another process was asked to switch them off"
 NOT_ASKED = "no reference was asked"
+ON = "coils on"
 MAY_TURN = "platform NOT confirmed at a standstill"
 OPEN_THEM = "Open the outputs that can open, or switch the supplies off at their mains"
 Verdict = Literal["agrees", "disagrees", "not known"]
@@ -122,10 +123,14 @@ class PlatformReading:
         age_s = now_s - self.read_s
         if self.moving:
             turns = f"platform turns, at {self.angle_deg:.0f}°"
-            return turns if age_s <= FRESH_S else f"{MAY_TURN}: at {self.angle_deg:.0f}° it turned, {ago(age_s)}"
+            return turns if age_s <= FRESH_S else _turned(self.angle_deg, ago(age_s))
         if age_s > FRESH_S:
             return f"platform stands at {self.angle_deg:.0f}°, read {ago(age_s)}"
         return f"platform stands at {self.angle_deg:.0f}°"
+
+
+def _turned(angle_deg: float, when: str) -> str:
+    return f"platform NOT confirmed at a standstill: at {angle_deg:.0f}° it turned, {when}"
 
 
 def ago(age_s: float) -> str:

@@ -99,11 +99,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read back: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -752,6 +748,26 @@
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is slow: rows wait {0} s in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk takes what is recorded again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: body {1} is up, not {2}. Mount it again: this turn says nothing of {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5564,6 +5580,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hands off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6127,6 +6147,14 @@
     </message>
     <message>
         <source>Scan it, or type it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every instrument answers again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7080,6 +7108,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>■ Ended by COILS OFF (F12)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ CLEAN</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7708,6 +7740,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>COILS OFF done {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform may turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7805,6 +7853,10 @@
     </message>
     <message>
         <source>Not measured: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, without {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7925,6 +7977,10 @@
     </message>
     <message>
         <source>Here that is “{0}”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run did not end by itself within seconds, so its process was ended.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -34,7 +34,6 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
-    QT_TRANSLATE_NOOP("Words", "coils on"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     QT_TRANSLATE_NOOP("Words", "platform turning"),
@@ -153,8 +152,8 @@ def off_words(coils: str, platform_words: str) -> str:
 def still_live(now: LabNow) -> str:
     """By what was read last: coils that are on, a platform that turns or may; "" where hands may go near."""
     turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
-    on = "coils on" if now.coil_words.startswith("coils on") else ""
-    return ", ".join(translated(words) for words in (on, turns) if words)
+    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else ""
+    return ", ".join(filter(None, (on, translated(turns) if turns else "")))
 
 
 def alarm_of(coil_words: str) -> str:
