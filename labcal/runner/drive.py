@@ -142,7 +142,7 @@ class Drive:
 
     def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
         item = _later(item, self.offset_s) if self.offset_s else item
-        with self._zero_unless_kept():
+        with self.zero_unless_kept():
             self.write(item)
         if isinstance(item, Event) and item.kind == FAULT:
             self._fault_kept = item.text
@@ -232,7 +232,7 @@ class Drive:
         Told once: what the procedure then undoes is not broken off. Nothing breaks off the way to zero. Where the coils
         are still on a moment later, because it undoes other things first or goes on all the same, they are taken there.
         """
-        with self._zero_unless_kept():
+        with self.zero_unless_kept():
             self.kept()
         self._keep_news()
         if not self.bench.cage.on:
@@ -248,7 +248,7 @@ class Drive:
             self._zero_at_once()
 
     @contextmanager
-    def _zero_unless_kept(self) -> Iterator[None]:
+    def zero_unless_kept(self) -> Iterator[None]:
         """Where the record is not kept the coils go to zero before anybody hears of it; from then on rows only wait."""
         try:
             yield

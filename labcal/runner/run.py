@@ -224,7 +224,7 @@ def _drive(
     offset_s: float,
     before: Iterable[Item] = (),
 ) -> Outcome:
-    seen = _Seen(on_item)
+    seen = SeenInRun(on_item)
     for item in filter(_still_counts, before):  # else a limit that was not met before the interruption is forgotten
         seen.notice(item)
     if isinstance(bench.clock, VirtualClock):
@@ -281,7 +281,7 @@ def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
 
 
 @dataclass
-class _Seen:
+class SeenInRun:
     """What the outcome says of a run's items, taken down while they pass on to `on_item`."""
 
     on_item: OnItem
@@ -311,6 +311,7 @@ class _Seen:
         return not self.energised or (isinstance(fault, LimitNotMet) and self.steps <= done)
 
     def notice(self, item: Item) -> None:
+        """Take down what counts of it, and hand it on."""
         if isinstance(item, Step):
             self.steps.add(item.name)
         if isinstance(item, Measurement):

@@ -27,7 +27,7 @@ from labcal.record.stream import NOT_KEPT, SLOW_DISK, Block, Event, Item
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.runner.control import NotKept
 from labcal.runner.drive import Drive
-from labcal.runner.run import _Seen
+from labcal.runner.run import SeenInRun
 from labcal.store import RunWriter, Store, live, writer
 
 BenchFile = Callable[..., Path]
@@ -267,7 +267,7 @@ def test_a_disk_that_is_busy_for_seconds_is_said_and_ends_nothing(
 
 def test_that_rows_wait_is_said_once_a_second_and_when_they_do_no_more() -> None:
     said = list[Any]()
-    seen = _Seen(said.append)
+    seen = SeenInRun(said.append)
     for waited_s in (0.2, 1.1, 1.3, 2.4, 0.1, 0.2):
         seen.waits(5.0, waited_s)
     assert [item.text for item in said] == [
@@ -284,5 +284,5 @@ def test_a_run_that_rests_at_a_question_waits_for_a_disk_as_for_a_person(
     with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
         drive = Drive(bench, lambda item: None, yes_to_all(True))
         bench.asking = asking
-        with pytest.raises(NotKept) if ends else nullcontext(), drive._zero_unless_kept():
+        with pytest.raises(NotKept) if ends else nullcontext(), drive.zero_unless_kept():
             raise InstrumentError("the disk did not take it.", fault="store slow")
