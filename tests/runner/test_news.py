@@ -27,7 +27,7 @@ def bench() -> Iterator[Bench]:
 
 
 def waits_long(bench: Bench, looks: bool) -> Procedure:
-    """Twelve seconds go by in small steps, coils at zero; in eight of them the DUT sends nothing. Nothing is yielded."""
+    """Twelve seconds go by in small steps, coils at zero; in eight of them the DUT sends nothing. It yields nothing."""
     dut: Any = bench._links["dut"]
     emit = dut._emulator.emit
     yield note(bench, "begins")
