@@ -59,7 +59,8 @@ def check_axes(
     words: list[str] = []
     if reference is not None:
         words += yield from _compare(bench, "reference", reference @ np.linalg.inv(made), limit_deg)
-    words += yield from _compare(bench, "DUT", dut @ np.linalg.inv(at_zero @ made), limit_deg)
+    of_dut = yield from _compare(bench, "DUT", dut @ np.linalg.inv(at_zero @ made), limit_deg)
+    words += another_up(bench.config.platform.axis_cage, dut @ np.linalg.inv(made), axis) or of_dut
     if not words:
         words += yield from _sense_of_angle(bench, axis, step_nT, dwell_s, turn_deg, limit_deg)
     yield from coils_off(bench)
@@ -89,6 +90,16 @@ def _compare(bench: Bench, who: str, seen: Array, limit_deg: float) -> Work[list
         beside = float(np.degrees(np.arccos(np.clip(row @ wanted, -1, 1))))
         yield from measured(bench, f"{who} {name} points beside by", beside, 1.0, "deg", limit_deg)
     return describe(who, seen, limit_deg)
+
+
+def another_up(axis_cage: Sequence[float], body_from_cage: Array, axis: str) -> list[str]:
+    """Which body axis stands along the platform's in place of `axis`; none where its axes are wrong."""
+    up = unit(body_from_cage @ np.asarray(axis_cage))
+    nearest = int(np.argmax(np.abs(up)))
+    shown = ("−" if up[nearest] < 0 else "") + NAMES[nearest].upper()
+    if np.linalg.det(body_from_cage) < 0 or shown == axis.upper():
+        return []
+    return [f"body {shown} is up, not {axis.upper()}"]
 
 
 def describe(who: str, seen: Array, limit_deg: float) -> list[str]:

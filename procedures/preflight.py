@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.bench.axis_up import WrongAxis
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Least, Limits
@@ -193,10 +194,7 @@ def _open_and_check_axes(bench: Bench, setting: PreflightPlan, axis: str, resume
             yield from check_axes(bench, axis, 5_000.0, 2.0, 20.0, 15.0)
             return first
         except LimitNotMet as wrong:
-            yield from coils_off(bench)
-            choices = ("stop", REMOUNT)
-            if (yield Prompt(bench.clock.now(), "opening-failed", str(wrong), choices)) != REMOUNT:
-                raise
+            yield from _mounted_wrongly(bench, "opening-failed", wrong)
             stood = ""
 
 
@@ -246,19 +244,42 @@ def _about(
     if axis != mounted:
         yield from _mount_or_redo(bench, setting, f"mount-{axis}", axis, last)
         yield from switch_mode(bench, setting.modes[0])
-    yield from _turns(bench, setting, axis, done)
+    yield from _turns_about_it(bench, setting, axis, done)
+
+
+def _turns_about_it(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]) -> Work[None]:
+    """Every turn about one body axis; where another was up nothing of them is used, and they begin anew."""
+    while True:
+        try:
+            return (yield from _turns(bench, setting, axis, done))
+        except WrongAxis as wrong:
+            yield from _mounted_wrongly(bench, f"wrong-axis-{axis}", wrong)
+            yield not_used(bench, [name for name, _, _ in setting.left(axis, done)], str(wrong))
+            setting.estimate.forget()
+            yield setting.plan().begin(bench, f"mount-{axis}")
+            yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
+            yield from switch_mode(bench, setting.modes[0])
+
+
+def _mounted_wrongly(bench: Bench, key: str, wrong: LimitNotMet) -> Work[None]:
+    """Coils off, and ask whether it is mounted again. Raises `wrong` where the person stops."""
+    yield from coils_off(bench)
+    yield from standstill(bench)
+    if (yield Prompt(bench.clock.now(), key, str(wrong), ("stop", REMOUNT))) != REMOUNT:
+        raise wrong
 
 
 def _mount_or_redo(bench: Bench, setting: PreflightPlan, key: str, axis: str, last: str) -> Work[None]:
-    """Ask to mount `axis`; until that is done, the turns about the `last` axis, still mounted, may be redone."""
+    """Ask to mount `axis`; until that is done, the `last` axis may be mounted and turned anew."""
     redo = (f"redo {last}",) if last else ()
     while (yield from mount(bench, key, attitude(bench, axis), how_to_mount(axis), *redo)) != "done":
         asked = f"Why is axis {last.upper()} redone? What was measured stays in the record, marked as not used."
         reason = yield Prompt(bench.clock.now(), f"redo-{last}", asked, ())
         yield not_used(bench, [name for name, _, _ in setting.turns(last)], reason or "")
         setting.estimate.forget()
+        yield from mount(bench, f"mount-{last}", attitude(bench, last), how_to_mount(last))
         yield from switch_mode(bench, setting.modes[0])
-        yield from _turns(bench, setting, last, frozenset())
+        yield from _turns_about_it(bench, setting, last, frozenset())
 
 
 def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]) -> Work[None]:

@@ -197,8 +197,13 @@ class Bench:
         return sorted(self._listening.events(), key=lambda event: event.t_s)
 
     def news(self) -> list[Event]:
-        """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
-        return sorted(self._listening.news() + self._look.news(), key=lambda event: event.t_s)
+        """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened.
+
+        With the coils at zero somebody may be at its plug: hands are near until they are denied again.
+        """
+        news = sorted(self._listening.news() + self._look.news(), key=lambda event: event.t_s)
+        self.hands_near = self.hands_near or (bool(news) and not self.cage.on)
+        return news
 
     def named(self, text: str, *, brief: bool = False) -> str:
         """`text` with the instruments' names before their links, or in their place."""

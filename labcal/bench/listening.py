@@ -22,7 +22,7 @@ from labcal.bench.links.urls import is_connection
 from labcal.bench.streams.reconnect import Reconnecting
 from labcal.bench.streams.reference import blind, into_cage
 from labcal.bench.streams.samples import merged
-from labcal.bench.streams.watch import FieldLimit, StreamWatch, TemperatureLimit
+from labcal.bench.streams.watch import NOTICED_S, FieldLimit, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
@@ -52,7 +52,13 @@ class Listening:
         self._config, self._clock, self._cage, self._carry = config, clock, cage, carry
         self._dut, self._reference, self._waited_for = dut, reference, waited_for
         self._streams = [
-            Reconnecting(dut, partial(reconnect, dut.name), PATIENCE * config.dut.silent_s, waited_for=waited_for),
+            Reconnecting(
+                dut,
+                partial(reconnect, dut.name),
+                PATIENCE * config.dut.silent_s,
+                self._dut_missed_s,
+                waited_for=waited_for,
+            ),
             Reconnecting(
                 reference,
                 partial(reconnect, reference.name),
@@ -104,7 +110,7 @@ class Listening:
             if block.values.shape[1] == 3:
                 self._cage.check.see(block.t_s, block.values)
                 self.field = self.field.seen(block.t_s, block.values)
-        left_s = math.inf, self._reference_missed_s()
+        left_s = self._dut_missed_s(), self._reference_missed_s()
         for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:
                 may_s = math.inf if stream.wrong else left
@@ -159,6 +165,10 @@ class Listening:
         except InstrumentError as fault:
             faults.append(fault)
             return []
+
+    def _dut_missed_s(self) -> float:
+        """How long the DUT may be missed: with coils on until it is called silent, as hands go to its plug."""
+        return NOTICED_S if self._cage.on else math.inf
 
     def _reference_missed_s(self) -> float:
         """How long the reference may be missed: with coils on, what two seconds leave after the ramp to zero."""

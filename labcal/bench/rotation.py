@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.bench.axis_up import refuse_another_axis
 from labcal.bench.bench import Bench
 from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
 from labcal.bench.streams.samples import samples
@@ -82,9 +83,13 @@ def _fastest(bench: Bench) -> float:
 
 
 def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
-    """Record one turn as a segment, with its coverage, noise and sense; sectors missing by hand are asked for."""
+    """Record one turn as a segment, with its coverage, noise and sense; sectors missing by hand are asked for.
+
+    Raises WrongAxis where another body axis is up than it says.
+    """
     how = _by_motor if bench.platform.motorised else _by_hand
     blocks = yield from recorded(bench, rotation.segment(bench), how(bench, rotation))
+    refuse_another_axis(bench, rotation.name, rotation.axis_body, blocks)
     missing, seen = missing_sectors(blocks), look_at_turn(bench, rotation.axis_body, blocks)
     yield from measured(bench, f"{rotation.name}: missing sectors", len(missing), 0.0, "", limit=0.0)
     stated = bench.config.dut.noise_nT

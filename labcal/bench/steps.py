@@ -215,7 +215,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
                 answer = yield Prompt(bench.clock.now(), f"failed-{name}", still, choices, drawing={FAULT: still})
             if answer == "stop":
                 raise
-            bench.hands_near = answer != "retry"  # "Hands off: try again"
+            bench.hands_near = answer != "retry" or bool(bench.still_wrong())  # "Hands off: try again"
             if answer == "skip":
                 reason = yield Prompt(bench.clock.now(), f"skip-{name}", f"Why is {name} skipped?", ())
                 yield Event(bench.clock.now(), "skip", f"{name} skipped: {reason}", {"step": name, "reason": reason})
@@ -311,9 +311,16 @@ def switch_mode(bench: Bench, mode: str) -> Work[None]:
 
 
 def ready(bench: Bench, text: str) -> Work[None]:
-    """Ask whether all hands are off; whoever says so stands back until the next question."""
+    """Ask whether all hands are off; whoever says so stands back until the next question.
+
+    While an instrument is lost nobody's word is taken: who puts it right has a hand at its plug. It is asked again.
+    """
     yield Prompt(bench.clock.now(), "ready", text, acts=True)
+    if still := bench.still_wrong():
+        yield from record(bench, TICK_S)  # what stays away for too long ends this, whoever answers
+        return (yield from ready(bench, still))
     bench.hands_near = False
+    return None
 
 
 def hands_off(bench: Bench, what: str) -> Work[None]:

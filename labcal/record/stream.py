@@ -138,6 +138,7 @@ NOT_USED = (
     "not-used"  # an Event of this kind: the segments so far that its data name are kept, and no run is made of them
 )
 RESUMED = "resumed"  # an Event of this kind: an interrupted run is gone on with
+SLOW_DISK = "slow-disk"  # an Event of this kind is told and not kept: rows wait in memory for a busy disk
 NOT_KEPT = "not-kept"  # an Event of this kind: the store does not take what is recorded, or not yet
 FAULT = "fault"  # an Event of this kind: an instrument failed, in a step or so that the run ended
 REMARK = "remark"  # an Event of this kind: what whoever uses the run has to hear of its bench

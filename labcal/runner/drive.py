@@ -23,6 +23,7 @@ from labcal.runner.prompts import Answer, checked
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 PROMPT_S = 1.0  # what is reported later than this says so
 UNDONE_S = 0.3  # that a procedure is given, once it was asked to end, before its coils are taken to zero
+BUSY = ("store slow", "store locked")  # faults of a store that may go away by themselves, with nothing lost
 CLOCK_BACK = "clock set back"
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 OnItem = Callable[[Item], None]
@@ -141,7 +142,7 @@ class Drive:
 
     def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
         item = _later(item, self.offset_s) if self.offset_s else item
-        with self._zero_unless_kept():
+        with self.zero_unless_kept():
             self.write(item)
         if isinstance(item, Event) and item.kind == FAULT:
             self._fault_kept = item.text
@@ -198,6 +199,10 @@ class Drive:
                     self._listen()
         self._keep(self._event("pause", "goes on"))
 
+    @property
+    def _rests(self) -> bool:
+        return self.bench.asking and not self.bench.cage.on
+
     @contextmanager
     def _person_awaited(self) -> Iterator[None]:
         """With the coils at zero a cable may be out meanwhile, as one is while a device is mounted."""
@@ -227,7 +232,7 @@ class Drive:
         Told once: what the procedure then undoes is not broken off. Nothing breaks off the way to zero. Where the coils
         are still on a moment later, because it undoes other things first or goes on all the same, they are taken there.
         """
-        with self._zero_unless_kept():
+        with self.zero_unless_kept():
             self.kept()
         self._keep_news()
         if not self.bench.cage.on:
@@ -243,13 +248,13 @@ class Drive:
             self._zero_at_once()
 
     @contextmanager
-    def _zero_unless_kept(self) -> Iterator[None]:
+    def zero_unless_kept(self) -> Iterator[None]:
         """Where the record is not kept the coils go to zero before anybody hears of it; from then on rows only wait."""
         try:
             yield
         except (InputError, InstrumentError) as fault:
-            if self._rows_wait:
-                return
+            if self._rows_wait or (self._rests and getattr(fault, "fault", "") in BUSY):
+                return  # a run that rests at a question waits for a disk as for a person
             self._rows_wait, self.bench.cage.over = True, (end := NotKept(fault))
             self._zero_at_once()
             self._report_not_kept(fault)

@@ -26,7 +26,7 @@ from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
-from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, RESUMED, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, RESUMED, SLOW_DISK, Event, Item, Measurement, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import CLOCK_BACK, Drive, Ending, OnItem, Show
@@ -40,7 +40,7 @@ INTERRUPTED = "interrupted"
 STORE_GONE = "store gone"
 BY_STORE = "interrupted by its store"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
-LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
+LATE_S = 10.0  # so long rows wait in memory for a busy disk; then true coils go to zero, and the run ends
 LONG_S = 2.0  # that a run waited so long for its end to be kept is said
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
@@ -224,15 +224,20 @@ def _drive(
     offset_s: float,
     before: Iterable[Item] = (),
 ) -> Outcome:
-    seen = _Seen(on_item)
+    seen = SeenInRun(on_item)
     for item in filter(_still_counts, before):  # else a limit that was not met before the interruption is forgotten
         seen.notice(item)
     if isinstance(bench.clock, VirtualClock):
         writer.repeats = True
     else:
         writer.late_s = LATE_S
+
+    def kept() -> None:
+        seen.waits(bench.clock.now() + offset_s, writer.waited_s)
+        writer.check()
+
     bench.dut_serial = dut_serial
-    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, writer.check)
+    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, kept)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and seen.nothing_new(ending.fault, values["resume"].done):
         ending = Ending(INTERRUPTED, ending.fault)
@@ -276,7 +281,7 @@ def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
 
 
 @dataclass
-class _Seen:
+class SeenInRun:
     """What the outcome says of a run's items, taken down while they pass on to `on_item`."""
 
     on_item: OnItem
@@ -285,6 +290,15 @@ class _Seen:
     steps: set[str] = field(default_factory=set)
     store_told_s: float = -math.inf
     wait_told: bool = False
+    waited_s: int = 0
+
+    def waits(self, t_s: float, waited_s: float) -> None:
+        """Tell every second that rows wait for a busy disk, and that they do no more."""
+        before, self.waited_s = self.waited_s, int(waited_s)
+        if self.waited_s > before:
+            self.on_item(Event(t_s, SLOW_DISK, f"the disk is slow: rows wait {self.waited_s} s in memory"))
+        elif before and not self.waited_s:
+            self.on_item(Event(t_s, SLOW_DISK, "the disk takes what is recorded again"))
 
     def not_kept(self, t_s: float, fault: InstrumentError) -> None:
         """Tell once that the end of the run waits for the store; not just after it was told that the store ended it."""
@@ -297,6 +311,7 @@ class _Seen:
         return not self.energised or (isinstance(fault, LimitNotMet) and self.steps <= done)
 
     def notice(self, item: Item) -> None:
+        """Take down what counts of it, and hand it on."""
         if isinstance(item, Step):
             self.steps.add(item.name)
         if isinstance(item, Measurement):

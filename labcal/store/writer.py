@@ -1,4 +1,4 @@
-"""Writing a run while it happens: what is handed in is on the disk within half a second, whatever happens then."""
+"""Writing a run while it happens: what is handed in is on the disk within half a second, unless the disk is busy."""
 
 from __future__ import annotations
 
@@ -89,6 +89,12 @@ class RunWriter:
             raise self._with_wait(fault) if isinstance(fault, InstrumentError) else fault
         if late:
             raise self._slow()
+
+    @property
+    def waited_s(self) -> float:
+        """How long the oldest row has waited for the disk; 0 where none waits."""
+        since_s = self._since_s
+        return 0.0 if since_s is None else _ago(since_s)
 
     def _is_late(self) -> bool:
         """Whether the oldest row has waited too long.

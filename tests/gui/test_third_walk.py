@@ -5,13 +5,15 @@ import time
 import numpy as np
 from lab_states import told
 
-from labcal.bench.coils.state import CoilReading, Heard, LabState
-from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import RunProcedure
+from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading
+from labcal.gui.ipc.answers import CoilEnd, Ended, RunLine, SwitchedOff
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.start import to_be_resumed
+from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.record import Segment
-from labcal.record.stream import Block, Prompt, SegmentOpened
+from labcal.record.stream import FAULT, Block, Event, Measurement, Prompt, SegmentOpened, Step
 from labcal.runner.rehearsal import Rehearsal
 
 LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then begin this step again.")
@@ -22,12 +24,11 @@ def begun(still):
     return still.page("Run").live
 
 
-def says(still, *faulty):
+def says(still, *faulty, z_A=0.0, platform=None):
     now = time.monotonic()
-    coils = tuple(CoilReading(a, None, 0.0, True, None, now) for a in "xyz")
-    still.app_state.bench_worker.states.emit(
-        LabState(coils, instruments=tuple(Heard(n, now, "silent") for n in faulty))
-    )
+    coils = tuple(CoilReading(a, None, i, not i, None, now) for a, i in (("x", 0.0), ("y", 0.0), ("z", z_A)))
+    heard = tuple(Heard(n, now, "silent") for n in faulty)
+    still.app_state.bench_worker.states.emit(LabState(coils, instruments=heard, platform=platform))
 
 
 def test_what_is_lost_is_in_the_largest_letters_while_the_run_goes_on_and_after_it(still):
@@ -124,3 +125,91 @@ def test_of_a_silent_dut_plug_and_power_are_named_in_the_panel(still):
     says(still, "dut")
     (row,) = [row.text() for row in still.side.instrument_rows if row.text().startswith("✕ dut")]
     assert row.startswith("✕ dut  silent (plug? power?)")
+
+
+def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):
+    live = begun(still)
+    asks = still.app_state.bench_worker.items.emit
+    asks((Prompt(3.0, "ready", "The coils go to 50 µT and the platform turns. Hands off?", acts=True),))
+    assert live.prompt.details.isHidden()
+    says(still, "dut")
+    assert live.prompt.details.text().startswith("✕ No answer from dut. Put that right first")
+    still_lost = "Still lost: dut (silent). Put that right first: a step begun now fails again."
+    asks((Prompt(4.0, "ready", still_lost, acts=True),))
+    assert live.prompt.text.text() == still_lost
+    says(still)
+    assert live.prompt.details.isHidden()
+    assert live.prompt.text.text() == "Every instrument answers again."
+
+
+def test_as_long_as_anything_is_on_or_turns_the_headline_keeps_hands_off(still):
+    live, emit = begun(still), still.app_state.bench_worker.items.emit
+    emit((SegmentOpened(1.0, Segment("z+50uT", "rotation")),))
+    turns, now = PlatformReading(220.0, True, time.monotonic()), time.monotonic()
+    for z_A, platform, said in (
+        (1.13, turns, "HANDS OFF – no answer from dut; coils on, platform turning"),
+        (0.0, turns, "HANDS OFF – no answer from dut; platform turning"),
+        (0.0, PlatformReading(220.0, True, now - 12), "HANDS OFF – no answer from dut; platform may turn"),
+        (0.0, PlatformReading(220.0, False, now), "✕ No answer from dut"),
+    ):
+        says(still, "dut", z_A=z_A, platform=platform)
+        live.draw()
+        assert live.headline.text() == said
+    lost = "dut: no sample for 2.1 s. Is its plug in at both ends, and has it power?"
+    emit((Event(2.0, FAULT, lost, {"step": "z+50uT", "fault": "silent"}),))
+    assert still.app_state.run.message == "dut: no sample for 2.1 s"
+
+
+def test_a_platform_that_turned_when_it_was_read_last_is_not_said_to_turn_now():
+    turned = PlatformReading(220.0, True, 10.0)
+    assert turned.sentence(11.0) == "platform turns, at 220°"
+    assert turned.sentence(22.0) == "platform NOT confirmed at a standstill: at 220° it turned, 12 s ago"
+
+
+def test_a_failed_steps_headline_is_no_longer_than_its_instrument_is_lost(still):
+    card = failed(still, no_answer="dut", what="dut: no sample for 2.1 s.", remedy="Is its plug in?")
+    says(still, "dut")
+    assert card.text.text() == "✕ No answer from dut"
+    says(still)
+    assert card.text.text() == "Every instrument answers again."
+
+
+def test_what_cannot_be_gone_on_with_is_offered_nowhere(still):
+    still.app_state.resumable = frozenset({"preflight"})
+    still.app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
+    live = still.page("Run").live
+    told(still)
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
+    assert live.go_on.isHidden()
+    said = live.fault.remedy.text(), live.verdict.next.text(), live.verdict.rule.text()
+    assert not any("Go on" in words for words in said)
+    began = "2026-11-22T01:10:00+00:00"
+    lines = tuple(RunLine(f"r-{n}", began, "interrupted", "EM-07", "J. Doe", n) for n in ("rotate-axis", "preflight"))
+    assert [one.procedure for one in to_be_resumed(lines, still.app_state.resumable)] == ["preflight"]
+
+
+def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):
+    live, emit = begun(still), still.app_state.bench_worker.items.emit
+    names = ("mount-x", "closure-x", "closing")
+    for number, name in ((1, "mount-x"), (3, "closing")):
+        emit((Step(1.0, number, 3, name, 0.0, names),))
+    emit((Measurement(2.0, "closure, |B|", 1.0, 0.1, "nT", 500.0),))
+    still.app_state.run.skipped.add("closure-x")
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
+    verdict = run_verdict(still.app_state.run)
+    assert (verdict.word, verdict.state) == ("▲ PASS, without closure-x", "warning")
+    assert live.verdict.isVisibleTo(live)
+
+
+def test_a_persons_own_coils_off_is_called_so_and_names_the_platform(still):
+    live = begun(still)
+    says(still, platform=PlatformReading(220.0, True, time.monotonic() - 12))
+    still.app_state.coils_off()
+    still.app_state.bench_worker.asked[-1].failed(Fault("ended", "The work was ended by this window."))
+    assert live.fault.heading.text() == "■ Ended by COILS OFF (F12)"
+    assert still.app_state.run.status == "interrupted"
+    ends = tuple(CoilEnd(a, 0.0, "0 A, open", True, time.monotonic()) for a in "xyz")
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends, ""))
+    said = still.app_state.lab.state.message
+    assert said.startswith("COILS OFF done ")
+    assert "platform NOT confirmed at a standstill: at 220° it turned, 12 s ago: stop it at its controller" in said

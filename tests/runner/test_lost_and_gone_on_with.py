@@ -6,16 +6,19 @@ from collections.abc import Callable
 from contextlib import closing
 from datetime import UTC, datetime
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from short_preflight import SHORT
 
 from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.rotation import refuse_unseen
 from labcal.errors import InstrumentError, LimitError
-from labcal.record.stream import FAULT, Event, Item, Prompt, Step
+from labcal.record.stream import FAULT, Block, Event, Item, Prompt, Step
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.store import Store
 
@@ -107,18 +110,32 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     assert last.id.startswith(SECOND)
 
 
-def test_a_turn_of_which_the_dut_missed_a_part_is_asked_about_and_begun_again(bench_file: BenchFile) -> None:
-    asked = list[str]()
+def test_a_turn_in_which_the_dut_was_lost_is_asked_about_with_the_coils_at_zero_and_begun_again(
+    bench_file: BenchFile,
+) -> None:
+    asked = list[Prompt]()
 
     def answer(prompt: Prompt) -> str:
-        asked.append(prompt.key)
+        asked.append(prompt)
         return "retry" if "retry" in prompt.choices else yes_to_all(True)(prompt)
 
     ended = begun(bench_file(), "preflight", pulled_for("dut", 8.0), TWO_FIELDS, SECOND, answer)
     assert (ended.status, ended.failed) == ("finished", ())
-    assert asked.count(f"failed-{SECOND}") == 1
+    failed, still = (prompt for prompt in asked if prompt.key == f"failed-{SECOND}")
+    assert "coils at zero" in failed.text
+    assert still.text.startswith("Still lost: dut")
     (said,) = events(FAULT)
-    assert said.startswith("dut: it sent nothing in ")
+    assert said.startswith("dut: the link is gone")
+
+
+def test_a_turn_of_which_the_dut_missed_sectors_is_refused() -> None:
+    t = np.arange(0.0, 20.0, 0.1)
+    angle = Block("angle", "stage", ("angle_deg",), t, 18.0 * t[:, None])
+    dut = Block("dut", "dut", ("x",), t[(t < 8) | (t > 11.5)], np.ones((int(np.sum((t < 8) | (t > 11.5))), 1)))
+    bench: Any = SimpleNamespace(dut=SimpleNamespace(name="dut"))
+    with pytest.raises(InstrumentError, match=r"it sent nothing in \d of 24 sectors"):
+        refuse_unseen(bench, [angle, dut])
+    refuse_unseen(bench, [angle, Block("dut", "dut", ("x",), t, np.ones((len(t), 1)))])
 
 
 def beyond(lab: Any) -> None:

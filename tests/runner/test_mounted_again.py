@@ -8,17 +8,20 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from short_preflight import SHORT
 from test_lost_and_gone_on_with import SECOND, TWO_FIELDS, begun, pulled
 
 from labcal import session
 from labcal.bench import open_bench
+from labcal.bench.axis_up import FARTHEST_DEG, turned_about
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.mounting import attitude
 from labcal.errors import LimitNotMet
-from labcal.record.stream import Item, Measurement, Prompt, Step
+from labcal.geometry import rotate
+from labcal.record.stream import NOT_USED, Event, Item, Measurement, Prompt, Step
 from labcal.runner import Outcome, find, resume_run, run_procedure
 from labcal.store import Store
 
@@ -28,21 +31,21 @@ BenchFile = Callable[..., Path]
 class Hands:
     """Mounts the wrong axis at the first `wrong` mountings, says done each time, and then what `then` says."""
 
-    def __init__(self, lab: Bench, wrong: int, then: str = "remount") -> None:
-        self.lab, self.wrong, self.then, self.asked = lab, wrong, then, list[str]()
+    def __init__(self, lab: Bench, wrong: int, then: str = "remount", at: str = "") -> None:
+        self.lab, self.wrong, self.then, self.at, self.asked = lab, wrong, then, at, list[str]()
         operator: Any = lab.simulated_operator
         self._do, operator.do = operator.do, self.do
 
     def do(self, prompt: Prompt) -> None:
-        if "body_from_cage" in prompt.drawing and self.wrong > 0:
+        if "body_from_cage" in prompt.drawing and self.wrong > 0 and self.at in ("", prompt.key):
             self.wrong -= 1
-            drawing = {"body_from_cage": attitude(self.lab, "x").tolist()}
+            drawing = {"body_from_cage": attitude(self.lab, "y" if self.at else "x").tolist()}
             return self._do(Prompt(prompt.t_s, prompt.key, prompt.text, drawing=drawing))
         return self._do(prompt)
 
     def answer(self, prompt: Prompt) -> str:
         self.asked.append(prompt.key)
-        return self.then if prompt.key == "opening-failed" else prompt.choices[0]
+        return self.then if prompt.key in ("opening-failed", "wrong-axis-z") else prompt.choices[0]
 
 
 @contextmanager
@@ -96,7 +99,7 @@ def test_stopped_at_that_question_it_can_be_gone_on_with_once_more(bench_file: B
     begun(bench, "preflight", pulled("dut"), TWO_FIELDS, SECOND)
     stopped, _ = gone_on_with(bench, 9, "stop")
     assert (stopped.status, stopped.resumable) == ("interrupted", True)
-    assert stopped.ending.startswith("interrupted: axes-check: the DUT's ")
+    assert stopped.ending.startswith("interrupted: axes-check: body X is up, not Z.")
     with pytest.raises(LimitNotMet, match="axes-check"):
         stopped.raise_fault()
     ended, _ = gone_on_with(bench, 0)
@@ -107,7 +110,7 @@ def test_a_run_that_never_passed_it_fails_where_the_person_stops(bench_file: Ben
     with laboratory(bench_file()) as (lab, store):
         hands = Hands(lab, 9, "stop")
         ended = run_procedure(lab, find("preflight"), SHORT, store=store, answer=hands.answer, run_id="R")
-    assert ended.status.startswith("failed: axes-check: the DUT's ")
+    assert ended.status.startswith("failed: axes-check: body X is up, not Z.")
     assert not ended.resumable
 
 
@@ -117,3 +120,35 @@ def test_what_was_measured_with_a_closure_beyond_its_limit_is_still_a_failed_run
     ended, hands = gone_on_with(bench, 0, "stop")
     assert "opening-failed" not in hands.asked
     assert ended.status.startswith("failed: closure")
+
+
+TWO_AXES = SHORT | {"axes": "x,z"}
+
+
+def test_an_axis_that_was_mounted_in_place_of_another_is_told_by_its_first_turn(bench_file: BenchFile) -> None:
+    with laboratory(bench_file()) as (lab, store):
+        hands = Hands(lab, 1, at="mount-z")
+        ended = run_procedure(lab, find("preflight"), TWO_AXES, store=store, answer=hands.answer, run_id="R")
+    assert (ended.status, ended.failed) == ("finished", ())
+    at = hands.asked.index("wrong-axis-z")
+    assert hands.asked[at + 1 : at + 5] == ["ready", "mount-z", "mode-nominal", "ready"]
+    (said,) = [i.text for i in kept() if isinstance(i, Prompt) and i.key == "wrong-axis-z"]
+    assert "body Y is up, not Z" in said
+    assert [i.data["segments"] for i in kept() if isinstance(i, Event) and i.kind == NOT_USED] == [["z+20uT-nominal"]]
+
+
+def test_rotate_axis_does_not_pass_about_another_axis(bench_file: BenchFile) -> None:
+    with laboratory(bench_file()) as (lab, store):
+        hands = Hands(lab, 1, at="mount-z")
+        given = {"zero_s": "2", "rate_deg_per_s": "20"}
+        ended = run_procedure(lab, find("rotate-axis"), given, store=store, answer=hands.answer, run_id="R")
+    assert ended.status.startswith("failed: z+50uT: body Y is up, not Z.")
+
+
+@pytest.mark.parametrize(("tilt_deg", "wrong"), [(0.0, False), (8.0, False), (40.0, False), (60.0, True)])
+def test_how_far_an_axis_may_be_off(tilt_deg: float, wrong: bool) -> None:
+    up = rotate((1, 0, 0), np.radians([tilt_deg]), (0, 0, 1))[0]
+    seen = rotate(up, np.linspace(0, 2 * np.pi, 200), (3, 4, 5)) * [1.0, 1.1, 0.9] + [7.0, -3.0, 2.0]
+    found = turned_about(seen + 0.01 * np.random.default_rng(1).standard_normal(seen.shape))
+    assert found is not None
+    assert bool(abs(found[2]) < np.cos(np.radians(FARTHEST_DEG))) is wrong

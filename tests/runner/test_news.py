@@ -27,8 +27,7 @@ def bench() -> Iterator[Bench]:
 
 
 def waits_long(bench: Bench, looks: bool) -> Procedure:
-    """Ten seconds go by in small steps, as in ramps, and nothing is yielded; in eight of them the DUT sends nothing."""
-    bench.cage.set_currents([0.1, 0.0, 0.0])
+    """Twelve seconds go by in small steps, coils at zero; in eight of them the DUT sends nothing. It yields nothing."""
     dut: Any = bench._links["dut"]
     emit = dut._emulator.emit
     yield note(bench, "begins")

@@ -7,7 +7,7 @@ import sqlite3
 import threading
 import time
 from collections.abc import Callable
-from contextlib import closing
+from contextlib import closing, nullcontext
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -23,9 +23,11 @@ from labcal.bench.coils.state import AT_ZERO, BY_WORD
 from labcal.bench.steps import Procedure, energise
 from labcal.errors import InputError, InstrumentError
 from labcal.files.home import home
-from labcal.record.stream import NOT_KEPT, Block, Event, Item
+from labcal.record.stream import NOT_KEPT, SLOW_DISK, Block, Event, Item
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
+from labcal.runner.control import NotKept
 from labcal.runner.drive import Drive
+from labcal.runner.run import SeenInRun
 from labcal.store import RunWriter, Store, live, writer
 
 BenchFile = Callable[..., Path]
@@ -241,3 +243,46 @@ def samples(items: list[Item]) -> dict[str, list[float]]:
         if isinstance(item, Block):
             found.setdefault(f"{item.stream} {item.source} {item.columns}", []).extend(item.t_s.tolist())
     return found
+
+
+def test_a_disk_that_is_busy_for_seconds_is_said_and_ends_nothing(
+    bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def busy(run: Broken) -> None:
+        insert = run.writers[0]._insert
+
+        def slowly(rows: Any) -> None:
+            monkeypatch.setattr(run.writers[0], "_insert", insert)
+            time.sleep(1.6)
+            insert(rows)
+
+        monkeypatch.setattr(run.writers[0], "_insert", slowly)
+
+    monkeypatch.setattr(Broken, "not_kept", lambda run: run.writers[0].waited_s > 1.2)
+    run = Broken(bench_file, monkeypatch, busy)
+    assert run.outcome.status == "finished"
+    said = [item.text for item in run.told if isinstance(item, Event) and item.kind == SLOW_DISK]
+    assert said[0] == "the disk is slow: rows wait 1 s in memory"
+
+
+def test_that_rows_wait_is_said_once_a_second_and_when_they_do_no_more() -> None:
+    said = list[Any]()
+    seen = SeenInRun(said.append)
+    for waited_s in (0.2, 1.1, 1.3, 2.4, 0.1, 0.2):
+        seen.waits(5.0, waited_s)
+    assert [item.text for item in said] == [
+        "the disk is slow: rows wait 1 s in memory",
+        "the disk is slow: rows wait 2 s in memory",
+        "the disk takes what is recorded again",
+    ]
+
+
+@pytest.mark.parametrize(("asking", "ends"), [(True, False), (False, True)])
+def test_a_run_that_rests_at_a_question_waits_for_a_disk_as_for_a_person(
+    bench_file: BenchFile, asking: bool, ends: bool
+) -> None:
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        drive = Drive(bench, lambda item: None, yes_to_all(True))
+        bench.asking = asking
+        with pytest.raises(NotKept) if ends else nullcontext(), drive.zero_unless_kept():
+            raise InstrumentError("the disk did not take it.", fault="store slow")

@@ -1,4 +1,4 @@
-"""The stopwatch on a store that fails, on real lines and an idle machine: at zero within two seconds."""
+"""The stopwatch on a store that fails, on real lines and an idle machine: at zero two seconds after it is given up."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from served_lab import LONG_S, Served, all_gone, at_zero, example, until
 
 from labcal.files.home import home
 from labcal.record.stream import Step
+from labcal.runner.run import LATE_S
 from labcal.store import Store
 
 pytestmark = [
@@ -59,7 +60,7 @@ def unlink(other: sqlite3.Connection) -> Callable[[], object]:
 
 
 @pytest.mark.parametrize(("deed", "fault"), [(lock, "store locked"), (unlink, "store gone")])
-def test_coils_are_at_zero_two_seconds_after_the_store_fails(
+def test_coils_are_at_zero_two_seconds_after_the_store_is_given_up(
     lab: Served, other: sqlite3.Connection, deed: Callable[[sqlite3.Connection], Callable[[], object]], fault: str
 ) -> None:
     with subprocess.Popen([sys.executable, "-c", HOLD, str(lab.file)], stdout=subprocess.PIPE, text=True) as run:
@@ -72,7 +73,7 @@ def test_coils_are_at_zero_two_seconds_after_the_store_fails(
         said = run.communicate(timeout=LONG_S)[0]
     print(f"at zero {took_s:.2f} s after: {fault}")
     assert said == f"interrupted; coils at zero; {fault}\n"
-    assert took_s < IN_TIME_S
+    assert took_s < IN_TIME_S + (LATE_S if deed is lock else 0.0)
     if deed is lock:
         with Store.open() as store:
             assert store.status("R") == "interrupted"

@@ -27,6 +27,7 @@ NOT_READ = "coils not read back in this session"
 NOT_YET = "coils may be on: a run goes on, and nothing was read yet"
 NOT_SINCE = "coils not read back since another process was asked to switch them off"
 NOT_ASKED = "no reference was asked"
+ON = "coils on"
 MAY_TURN = "platform NOT confirmed at a standstill"
 OPEN_THEM = "Open the outputs that can open, or switch the supplies off at their mains"
 Verdict = Literal["agrees", "disagrees", "not known"]
@@ -121,11 +122,17 @@ class PlatformReading:
         """What may be said of it at `now_s`."""
         if self.moving is None or self.angle_deg is None or self.read_s is None:
             return MAY_TURN
+        age_s = now_s - self.read_s
         if self.moving:
-            return f"platform turns, at {self.angle_deg:.0f}°"
-        if (age_s := now_s - self.read_s) > FRESH_S:
+            turns = f"platform turns, at {self.angle_deg:.0f}°"
+            return turns if age_s <= FRESH_S else _turned(self.angle_deg, ago(age_s))
+        if age_s > FRESH_S:
             return f"platform stands at {self.angle_deg:.0f}°, read {ago(age_s)}"
         return f"platform stands at {self.angle_deg:.0f}°"
+
+
+def _turned(angle_deg: float, when: str) -> str:
+    return f"platform NOT confirmed at a standstill: at {angle_deg:.0f}° it turned, {when}"
 
 
 def ago(age_s: float) -> str:

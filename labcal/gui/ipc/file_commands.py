@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
@@ -47,9 +47,11 @@ from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 if TYPE_CHECKING:
     from labcal.certificate import Stated, Verification
     from labcal.model import Calibration
+    from labcal.record.stream import Item
     from labcal.store import RunSummary
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
+UNDECIDED = WORST[2]
 LOOKED_BACK = 8  # runs, for the last closing check
 
 
@@ -77,11 +79,20 @@ def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:
     finished = (one for one in reversed(session.runs()) if one.status == "finished")
     with Store.open() as store:
         for one in islice(finished, LOOKED_BACK):
-            items = store.items(one.run_id, but="block")
-            closures = (i for i in items if isinstance(i, Measurement) and "closure" in i.name)
+            items = list(store.items(one.run_id, but="block"))
+            closures = [i for i in items if isinstance(i, Measurement) and "closure" in i.name]
             if worst := max(closures, key=lambda m: abs(m.value), default=None):
-                return Checked(_line(one), worst, worst.verdict)
+                verdict = UNDECIDED if worst.verdict == "PASS" and _not_closed(items) else worst.verdict
+                return Checked(_line(one), worst, verdict)
     return None
+
+
+def _not_closed(items: Iterable[Item]) -> set[str]:
+    """The closures that a run was to have and has not: of an axis that was broken off and never closed."""
+    from labcal.record.stream import Measurement, Step
+
+    wanted = {name.replace("-", " ") for i in items if isinstance(i, Step) for name in i.names if "closure-" in name}
+    return wanted - {i.name for i in items if isinstance(i, Measurement)}
 
 
 def cage_check(channel: Channel, asked: LastCageCheck) -> Checked | None:

@@ -27,7 +27,7 @@ from labcal.errors import (
 from labcal.record.stream import Item
 from labcal.runner.control import Left
 
-BROKEN = ("crash", "ended")  # kinds of fault after which nobody knows what the work left behind
+BROKEN = ("crash", "ended", "off")  # kinds of fault after which nobody knows what the work left behind
 MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
 NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
     "disk full": "record",

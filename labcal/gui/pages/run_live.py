@@ -21,7 +21,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark
+from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.answer_for import AnswerForCard
@@ -55,6 +55,7 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
+        self._goes_on = False  # it has ended, and may be gone on with
         self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
         self._details = False  # of a run that has ended: what was measured is shown in place of the verdict
         row = QHBoxLayout(self)
@@ -244,7 +245,7 @@ class Live(QWidget):
         turned = bool(run.names or run.locus)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
         decided = ended and not self._details  # the verdict has the whole place
-        again = (
+        again = self._goes_on = (
             ended
             and bool(run.run_id)
             and run.status == "interrupted"
@@ -300,11 +301,11 @@ class Live(QWidget):
             "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. "
             "Or Close, and begin anew."
         )
-        return self.fault.text.setText(goes_on if self._run.status == "interrupted" else kept)
+        return self.fault.text.setText(goes_on if self._goes_on else kept)
 
     def _where_to_begin_again(self) -> str:
         """By which button, now that the run has ended."""
-        if self._run.status == "interrupted":
+        if self._goes_on:
             return self.tr("Here that is Go on: what was finished is kept.")
         return self.tr("This run has ended: Close, then Begin measures anew.")
 
@@ -324,6 +325,7 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self.prompt.say_lost(now.failed)
 
     def _say_coils_left(self) -> None:
         """One card at a time: that the coils may be on is said above, and comes first."""
@@ -334,20 +336,18 @@ class Live(QWidget):
         """How the coils are after a run that failed, and the platform where it may turn."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         if platform_mark(now.platform_words)[1] == "bad":
-            stop = self.tr("stop it at its controller, and see it stand")
-            words = f"{words}. {in_words(now.platform_words)}: {stop}"
+            words += f". {in_words(now.platform_words)}: {self.tr('stop it at its controller, and see it stand')}"
         words = f"{words}. {now.in_common}" if now.in_common else words
-        if self._app_state.lab.state.now.coils_at_zero is False:
-            supplies = ", ".join(self._app_state.by_hand())
-            return self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.").format(words, supplies)
-        return words
+        say = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.")
+        return words if now.coils_at_zero is not False else say.format(words, ", ".join(self._app_state.by_hand()))
 
     def _ask(self) -> None:
         prompt = self._run.prompt
         self.prompt.show_prompt(prompt)
+        self._say_lab()
         decided = self._run.state == "ended" and not self._details
-        over = self.answer_for if self.answer_for.asks else self.verdict
-        shown = self.prompt if prompt is not None else over if decided else self._picture
+        shown: QWidget = self.answer_for if self.answer_for.asks else self.verdict
+        shown = self.prompt if prompt is not None else shown if decided else self._picture
         self.middle.setCurrentWidget(shown)
         if prompt is not None and prompt is not self._asked:
             QApplication.alert(self)
@@ -362,10 +362,9 @@ class Live(QWidget):
         run = self._run
         self.time_left.show_now(self._app_state.lab.state.now.coil_words)
         self.headline.set_text(self._now())
-        self.coverage.setValue(round(100 * run.coverage()))
-        self.covered.setText(
-            self.tr("{0} % of the circle").format(f"{round(100 * run.coverage()):3d}".replace(" ", FIGURE_SPACE))
-        )
+        percent = round(100 * run.coverage())
+        self.coverage.setValue(percent)
+        self.covered.setText(self.tr("{0} % of the circle").format(f"{percent:3d}".replace(" ", FIGURE_SPACE)))
         rows = run.dut.rows()
         self._ticks += 1
         if len(rows) != self._drawn or not run.alive or len(rows) >= 10_000:
@@ -392,6 +391,8 @@ class Live(QWidget):
             return words[run.state]
         if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
             return alarm
+        if lost and (live := still_live(self._app_state.lab.state.now)):  # nobody is sent to a plug before they rest
+            return self.tr("HANDS OFF – no answer from {0}; {1}").format(", ".join(lost), live)
         if lost:
             return translated(str(SHOWN)).format(", ".join(lost))
         doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from datetime import UTC, date, datetime
 
 from PySide6.QtCore import QDate, QLocale, Qt
@@ -234,7 +235,7 @@ class StartPage(QWidget):
             if (widget := old.widget()) is not None:
                 widget.hide()
                 widget.deleteLater()
-        broken, self._to_go_on_with = to_be_resumed(runs), []
+        broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.resumable), []
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
         if had_focus:  # else Qt gives it to the DUT's serial, selected: the next key would replace it
@@ -285,12 +286,16 @@ class StartPage(QWidget):
         set_primary(self.calibrate, not any(mine) and to.page in ("Run", "Start"))
 
 
-def to_be_resumed(runs: tuple[RunLine, ...]) -> list[RunLine]:
-    """Of `runs`, the newest first, the interrupted ones after which nobody began the same of the same DUT anew."""
+def to_be_resumed(runs: tuple[RunLine, ...], resumable: Collection[str] = ()) -> list[RunLine]:
+    """Of `runs`, the newest first, the interrupted ones after which nobody began the same of the same DUT anew.
+
+    Of procedures that can be gone on with, `resumable`, once these are known.
+    """
     newest = dict[tuple[str, str], RunLine]()
     for one in runs:
         newest.setdefault((one.procedure, one.dut_serial), one)
-    return [one for one in newest.values() if one.status == "interrupted"]
+    may = (one for one in newest.values() if one.procedure in resumable or not resumable)
+    return [one for one in may if one.status == "interrupted"]
 
 
 def days_since(utc: str) -> int:

@@ -99,11 +99,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read back: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -771,6 +767,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -892,6 +896,18 @@
     </message>
     <message>
         <source>Why is {0} skipped?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is slow: rows wait {0} s in memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk takes what is recorded again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: body {1} is up, not {2}. Mount it again: this turn says nothing of {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5596,6 +5612,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hands off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6192,6 +6212,14 @@ after this step …</source>
     </message>
     <message>
         <source>Scan it, or type it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every instrument answers again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7173,6 +7201,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>■ Ended by COILS OFF (F12)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ CLEAN</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7813,6 +7845,22 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>COILS OFF done {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform may turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7910,6 +7958,10 @@ after this step …</source>
     </message>
     <message>
         <source>Not measured: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, without {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8030,6 +8082,10 @@ after this step …</source>
     </message>
     <message>
         <source>Here that is “{0}”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run did not end by itself within seconds, so its process was ended.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -99,12 +99,8 @@
         <translation>Spulen aus: werden zurückgelesen …</translation>
     </message>
     <message>
-        <source>Read back: {0}</source>
-        <translation>Zurückgelesen: {0}</translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
-        <translation>An der Frontplatte oder am Netzschalter; dann noch einmal SPULEN AUS (F12).</translation>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
+        <translation>An seinem Bedienfeld oder am Netzschalter; dann SPULEN AUS (F12) drücken.</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -771,6 +767,14 @@
         <translation>Spulen vielleicht an: eine Messung läuft, und noch nichts wurde gelesen</translation>
     </message>
     <message>
+        <source>coils on</source>
+        <translation>Spulen an</translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
+        <translation>Stillstand des Tisches NICHT bestätigt: bei {0}° drehte er, {1}</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
@@ -893,6 +897,18 @@
     <message>
         <source>Why is {0} skipped?</source>
         <translation>Warum wird {0} übersprungen?</translation>
+    </message>
+    <message>
+        <source>the disk is slow: rows wait {0} s in memory</source>
+        <translation>die Platte ist langsam: Zeilen warten {0} s im Speicher</translation>
+    </message>
+    <message>
+        <source>the disk takes what is recorded again</source>
+        <translation>die Platte nimmt wieder auf, was aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>{0}: body {1} is up, not {2}. Mount it again: this turn says nothing of {2}.</source>
+        <translation>{0}: Körperachse {1} ist oben, nicht {2}. Neu montieren: Diese Drehung sagt nichts über {2}.</translation>
     </message>
     <message>
         <source>Switch the DUT to power mode {0}.</source>
@@ -5670,6 +5686,10 @@ diesem Schritt …</translation>
         <translation>Pausiert</translation>
     </message>
     <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation>HÄNDE WEG – keine Antwort von {0}; {1}</translation>
+    </message>
+    <message>
         <source>Hands off</source>
         <translation>Hände weg</translation>
     </message>
@@ -6194,6 +6214,14 @@ diesem Schritt …</translation>
     <message>
         <source>Scan it, or type it</source>
         <translation>Scannen oder tippen</translation>
+    </message>
+    <message>
+        <source>Every instrument answers again.</source>
+        <translation>Jedes Gerät antwortet wieder.</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
+        <translation>✕ Keine Antwort von {0}. Erst das beheben: „Hände weg“ gilt nicht, bevor es antwortet.</translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -7174,6 +7202,10 @@ diesem Schritt …</translation>
         <translation>✕ Die Arbeit brach ab</translation>
     </message>
     <message>
+        <source>■ Ended by COILS OFF (F12)</source>
+        <translation>■ Durch SPULEN AUS (F12) beendet</translation>
+    </message>
+    <message>
         <source>✓ CLEAN</source>
         <translation>✓ SAUBER</translation>
     </message>
@@ -7814,6 +7846,22 @@ diesem Schritt …</translation>
         <translation>✓ Hände dürfen hinein: {0}</translation>
     </message>
     <message>
+        <source>COILS OFF done {0}: {1}</source>
+        <translation>SPULEN AUS erledigt {0}: {1}</translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
+        <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
+    </message>
+    <message>
+        <source>platform turning</source>
+        <translation>Tisch dreht</translation>
+    </message>
+    <message>
+        <source>platform may turn</source>
+        <translation>Tisch dreht vielleicht</translation>
+    </message>
+    <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>
         <translation>Nur Rauschen bleibt übrig. Die Kalibrierung darf unterschrieben werden.</translation>
     </message>
@@ -7912,6 +7960,10 @@ diesem Schritt …</translation>
     <message>
         <source>Not measured: {0}.</source>
         <translation>Nicht gemessen: {0}.</translation>
+    </message>
+    <message>
+        <source>{0}, without {1}</source>
+        <translation>{0}, ohne {1}</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
@@ -8032,6 +8084,10 @@ diesem Schritt …</translation>
     <message>
         <source>Here that is “{0}”.</source>
         <translation>Hier heißt das „{0}“.</translation>
+    </message>
+    <message>
+        <source>The run did not end by itself within seconds, so its process was ended.</source>
+        <translation>Der Lauf endete nicht binnen Sekunden von selbst, darum wurde sein Prozess beendet.</translation>
     </message>
     <message>
         <source>Then “{0}”.</source>

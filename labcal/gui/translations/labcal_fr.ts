@@ -99,12 +99,8 @@
         <translation>Bobines à zéro : relecture …</translation>
     </message>
     <message>
-        <source>Read back: {0}</source>
-        <translation>Relu : {0}</translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then COILS OFF (F12) once more.</source>
-        <translation>Sur sa face avant ou à son interrupteur secteur ; puis BOBINES À ZÉRO (F12) encore une fois.</translation>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
+        <translation>À son panneau, ou à son interrupteur secteur ; puis appuyez sur BOBINES À ZÉRO (F12).</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -771,6 +767,14 @@
         <translation>bobines peut-être alimentées : une mesure est en cours, et rien n’a encore été lu</translation>
     </message>
     <message>
+        <source>coils on</source>
+        <translation>bobines alimentées</translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
+        <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait, {1}</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
@@ -893,6 +897,18 @@
     <message>
         <source>Why is {0} skipped?</source>
         <translation>Pourquoi sauter {0} ?</translation>
+    </message>
+    <message>
+        <source>the disk is slow: rows wait {0} s in memory</source>
+        <translation>le disque est lent : des lignes attendent {0} s en mémoire</translation>
+    </message>
+    <message>
+        <source>the disk takes what is recorded again</source>
+        <translation>le disque reprend ce qui est enregistré</translation>
+    </message>
+    <message>
+        <source>{0}: body {1} is up, not {2}. Mount it again: this turn says nothing of {2}.</source>
+        <translation>{0} : l&apos;axe {1} du corps est en haut, pas {2}. Remontez-le : ce tour ne dit rien de {2}.</translation>
     </message>
     <message>
         <source>Switch the DUT to power mode {0}.</source>
@@ -5670,6 +5686,10 @@ cette étape …</translation>
         <translation>En pause</translation>
     </message>
     <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation>MAINS LOIN – pas de réponse de {0} ; {1}</translation>
+    </message>
+    <message>
         <source>Hands off</source>
         <translation>Mains loin</translation>
     </message>
@@ -6194,6 +6214,14 @@ cette étape …</translation>
     <message>
         <source>Scan it, or type it</source>
         <translation>Lisez-le ou tapez-le</translation>
+    </message>
+    <message>
+        <source>Every instrument answers again.</source>
+        <translation>Chaque instrument répond de nouveau.</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
+        <translation>✕ Pas de réponse de {0}. Remédiez-y d&apos;abord : « Mains éloignées » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -7174,6 +7202,10 @@ cette étape …</translation>
         <translation>✕ Le travail s&apos;est interrompu</translation>
     </message>
     <message>
+        <source>■ Ended by COILS OFF (F12)</source>
+        <translation>■ Terminé par BOBINES À ZÉRO (F12)</translation>
+    </message>
+    <message>
         <source>✓ CLEAN</source>
         <translation>✓ PROPRE</translation>
     </message>
@@ -7814,6 +7846,22 @@ cette étape …</translation>
         <translation>✓ Les mains peuvent entrer : {0}</translation>
     </message>
     <message>
+        <source>COILS OFF done {0}: {1}</source>
+        <translation>BOBINES À ZÉRO fait à {0} : {1}</translation>
+    </message>
+    <message>
+        <source>stop it at its controller, and see it stand</source>
+        <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
+    </message>
+    <message>
+        <source>platform turning</source>
+        <translation>la plate-forme tourne</translation>
+    </message>
+    <message>
+        <source>platform may turn</source>
+        <translation>la plate-forme tourne peut-être</translation>
+    </message>
+    <message>
         <source>Nothing is left over but noise. The calibration may be signed.</source>
         <translation>Il ne reste que du bruit. L&apos;étalonnage peut être signé.</translation>
     </message>
@@ -7912,6 +7960,10 @@ cette étape …</translation>
     <message>
         <source>Not measured: {0}.</source>
         <translation>Non mesuré : {0}.</translation>
+    </message>
+    <message>
+        <source>{0}, without {1}</source>
+        <translation>{0}, sans {1}</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
@@ -8032,6 +8084,10 @@ cette étape …</translation>
     <message>
         <source>Here that is “{0}”.</source>
         <translation>Ici, c’est « {0} ».</translation>
+    </message>
+    <message>
+        <source>The run did not end by itself within seconds, so its process was ended.</source>
+        <translation>La mesure ne s&apos;est pas terminée d&apos;elle-même en quelques secondes : son processus a été arrêté.</translation>
     </message>
     <message>
         <source>Then “{0}”.</source>

@@ -29,7 +29,7 @@ from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import reference_U, switched_off
+from labcal.gui.viewmodels.lab_now import off_words, reference_U, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.one_dut import OneDut
@@ -315,13 +315,13 @@ class AppState(QObject):
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
     def _off_known(self, said: SwitchedOff) -> None:
-        named = (f"{one.axis}: {in_words(named_links(one.words, self.run.links, brief=True))}" for one in said.coils)
-        self.lab.update(message=self.tr("Read back: {0}").format(words := "; ".join(named)))
+        names = self.run.links
+        words = "; ".join(f"{one.axis}: {in_words(named_links(one.words, names, brief=True))}" for one in said.coils)
         zero = all(axis.ok for axis in said.coils)
         self._kept.answered()
         self.take_lab(switched_off(self.known or state.LabState(()), said, self.facts))
-        if said.doubt or not zero:
-            self._warn(Fault("coils", words))
+        done = off_words(words, self.lab.state.now.platform_words)
+        self._warn(Fault("coils", words)) if said.doubt or not zero else self.lab.update(message=done)
         if said.doubt and zero:  # it is older than this zero: the reference is looked at again
             self.off_worker.request(Identify(self.bench), self.take_identified, self.fault.emit)
 
@@ -333,7 +333,7 @@ class AppState(QObject):
         self._warn(fault)
 
     def _warn(self, fault: Fault) -> None:
-        remedy = self.tr("At its panel, or at its mains switch; then COILS OFF (F12) once more.")
+        remedy = self.tr("At its panel, or at its mains switch; then press COILS OFF (F12).")
         self._unconfirmed = replace(fault, kind="coils", remedy=remedy)
         self.fault.emit(self._unconfirmed)
         self.lab.update(message=self._unconfirmed.text)

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from dataclasses import replace
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from labcal.bench.named_links import named_links
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.record.stream import FAULT, Prompt
+from labcal.record.stream import FAULT, Event, Prompt
 
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
 AGAIN = "begin this step again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
+BY_OFF = QT_TRANSLATE_NOOP("Words", "The run did not end by itself within seconds, so its process was ended.")
 THEN = QT_TRANSLATE_NOOP("Words", "Then “{0}”.")
 
 
@@ -38,6 +43,19 @@ def below(prompt: Prompt, again: str) -> str:
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
     return " ".join(part for part in (known, in_words(remedy), button) if part)
+
+
+def ended_by_off(fault: Fault) -> Fault:
+    """What a person's own COILS OFF did is called by its name, also where the run's process had to be ended for it."""
+    return replace(fault, kind="off", text=translated(str(BY_OFF))) if fault.kind == "ended" else fault
+
+
+def said_of(event: Event, links: Mapping[str, str]) -> str:
+    """What has happened, in one line; what to do about it comes with the question, once coils and platform rest."""
+    said = named_links(event.text, links)
+    if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
+        return f"{said.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
+    return said.partition(". ")[0] if event.kind == FAULT else said
 
 
 def _plain(what: str) -> str:

@@ -37,6 +37,10 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: the coils are not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
+    QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
+    QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
+    QT_TRANSLATE_NOOP("Words", "platform turning"),
+    QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
 
 
@@ -151,6 +155,21 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
         return translated("▲ Hands out: the coils are not being read"), "warning"
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+
+
+def off_words(coils: str, platform_words: str) -> str:
+    """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands."""
+    said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
+    stop = translated("stop it at its controller, and see it stand")
+    turns = f"{in_words(platform_words)}: {stop}" if platform_mark(platform_words)[1] in ("bad", "warning") else ""
+    return "; ".join(filter(None, (said, turns or in_words(platform_words))))
+
+
+def still_live(now: LabNow) -> str:
+    """By what was read last: coils that are on, a platform that turns or may; "" where hands may go near."""
+    turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
+    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else ""
+    return ", ".join(filter(None, (on, translated(turns) if turns else "")))
 
 
 def alarm_of(coil_words: str) -> str:

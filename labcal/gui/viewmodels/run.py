@@ -31,7 +31,7 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.viewmodels.failed_step import asked_text
+from labcal.gui.viewmodels.failed_step import asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
@@ -101,7 +101,9 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self._turned = False  # in any segment
         self.sectors: set[int] = set()
-        self._goes_on = self._begins = False  # a run that was interrupted; a new one, of which nothing has come yet
+        self._goes_on = self._begins = self._by_off = (
+            False  # a run that was interrupted; a new one, of which nothing has come yet
+        )
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -178,6 +180,7 @@ class RunViewModel(QObject):
 
     def abort(self) -> None:
         """Coils to zero before anything else; the run ends."""
+        self._by_off = True
         self._end(Abort(), self.tr("Coils off: the run ends …"))
 
     def _end(self, word: Word, message: str) -> None:
@@ -333,9 +336,7 @@ class RunViewModel(QObject):
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
-            self.message = named_links(event.text, self.links)
-            if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
-                self.message = f"{self.message.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
+            self.message = said_of(event, self.links)
 
     def _forget_turn(self, segment: str) -> None:
         """Nothing that was seen or measured of it counts any more."""
@@ -344,11 +345,8 @@ class RunViewModel(QObject):
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""
-        axes = {segment[:1] for segment in segments}
-        gone = (
-            *(f"{segment}:" for segment in segments),
-            *(f"{look} {a}" for look in ("delay", "closure") for a in axes),
-        )
+        looks = [f"{look} {axis}" for look in ("delay", "closure") for axis in {segment[:1] for segment in segments}]
+        gone = (*(f"{segment}:" for segment in segments), *looks)
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
         self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
 
@@ -388,7 +386,7 @@ class RunViewModel(QObject):
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
-        self.fault = with_instrument_names(fault, self.links)
+        self.fault = with_instrument_names(ended_by_off(fault) if self._by_off else fault, self.links)
         left = fault.kind in BROKEN or (self._goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()

@@ -42,11 +42,12 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "It did not come to its end, so it has no verdict, and gives no calibration."),
     QT_TRANSLATE_NOOP("Words", "DONE"),
     QT_TRANSLATE_NOOP("Words", "Not measured: {0}."),
+    QT_TRANSLATE_NOOP("Words", "{0}, without {1}"),
     QT_TRANSLATE_NOOP(
         "Words", "It cannot be gone on with: a result of {0} is worked out from one recording without a gap."
     ),
 )
-NOT_MEASURED = 6
+NOT_MEASURED, WITHOUT = 6, 7
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
 
@@ -75,6 +76,7 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdic
         what = "lost" if status == "interrupted" and run.fault is not None and not wanted else status
         rule = translated(str(TEXTS[4]))
         if resumable and run.order is not None and run.order.procedure not in resumable:
+            what = "stopped" if wanted else "failed"  # nothing offers what cannot be
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"
         return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
@@ -84,9 +86,12 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdic
     about = [one for one in run.measurements.values() if one.verdict == worst]
     said = str(len(about)) if worst == "PASS" else _listed(about)
     rule = translated(RULES[worst]).format(said)
+    word = f"{shape} {translated(worst)}"
     if left_out := ", ".join(map(step_title, run.left_out())):
         rule = f"{rule} {translated(str(TEXTS[NOT_MEASURED])).format(left_out)}"
-    return RunVerdict(f"{shape} {translated(worst)}", state, rule, _next(worst))
+        if worst == "PASS":
+            word, state = translated(str(TEXTS[WITHOUT])).format(f"▲ {translated(worst)}", left_out), "warning"
+    return RunVerdict(word, state, rule, _next(worst))
 
 
 def _next(key: str) -> str:

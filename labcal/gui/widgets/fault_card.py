@@ -28,6 +28,7 @@ TITLES = {
     "page": "✕ This page cannot be shown",
     "crash": "✕ Something in labcal broke",
     "ended": "✕ The work broke off",
+    "off": "■ Ended by COILS OFF (F12)",
 }
 
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.failed_step import asked_text, below, headline
+from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
 from labcal.gui.viewmodels.lab_now import hands_words, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
@@ -83,6 +83,9 @@ def answer_label(prompt: Prompt, choice: str) -> str:
     return translated(WORDS.get(choice, choice))
 
 
+HANDS_OFF, STILL_LOST = "ready", "Still lost"  # the question before anything is energised; asked again in these words
+
+
 class PromptCard(Card):
     """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices.
 
@@ -98,6 +101,7 @@ class PromptCard(Card):
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
         self._reached_into = False  # what is asked brings hands to the lab
+        self._lost = False  # somebody, since it was asked
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -148,7 +152,7 @@ class PromptCard(Card):
         """Ask `prompt`; the same one again changes nothing."""
         if prompt is self._prompt:
             return
-        self._prompt = prompt
+        self._prompt, self._lost = prompt, False
         self.camera.watch(prompt is not None and MOUNTING in prompt.drawing)
         if prompt is None:
             self.call.stop()
@@ -226,6 +230,24 @@ class PromptCard(Card):
         self.hands.setText(words)
         self.hands.setVisible(bool(coil_words) and self._reached_into)
         set_state(self.hands, mark)
+
+    def say_lost(self, lost: list[str]) -> None:
+        """Who does not answer, below a question that energises or turns: its answer is not taken until it does.
+
+        A headline that says who is lost is true no longer than that.
+        """
+        if self._prompt is None:
+            return
+        says = NO_ANSWER in self._prompt.drawing or self._prompt.text.startswith(STILL_LOST)
+        if says and bool(lost) is not self._lost and (lost or self._lost):
+            again = self.tr("Every instrument answers again.")
+            self.text.set_text(unbroken(headline(self._prompt)) if lost else again)
+        self._lost = bool(lost)
+        if self._prompt.key != HANDS_OFF:
+            return
+        said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
+        self.details.setText(said.format(", ".join(lost)) if lost else "")
+        self.details.setVisible(bool(lost))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
