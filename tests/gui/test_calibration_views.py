@@ -144,6 +144,7 @@ def test_below_the_parameters_stands_what_makes_most_of_each_uncertainty_and_all
 def test_a_draft_of_a_simulated_run_says_so_and_its_list_leaves_the_focus_alone(still, qtbot):
     draft = replace(calibration(path="home/r2.json"), simulated=True, operator="J. Doe")
     page = still.page("Certificate")
+    still.app_state.lab.update(dut_serial=draft.dut.serial)
     still.open_page("Certificate")
     still.app_state.quick_worker.answer(ListCalibrations, (draft,))
     assert page.list.itemText(0).endswith("r2  ·  SIMULATED")
