@@ -159,12 +159,17 @@ def at_rest(window):
     app_state.lab.update(message="", waiting="", unit="nT")
     app_state.run.order = None
     app_state.study_vm.forget("")
+    for done in ("handed_out", "closed_runs"):
+        app_state.settings.remove(done)
+    app_state.path.take_runs(())
+    app_state.path.take_calibrations(())
     app_state.run.changed.emit()
     window.page("Run").live.put_away.emit()
     for card in (window.fault, window.page("Run").live.fault):
         card.show_fault(None)
     app_state.open_bench(str(BENCH))
     app_state.quick_worker.answer(ReadBench, read_bench(None, ReadBench(str(BENCH))))
+    window.sidebar.setFocus()
     app_state.set_identity(operator="J. Doe", dut="EM-07")
     choose = window.page("Run").choose
     choose.choose("preflight")

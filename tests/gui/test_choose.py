@@ -225,6 +225,7 @@ def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided, patience):
 
 def test_what_would_tell_causes_apart_is_not_measured_on_another_dut(qtbot, undecided):
     page = undecided.page("Loop")
+    page.next.setFocus()  # a serial that is typed, and left, lets go of the run
     undecided.app_state.set_identity(dut="EM-08")
     qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
     assert "This run is of EM-07; the DUT at the top is EM-08" in page.fault.text.text()

@@ -25,9 +25,13 @@ MOUNT = Prompt(1.0, "mount-x", "Mount it.", ("done",), True, {"body_from_cage": 
 
 @pytest.fixture
 def running(still):
-    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
-    send(still, Step(0.0, 2, 3, TURN, 60.0, STEPS, 20.0))
-    return still
+    return in_a_turn(still)
+
+
+def in_a_turn(window):
+    window.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    send(window, Step(0.0, 2, 3, TURN, 60.0, STEPS, 20.0))
+    return window
 
 
 def send(window, *items):
@@ -59,9 +63,10 @@ def test_how_the_coils_are_is_the_first_that_a_window_that_comes_back_hears():
     assert [type(one).__name__ for one in past.events()] == ["GoesOn", "StateRead", "Recorded"]
 
 
-def test_a_page_that_is_built_into_a_question_says_how_coils_and_platform_are(running):
+def test_a_page_that_is_built_into_a_question_says_how_coils_and_platform_are(new_window):
     from labcal.gui.pages.run_live import Live
 
+    running = in_a_turn(new_window)  # the new page takes the plots of the old one
     told(running, (0.0, 0.0, 0.0))
     lab = replace(running.app_state.run.lab, platform=PlatformReading(0.0, False, time.monotonic()))
     running.app_state.bench_worker.states.emit(lab)

@@ -124,9 +124,10 @@ class CertificatePage(QWidget):
         here = self._app_state.lab.state.dut_serial
         mine = [one.path for one in files if one.dut.serial == here]
         stays = before is not None and here == self._for
-        kept = self._wanted or (before.path if before is not None and stays else next(iter(mine), ""))
-        self._for = here
         self._files = {one.path: one for one in files}
+        kept = before.path if before is not None and stays else next(iter(mine), "")
+        kept = self._wanted if self._wanted in self._files else kept
+        self._for = here
         with QSignalBlocker(self.list):
             self.list.clear()
             for one in files:
