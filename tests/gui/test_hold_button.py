@@ -6,6 +6,7 @@ No second click, and no key that stays down, answers the next question: each is 
 import time
 
 import pytest
+from lab_states import told
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
@@ -48,6 +49,8 @@ def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked, patie
 
 def test_words_without_a_drawing_have_the_whole_card_and_a_tap_moves_none_of_them(qtbot, still, asked, patience):
     card = still.page("Run").live.prompt
+    told(still, (0.0, 0.0, 0.0))  # the line about the coils stands from the beginning
+    QApplication.processEvents()
     assert card.text.width() > 0.9 * (card.width() - 2 * card.body.spacing())
     before = card.text.geometry(), card.text.font().pointSize()
     qtbot.keyClick(still, Qt.Key.Key_F8)
