@@ -315,12 +315,11 @@ def ready(bench: Bench, text: str) -> Work[None]:
 
     While an instrument is lost nobody's word is taken: who puts it right has a hand at its plug. It is asked again.
     """
-    yield Prompt(bench.clock.now(), "ready", text, acts=True)
-    if still := bench.still_wrong():
-        yield from record(bench, TICK_S)  # what stays away for too long ends this, whoever answers
-        return (yield from ready(bench, still))
+    while text:
+        yield Prompt(bench.clock.now(), "ready", text, acts=True)
+        if text := bench.still_wrong():
+            yield from record(bench, TICK_S)  # what stays away for too long ends this, whoever answers
     bench.hands_near = False
-    return None
 
 
 def hands_off(bench: Bench, what: str) -> Work[None]:

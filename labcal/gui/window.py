@@ -33,7 +33,7 @@ from labcal.gui.pages.registry import pages
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.palette import palette
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
-from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, wall_scale
+from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
 from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.path import SHAPES
@@ -242,15 +242,12 @@ class Window(Frame):
 
     def sheet(self) -> str:
         """The style sheet of every part."""
-        return style_sheet(self.theme, self._text_scale())
-
-    def _text_scale(self) -> float:
-        return wall_scale(self.width(), self.height()) if self.wall else 1.0
+        return style_sheet(self.theme, text_scale(self.width(), self.height(), wall=self.wall))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another size: large letters become as large as it has room for."""
         super().resizeEvent(event)
-        if self.wall and self._text_scale() != self._scale:
+        if text_scale(self.width(), self.height(), wall=self.wall) != self._scale:
             self._restyle()
 
     def _restyle(self, *, recolour: bool = False) -> None:
@@ -258,7 +255,7 @@ class Window(Frame):
         self._say_switches()
         QApplication.setPalette(palette(self.theme))
         sheet = self.sheet()
-        self.set_scale(self._text_scale())
+        self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
         for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):

@@ -280,21 +280,6 @@ def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
     assert first.cause == ("offset-current", ("i",))
 
 
-def test_a_row_that_is_a_mean_over_the_switching_does_not_make_it_the_square(
-    searching: Callable[..., CandidateSet],
-) -> None:
-    t = searching({}, {}).problem.scene.t_s
-    acts = 0.6 * (np.mod(t, 41.0) < 17.0)
-    amps, switched = acts.copy(), np.flatnonzero(np.diff(acts) < 0)[::4] + 1
-    amps[switched] = 0.3
-    acts[switched] = 0.15
-    pool = searching({"i": amps}, {"i": "current"}, np.outer(acts, [800.0, -500.0, 300.0]))
-    square = next(c for c in pool.candidates if c.family.second_order and not c.term.shape)
-    assert rivals.leads_over_relatives(pool, [], square)[0][1] > POLICY.equivalent_nats
-    (first,) = prefer_computable(pool, block_folds(pool.problem, 0.0), [square], ())
-    assert first.cause == ("offset-current", ("i",))
-
-
 def _switched_load(searching: Callable[..., CandidateSet], wave_nT: float) -> tuple[CandidateSet, Candidate, Candidate]:
     """A current of nearly two levels that acts with 5.5 s, beside a fast wave; its best look, and its square's."""
     t = searching({}, {}).problem.scene.t_s

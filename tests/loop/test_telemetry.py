@@ -13,7 +13,10 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.checks import check_data
 from labcal.loop.data.noise_floor import NoiseFloor
-from labcal.loop.selection.select import select
+from labcal.loop.policy import POLICY
+from labcal.loop.selection.crossval import block_folds
+from labcal.loop.selection.equivalents import leads_over_relatives
+from labcal.loop.selection.select import prefer_computable, select
 from labcal.model.switched import drawn_between_levels
 
 ONE = np.array([0, 60])  # a segment
@@ -61,3 +64,18 @@ def test_the_square_of_a_load_is_its_square_however_late_the_load_was_recorded(
     (found,) = select(pool, NoiseFloor(35.0, "declared", None)).accepted
     assert found.cause == ("offset-current-squared", ("i",))
     assert abs(found.term.at("delay_s") + 1.4) < 0.25  # half a row
+
+
+def test_a_row_that_is_a_mean_over_the_switching_does_not_make_it_the_square(
+    searching: Callable[..., CandidateSet],
+) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    acts = 0.6 * (np.mod(t, 41.0) < 17.0)
+    amps, switched = acts.copy(), np.flatnonzero(np.diff(acts) < 0)[::4] + 1
+    amps[switched] = 0.3
+    acts[switched] = 0.15
+    pool = searching({"i": amps}, {"i": "current"}, np.outer(acts, [800.0, -500.0, 300.0]))
+    square = next(c for c in pool.candidates if c.family.second_order and not c.term.shape)
+    assert leads_over_relatives(pool, [], square)[0][1] > POLICY.equivalent_nats
+    (first,) = prefer_computable(pool, block_folds(pool.problem, 0.0), [square], ())
+    assert first.cause == ("offset-current", ("i",))

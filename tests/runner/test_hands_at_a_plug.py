@@ -37,8 +37,7 @@ def turned(path: Path, happens: Callable[[Any], None]) -> tuple[Outcome, list[It
             if len(said) == 2 and isinstance(item, Event) and item.data.get("key") == "ready":
                 happens(lab)
 
-        given = {"store": store, "answer": first_choice, "on_item": tell}
-        return run_procedure(lab, find("rotate-axis"), TURN, **given), items  # type: ignore[arg-type]
+        return run_procedure(lab, find("rotate-axis"), TURN, store=store, answer=first_choice, on_item=tell), items
 
 
 def course(items: list[Item]) -> list[str]:

@@ -55,9 +55,8 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
-        self._goes_on = False  # it has ended, and may be gone on with
         self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
-        self._details = False  # of a run that has ended: what was measured is shown in place of the verdict
+        self._goes_on = self._details = False  # once ended: it may be gone on with; what was measured is in sight
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)

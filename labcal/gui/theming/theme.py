@@ -15,8 +15,10 @@ WALL_SCALE = 1.8
 WHOLE_PX = (1024, 600)  # a window of this size has room for its texts in their size
 
 
-def wall_scale(width: int, height: int) -> float:
-    """How large texts may be that are read from two metres, in tenths: in a window so large none is cut."""
+def text_scale(width: int, height: int, *, wall: bool) -> float:
+    """How large texts are; those read from two metres (`wall`) in tenths: in a window so large none is cut."""
+    if not wall:
+        return 1.0
     room = min(width / WHOLE_PX[0], height / WHOLE_PX[1])
     return min(WALL_SCALE, max(1.0, int(10 * room) / 10))
 
