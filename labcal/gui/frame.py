@@ -191,6 +191,9 @@ class Frame(QMainWindow):
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.said_at, self.message, self.waiting = label("", "caption"), OneLine(), label()
         self.next = button("", self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"), primary=True)
+        keeps = self.next.sizePolicy()
+        keeps.setRetainSizeWhenHidden(True)  # the line below keeps its height: nothing above it moves
+        self.next.setSizePolicy(keeps)
         self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self.sidebar_buttons, self._scale = QButtonGroup(self), 1.0

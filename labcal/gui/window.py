@@ -31,6 +31,7 @@ from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_h
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
 from labcal.gui.screen import show_whole
+from labcal.gui.theming.chosen import chosen_theme, system_theme
 from labcal.gui.theming.palette import palette
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
@@ -74,17 +75,6 @@ def preallocate_plot() -> bool:
     return preallocate_plots(SPARE_PLOTS)
 
 
-def system_theme() -> Theme:
-    """Dark or light, as the system says."""
-    dark = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
-    return DARK if dark else LIGHT
-
-
-def chosen_theme(app_state: AppState) -> Theme | None:
-    """What was switched to by hand; None where nothing was."""
-    return {"light": LIGHT, "dark": DARK}.get(str(app_state.settings.value("theme", "")))
-
-
 class Window(Frame):
     """Everything together. `theme` overrides what the system says; `language_wanted`: to be made anew in another."""
 
@@ -93,7 +83,7 @@ class Window(Frame):
     def __init__(self, app_state: AppState, theme: Theme | None = None) -> None:
         self.app_state = app_state
         self.wall = str(app_state.settings.value("wall", "no")) == "yes"
-        self.theme = theme or chosen_theme(app_state) or system_theme()
+        self.theme = theme or chosen_theme(app_state.settings) or system_theme()
         self.lazy_pages = {
             name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
         }
@@ -215,7 +205,7 @@ class Window(Frame):
             self.style_queue.add(partial(self.resize, self._before_wall))
 
     def _system_changed(self) -> None:
-        if chosen_theme(self.app_state) is None:
+        if chosen_theme(self.app_state.settings) is None:
             self.set_theme(system_theme())
 
     def _other_theme(self) -> None:
@@ -293,7 +283,9 @@ class Window(Frame):
         here = self.page_shown() == to.page
         self.say_next(self.tr("Begin preflight") if here and to.ready else said_here(self.lazy_pages, to, here))
         QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget()))
-        self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or (to.waits and here))
+        nothing_to_do = to.waits and here
+        self.next.setVisible(not (nothing_to_do and app_state.run.alive))  # who is needed when stands beside the steps
+        self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or nothing_to_do)
 
     def _page_turned(self) -> None:
         self.app_state.put_away_said()
@@ -358,6 +350,7 @@ class Window(Frame):
         if said := self.app_state.says_unconfirmed(self.fault.fault):
             common = self.app_state.lab.state.now.in_common
             self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), common)
+            self.fault.say_platform(self.app_state.platform_words())
         self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:

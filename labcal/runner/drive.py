@@ -13,14 +13,16 @@ from typing import Any
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.cage import Cage
-from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
+from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
-from labcal.errors import InputError, InstrumentError, Stopped, words_of_system
+from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
+from labcal.runner.said_of_faults import in_a_sentence, what_else
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
+SHOWN_S = 0.5  # while something takes long: how the lab is, as far as that was read
 PROMPT_S = 1.0  # what is reported later than this says so
 UNDONE_S = 0.3  # that a procedure is given, once it was asked to end, before its coils are taken to zero
 BUSY = ("store slow", "store locked")  # faults of a store that may go away by themselves, with nothing lost
@@ -64,6 +66,7 @@ class Drive:
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
     _end_requested_s: float | None = field(default=None, init=False)
+    _shown_s: float = field(default=0.0, init=False)  # when the lab was shown last, by the computer's monotonic clock
     _announced: str = field(default="", init=False)  # which takes long
     _fault_kept: str = field(default="", init=False)  # the words of the last fault in the record
 
@@ -101,7 +104,7 @@ class Drive:
         except (Stopped, KeyboardInterrupt) as fault:
             return Ending("stopped", fault)
         except BaseException as fault:
-            return Ending(f"failed: {_sentence(fault)}", fault)
+            return Ending(f"failed: {in_a_sentence(fault)}", fault)
 
     def _items(self, procedure: Procedure) -> Iterator[Item]:
         """What the procedure yields, while it is given the answers to what it asks."""
@@ -152,8 +155,11 @@ class Drive:
             self._show()  # first: whoever hears that the run pauses knows how the coils are
         self.on_item(item)
 
-    def _show(self) -> None:
-        self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
+    def _show(self, not_within_s: float = 0.0) -> None:
+        now = time.monotonic()
+        if now - self._shown_s >= not_within_s:
+            self._shown_s = now
+            self.show(self.bench.state().shifted(now - self.bench.clock.now()))
 
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)
@@ -235,6 +241,7 @@ class Drive:
         with self.zero_unless_kept():
             self.kept()
         self._keep_news()
+        self._show(SHOWN_S)  # on a ramp as well, of which nothing is kept before its end
         if not self.bench.cage.on:
             return
         now = self.bench.clock.now()
@@ -261,7 +268,12 @@ class Drive:
             raise end from None
 
     def _say_what_takes_long(self) -> None:
-        """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""
+        """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds.
+
+        Who is known to be lost is shown meanwhile.
+        """
+        with suppress(Exception):  # the way to zero goes on whoever watches
+            self._show(SHOWN_S)
         if self.bench.cage.on:
             self._announced = ""
         words = self.bench.slow_zero()
@@ -314,11 +326,11 @@ class Drive:
                 self._keep(event)
             self._keep(read_back)
         except Exception as fault:
-            return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
+            return ending if ending.fault else Ending(f"failed: {in_a_sentence(fault)}", fault)
         first = next(iter(faults + lost), None)
         if not self._at_zero:
-            return Ending(f"failed: {self._said}{_what_else(first, self._said)}", first)
-        return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
+            return Ending(f"failed: {self._said}{what_else(first, self._said)}", first)
+        return Ending(f"failed: {in_a_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
     def _keep_fault(self, fault: BaseException | None) -> None:
         """Which instrument ended the run, unless the procedure has said so itself: `interrupted` does not."""
@@ -343,7 +355,7 @@ class Drive:
         zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three
         self._at_zero = zero and self.state.reference.verdict != "disagrees"
         self._said = NOT_CONFIRMED if None in currents else self.state.sentence(now)
-        sentences = [_sentence(fault) for fault in faults + lost]
+        sentences = [in_a_sentence(fault) for fault in faults + lost]
         return read_back(self.bench, "read-back", state=self.state, current_A=currents, faults=sentences)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
@@ -381,18 +393,3 @@ def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
         cage.supplies[axis].set_current(0.0)
         return cage.read(axis)
     return None
-
-
-def _what_else(fault: Exception | None, said: str) -> str:
-    """What went wrong, where that was not said already."""
-    if fault is None or (NOT_BY_REFERENCE in said and NOT_BY_REFERENCE in str(fault)):
-        return ""
-    return f": {_sentence(fault)}"
-
-
-def _sentence(fault: BaseException) -> str:
-    try:
-        words = words_of_system(fault) if isinstance(fault, OSError) else str(fault)
-    except BaseException:  # of a procedure of one's own, whatever its exceptions do
-        words = ""
-    return words or type(fault).__name__

@@ -11,10 +11,10 @@ from test_choose import looked_at, told_by_the_loop
 from test_path import calibration
 
 from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
+from labcal.gui.theming.chosen import chosen_theme
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.loop_words import MEANS, as_a_drop, said_plainly
 from labcal.gui.widgets import secret
-from labcal.gui.window import chosen_theme
 from labcal.loop.narrative import why_accepted, why_rejected
 
 
@@ -59,9 +59,13 @@ def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):
 def test_theme_and_size_are_switched_in_the_window_and_the_theme_is_kept(still, qtbot):
     try:
         qtbot.mouseClick(still.theme_switch, Qt.MouseButton.LeftButton)
-        assert (still.theme, chosen_theme(still.app_state), still.theme_switch.text()) == (DARK, DARK, "Light")
+        assert (still.theme, chosen_theme(still.app_state.settings), still.theme_switch.text()) == (DARK, DARK, "Light")
         qtbot.mouseClick(still.theme_switch, Qt.MouseButton.LeftButton)
-        assert (still.theme, chosen_theme(still.app_state), still.theme_switch.text()) == (LIGHT, LIGHT, "Dark")
+        assert (still.theme, chosen_theme(still.app_state.settings), still.theme_switch.text()) == (
+            LIGHT,
+            LIGHT,
+            "Dark",
+        )
         qtbot.mouseClick(still.size_switch, Qt.MouseButton.LeftButton)
         assert (still.wall, still.size_switch.text()) == (True, "Smaller F11")
     finally:

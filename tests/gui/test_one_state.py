@@ -176,8 +176,10 @@ def of_the_coils(seen):
     colours = (seen.side.zero_words.property("state"), seen.side.platform.property("state"))
     if not asked.isHidden() and colours != (asked.lab.property("state"), asked.stands.property("state")):
         yield f"the question is in other colours than {colours}"
-    if not asked.hands.isHidden() and ("may go in" in asked.hands.text()) != seen.zero.startswith(("✓", "● zero by")):
-        yield f"{asked.hands.text()!r} beside {seen.zero!r}"
+    stands = seen.side.platform.text()
+    rests = seen.zero.startswith(("✓", "● zero by")) and (not stands or (stands[0] == "✓" and "read" not in stands))
+    if not asked.hands.isHidden() and ("may go in" in asked.hands.text()) != rests:
+        yield f"{asked.hands.text()!r} beside {seen.zero!r} and {stands!r}"
 
 
 def of_ages(seen, app_state):

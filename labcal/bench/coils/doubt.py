@@ -54,6 +54,11 @@ def doubt_of(path: Path) -> str:
     return "" if doubt is None else f"{doubt.utc}, {doubt.words}"
 
 
+def advice_of(path: Path) -> str:
+    """At which supply a person can do something about that doubt, and what; "" where there is none."""
+    return "" if (doubt := _of(path)) is None else doubt.advice
+
+
 def _of(path: Path) -> Doubt | None:
     try:
         if (stated := essentials(path)) is not None:

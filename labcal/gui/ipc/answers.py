@@ -120,10 +120,11 @@ class CoilEnd:
 
 @dataclass(frozen=True, slots=True)
 class SwitchedOff:
-    """Every axis, and the doubt that stands about zero ("": none)."""
+    """Every axis, and the doubt that stands about zero ("": none), with what a person can do about it."""
 
     coils: tuple[CoilEnd, ...]
     doubt: str = ""
+    advice: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -141,12 +141,12 @@ def _instrument_read(one: InstrumentReading) -> InstrumentRead:
 def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
     """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
-    from labcal.bench.coils.doubt import doubt_of
+    from labcal.bench.coils.doubt import advice_of, doubt_of
 
     with channel.on_the_way_to_zero():
         ended = session.coils_off(Path(asked.bench))
-    doubt = doubt_of(Path(asked.bench))
-    return SwitchedOff(tuple(map(_coil_end, ended)), doubt)
+    path = Path(asked.bench)
+    return SwitchedOff(tuple(map(_coil_end, ended)), doubt_of(path), advice_of(path))
 
 
 def _coil_end(one: AtZero) -> CoilEnd:

@@ -18,12 +18,11 @@ from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.translations.translate import procedure_title, translated
+from labcal.gui.translations.translate import procedure_title
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import alarm_of, platform_mark, still_live
-from labcal.gui.viewmodels.number_format import FIGURE_SPACE, step_title
+from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.run_verdict import run_verdict
+from labcal.gui.viewmodels.what_happens import what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
@@ -329,13 +328,12 @@ class Live(QWidget):
     def _say_coils_left(self) -> None:
         """One card at a time: that the coils may be on is said above, and comes first."""
         self.fault.say_coils(self._coils_left())
+        self.fault.say_platform(self._app_state.platform_words())
         self.fault.setVisible(not self._app_state.warning_shown)
 
     def _coils_left(self) -> str:
-        """How the coils are after a run that failed, and the platform where it may turn."""
+        """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
-        if platform_mark(now.platform_words)[1] == "bad":
-            words += f". {in_words(now.platform_words)}: {self.tr('stop it at its controller, and see it stand')}"
         words = f"{words}. {now.in_common}" if now.in_common else words
         say = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.")
         return words if now.coils_at_zero is not False else say.format(words, ", ".join(self._app_state.by_hand()))
@@ -347,6 +345,7 @@ class Live(QWidget):
         decided = self._run.state == "ended" and not self._details
         shown: QWidget = self.answer_for if self.answer_for.asks else self.verdict
         shown = self.prompt if prompt is not None else shown if decided else self._picture
+        self._say_now()  # before it comes into sight: what it said last is past
         self.middle.setCurrentWidget(shown)
         if prompt is not None and prompt is not self._asked:
             QApplication.alert(self)
@@ -356,11 +355,15 @@ class Live(QWidget):
         self.steps.show_steps(self._run.steps(), self._theme)
         self.time_left.show_steps()
 
+    def _say_now(self) -> None:
+        now = self._app_state.lab.state.now
+        self.headline.set_text(what_happens(self._run, now, alarmed=self._app_state.warning_shown))
+
     def draw(self) -> None:
         """Draw what has come since the last frame."""
         run = self._run
         self.time_left.show_now(self._app_state.lab.state.now.coil_words)
-        self.headline.set_text(self._now())
+        self._say_now()
         percent = round(100 * run.coverage())
         self.coverage.setValue(percent)
         self.covered.setText(self.tr("{0} % of the circle").format(f"{percent:3d}".replace(" ", FIGURE_SPACE)))
@@ -374,27 +377,3 @@ class Live(QWidget):
         if self._behind and (self._ticks >= LOCI_EVERY or not run.alive):
             self._ticks, self._behind = 0, False
             self.loci.show_field(run.field_rows())
-
-    def _now(self) -> str:
-        """What happens now, to be read from the cage."""
-        run = self._run
-        lost = self._app_state.lab.state.now.failed
-        if run.state == "ended":
-            shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
-            ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
-            return self.tr("{0}: no answer from {1}").format(ended, ", ".join(lost)) if lost and shape == "✕" else ended
-        if run.unheard:
-            return self.tr("A run goes on: the coils may be on. Hands off.")
-        words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
-        if run.state in words:
-            return words[run.state]
-        if alarm := alarm_of(self._app_state.lab.state.now.coil_words):
-            return alarm
-        if lost and (live := still_live(self._app_state.lab.state.now)):  # nobody is sent to a plug before they rest
-            return self.tr("HANDS OFF – no answer from {0}; {1}").format(", ".join(lost), live)
-        if lost:
-            return translated(str(SHOWN)).format(", ".join(lost))
-        doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
-        left = run.step_left_s()
-        wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised
-        return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)

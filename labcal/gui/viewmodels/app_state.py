@@ -16,25 +16,26 @@ from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench import serials
 from labcal.bench.coils import state
-from labcal.bench.named_links import named_links
 from labcal.files.atomic import absolute
-from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer, SwitchedOff
+from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.lab_messages import InstrumentRead
-from labcal.gui.ipc.messages import Command, GoesOn, Identify, ReadBench, RunProcedure, SwitchOff
+from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
+from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import off_words, reference_U, switched_off
+from labcal.gui.viewmodels.lab_now import reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.one_dut import OneDut
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
+from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -42,7 +43,6 @@ from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
 AGES_MS = 250  # what was read grows old
-OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 
 
 class AppState(QObject):
@@ -82,15 +82,14 @@ class AppState(QObject):
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
         self._said_of_dut = ""  # below of the serial at the top
-        self._kept = KnownLab()
+        self.kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
-        self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self.warning_shown = False  # the card that says so
         self.age_timer = QTimer(self, interval=AGES_MS)
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
-        self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
-        self.force_timer.timeout.connect(self._off_by_force)
+        self.off = CoilsOff(self)
+        self.force_timer = self.off.force_timer
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
         name = str(self.settings.value("operator", ""))
@@ -150,8 +149,8 @@ class AppState(QObject):
 
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
-        self._taken = self._unconfirmed = None
-        self._kept = KnownLab()
+        self._taken = self.off.unconfirmed = None
+        self.kept = KnownLab()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
@@ -161,11 +160,13 @@ class AppState(QObject):
 
     def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
         self.answered |= lab_heard.answers(said)
-        self.take_lab(lab_heard.read(self.known, said))
+        self.take_lab(seconded(lab_heard.read(self.known, said), said, self.kept.ambient_nT(self.facts)))
+        if self.off.unconfirmed is not None:
+            self.off.look_again()
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""
-        return "" if self.facts is None or self.run.alive or self._kept.ordered_s else self.bench
+        return "" if self.facts is None or self.run.alive or self.kept.ordered_s else self.bench
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -275,22 +276,8 @@ class AppState(QObject):
         )
 
     def coils_off(self) -> None:
-        """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
-        self.watch.stop()
-        self._kept.order(time.monotonic())
-        if self.run.alive:
-            self.run.abort()
-            self.force_timer.start()
-        elif self.bench:
-            self._switch_off()
-        else:
-            self._kept.answered()
-            self.lab.update(message=self.tr("Coils off: no bench is open, this window drives no coil."))
-
-    def _off_by_force(self) -> None:
-        if self.run.alive:
-            self.bench_worker.kill()
-            self._switch_off()
+        """Every coil to zero now, whatever goes on."""
+        self.off.order()
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
@@ -305,70 +292,50 @@ class AppState(QObject):
         if fault is not None and (blamed := lab_heard.blamed(self.known, fault, self.facts)) is not None:
             self.take_lab(blamed)
         if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
-            return self._switch_off()
-        return self._kept.answered()
-
-    def _switch_off(self) -> None:
-        self._kept.order(time.monotonic(), asked=True)
-        self.lab.update(message=self.tr("Coils off: reading them back …"))
-        self.grow_old()
-        self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
-
-    def _off_known(self, said: SwitchedOff) -> None:
-        names = self.run.links
-        words = "; ".join(f"{one.axis}: {in_words(named_links(one.words, names, brief=True))}" for one in said.coils)
-        zero = all(axis.ok for axis in said.coils)
-        self._kept.answered()
-        self.take_lab(switched_off(self.known or state.LabState(()), said, self.facts))
-        done = off_words(words, self.lab.state.now.platform_words)
-        self._warn(Fault("coils", words)) if said.doubt or not zero else self.lab.update(message=done)
-        if said.doubt and zero:  # it is older than this zero: the reference is looked at again
-            self.off_worker.request(Identify(self.bench), self.take_identified, self.fault.emit)
-
-    def _off_failed(self, fault: Fault) -> None:
-        """Who was to switch them off did not: how they are is not known."""
-        known = self._kept.missed()
-        self._kept.answered()
-        self.take_lab(known)
-        self._warn(fault)
-
-    def _warn(self, fault: Fault) -> None:
-        remedy = self.tr("At its panel, or at its mains switch; then press COILS OFF (F12).")
-        self._unconfirmed = replace(fault, kind="coils", remedy=remedy)
-        self.fault.emit(self._unconfirmed)
-        self.lab.update(message=self._unconfirmed.text)
+            return self.off.switch_off(read_back=fault.kind not in BROKEN)
+        return self.kept.answered()
 
     def says_unconfirmed(self, fault: Fault | None) -> bool:
         """Whether this card is about coils that are not known to be at zero."""
-        return fault is not None and fault is self._unconfirmed
+        return fault is not None and fault is self.off.unconfirmed
+
+    def now_s(self) -> float:
+        """On the computer's monotonic clock."""
+        return time.monotonic()
 
     def by_hand(self) -> tuple[str, ...]:
         """The supplies that a person has to switch off, by name."""
-        return self._kept.by_hand(self.facts, time.monotonic())
+        return self.kept.by_hand(self.facts, time.monotonic())
 
     def coil_words(self) -> str:
         """What may be said of the coils now."""
         return self.lab.state.now.coil_words or state.NOT_READ
 
+    def platform_words(self) -> str:
+        """What may be said of the platform now; of a motor that nobody has heard of, that it may turn."""
+        instruments = {} if self.facts is None else self.facts.instruments
+        motor = any(one.role == "platform" and not one.link.startswith("manual://") for one in instruments.values())
+        return self.lab.state.now.platform_words or (state.MAY_TURN if motor else "")
+
     @property
     def known(self) -> state.LabState | None:
         """The lab as a worker sent it last, by the computer's monotonic clock."""
-        return self._kept.state
+        return self.kept.state
 
     def take_lab(self, known: state.LabState, *, lifted: bool = False) -> None:
         """From here on this is how the lab is; `lifted`: a doubt about zero was, however long ago it was read."""
-        self._kept.take(known, time.monotonic())
+        self.kept.take(known, time.monotonic())
         self.grow_old(lifted)
 
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
-        now = self._kept.now(self.facts, time.monotonic(), driven=self.run.alive)
+        now = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
-        if self._kept.late(self.facts, time.monotonic()) and not self._kept.warned:
-            self._kept.warned = True
-            self._warn(Fault("coils", self.tr("No answer yet from: {0}").format(", ".join(self.by_hand()))))
-        if self._unconfirmed is not None and (lifted or now.coils_at_zero):
-            over, self._unconfirmed = self._unconfirmed, None
+        if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:
+            self.kept.warned = True
+            self.off.say_what_is_missed()
+        if self.off.unconfirmed is not None and (lifted or now.coils_at_zero):
+            over, self.off.unconfirmed = self.off.unconfirmed, None
             self.fault_over.emit(over)
 
     def _update_run(self) -> None:
@@ -377,7 +344,7 @@ class AppState(QObject):
         if run.state == "idle":
             return
         if run.lab is not None and run.lab is not self._taken:
-            self._taken, self._kept.asked = run.lab, False
+            self._taken, self.kept.asked = run.lab, False
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}

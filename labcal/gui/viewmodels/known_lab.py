@@ -11,7 +11,10 @@ from labcal.bench.coils import state
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+from labcal.gui.viewmodels.reference_again import ambient_of, mounted_anew
 
+UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
+LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
 ANSWERS_S = 2.0  # so long after its ramp a supply has to be read back at zero; then it is said that it was not
 
 
@@ -20,7 +23,8 @@ class KnownLab:
 
     def __init__(self) -> None:
         self.state: state.LabState | None = None
-        self._received_s = 0.0
+        self._received_s = self._since_s = 0.0  # since when a coil is to be read back
+        self._agreed: state.LabState | None = None  # as it was when a reference agreed last, of this mounting
         self.asked = False  # another worker was asked to switch the coils off, and has not answered
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
@@ -28,12 +32,26 @@ class KnownLab:
     def take(self, known: state.LabState, now_s: float) -> None:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
+        if known.reference.verdict == "agrees" or mounted_anew(known):
+            self._agreed = None if mounted_anew(known) else known
 
-    def order(self, now_s: float, *, asked: bool = False) -> None:
-        """Somebody says off; where that was said before and stands, its time counts."""
+    def ambient_nT(self, facts: Bench | None) -> tuple[state.Vector, float] | None:
+        """What the reference is to see with the coils at zero [nT, C], and how far off that may be."""
+        return None if self._agreed is None else ambient_of(self._agreed, facts)
+
+    def order(self, now_s: float, *, asked: bool = False, read_back: bool = False) -> None:
+        """Somebody says off; where that was said before and stands, its time counts.
+
+        `read_back`: a run did so before it ended, and what it saw at zero stays there: nobody drives it any more.
+        """
         if self.ordered_s is None:
-            self.ordered_s, self.warned = now_s, False
+            self.ordered_s, self.warned, self._since_s = now_s, False, 0.0 if read_back else now_s
         self.asked = self.asked or asked
+
+    def reached_zero(self) -> bool:
+        """Whether each coil was read back at zero since that was ordered, and no reference says otherwise."""
+        known = self.state
+        return known is not None and not self._silent() and known.reference.verdict != "disagrees"
 
     def answered(self) -> None:
         """How the coils ended is known, or nobody will say it any more."""
@@ -75,16 +93,21 @@ class KnownLab:
         Where the reference sees a field that the supplies do not own to, those that could make it.
         """
         supplies = {} if facts is None else _supplies(facts)
-        if (known := self.as_now(facts, now_s)) is None:
+        known = self.missed() if self.late(facts, now_s) else self.state
+        if known is None:
             return tuple(supplies.values())
         on = {coil.axis for coil in known.coils if not coil.zero}
+        lost = {coil.axis for coil in known.coils if coil.fault and coil.fault != UNANSWERED}
+        if lost and self.ordered_s is not None and now_s - self.ordered_s < LOST_FIRST_S:
+            on = lost  # the others were ordered to zero as well, and nothing says that they are not
         if known.reference.verdict == "disagrees":
-            on |= {axis for axis, name in supplies.items() if name in known.reference.advice} or set(supplies)
+            named = {axis for axis, name in supplies.items() if name in known.reference.advice}
+            on = on | named or set(supplies)
         return tuple(name for axis, name in supplies.items() if axis in on)
 
     def _silent(self) -> list[state.CoilReading]:
-        coils, since_s = () if self.state is None else self.state.coils, self.ordered_s or 0.0
-        return [coil for coil in coils if not coil.zero or coil.read_s is None or coil.read_s < since_s]
+        coils = () if self.state is None else self.state.coils
+        return [coil for coil in coils if not coil.zero or coil.read_s is None or coil.read_s < self._since_s]
 
     def _ramp_s(self, facts: Bench | None) -> float:
         """How long the way down takes from what flowed last, as the bench file has it."""
@@ -93,7 +116,7 @@ class KnownLab:
 
 
 def _unknown(coil: state.CoilReading) -> state.CoilReading:
-    return replace(coil, current_A=None, zero=False, fault=coil.fault or "silent")
+    return replace(coil, current_A=None, zero=False, fault=coil.fault or UNANSWERED)
 
 
 def _in_common(known: state.LabState | None, facts: Bench | None) -> str:
@@ -102,7 +125,7 @@ def _in_common(known: state.LabState | None, facts: Bench | None) -> str:
         return ""
     supplies = _supplies(facts)
     silent = {one.name for one in known.instruments if one.fault}
-    silent |= {supplies[coil.axis] for coil in known.coils if coil.fault and coil.axis in supplies}
+    silent |= {supplies[c.axis] for c in known.coils if c.fault not in ("", UNANSWERED) and c.axis in supplies}
     return in_common(silent, {name: one.link for name, one in facts.instruments.items()})
 
 

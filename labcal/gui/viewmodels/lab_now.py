@@ -36,6 +36,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "failed"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: the coils are not being read"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: the platform is not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
@@ -148,6 +149,8 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short."""
     if platform_mark(platform_words)[1] in ("warning", "bad"):
         return translated("▲ Hands out: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
+    if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
+        return translated("▲ Hands out: the platform is not being read"), "warning"
     if coil_words == state.AT_ZERO:
         return translated("✓ Hands may go in: {0}").format(in_words(state.AT_ZERO)), "good"
     if coil_words.startswith(state.BY_WORD):
@@ -160,9 +163,14 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
 def off_words(coils: str, platform_words: str) -> str:
     """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands."""
     said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
+    return "; ".join(filter(None, (said, platform_said(platform_words))))
+
+
+def platform_said(words: str) -> str:
+    """In the window's language; where it turns, or may, with what to do."""
     stop = translated("stop it at its controller, and see it stand")
-    turns = f"{in_words(platform_words)}: {stop}" if platform_mark(platform_words)[1] in ("bad", "warning") else ""
-    return "; ".join(filter(None, (said, turns or in_words(platform_words))))
+    turns = platform_mark(words)[1] in ("bad", "warning")
+    return f"{in_words(words)}: {stop}" if turns else in_words(words)
 
 
 def still_live(now: LabNow) -> str:
@@ -218,7 +226,9 @@ def coil_read(said: CoilEnd) -> state.CoilReading:
 
 def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None) -> state.LabState:
     """The lab after its coils were switched off and read back, with the doubt that stands about their zero."""
-    witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
+    witness = state.Witness()
+    if said.doubt:
+        witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
     coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard)
 

@@ -5,7 +5,7 @@ Nothing is set by it. It has a worker of its own, which whoever wants the coils 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -48,6 +48,11 @@ class LabWatch(QObject):
         if not self._lab.state.reading and (bench := self._bench()):
             self._lab.update(reading=True, message=self.tr("Reading every instrument; nothing is set …"))
             self._ask(ReadLab(bench))
+
+    def read_again(self, names: Sequence[str]) -> None:
+        """These now, and not only those that are wrong, where nobody else has the lab."""
+        if self._asked is None and (bench := self._bench()) and names:
+            self._ask(ReadLab(bench, tuple(names)))
 
     def stop(self) -> None:
         """Let go of every line at once: somebody wants them."""

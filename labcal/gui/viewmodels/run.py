@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import time
-from datetime import UTC, datetime
 from typing import Literal
 
 import numpy as np
@@ -31,7 +30,9 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.failed_step import asked_text, ended_by_off, said_of
+from labcal.gui.viewmodels.hands import says_hands_off
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
@@ -52,19 +53,6 @@ AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements 
     "delay": "delay {axis}",
     "closure": "closure {axis}",
 }
-
-
-def _now() -> str:
-    return f"{datetime.now():%Y-%m-%d %H:%M}"
-
-
-def began_at(run_id: str) -> str:
-    """When a run of this id began by the clock of this place, as its row in the lists says it; "" where it does not."""
-    try:
-        utc = datetime.strptime(run_id.partition("-")[0], "%Y%m%dT%H%M%S").replace(tzinfo=UTC)
-    except ValueError:
-        return ""
-    return f"{utc.astimezone():%Y-%m-%d %H:%M}"
 
 
 class RunViewModel(QObject):
@@ -108,6 +96,7 @@ class RunViewModel(QObject):
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
+        self.hands_off = False  # a person said so, and was asked for nothing since
         self.lab: LabState | None = None  # by the computer's monotonic clock
         self.unheard = self.pausing = False  # it has not told a window that came back how the lab is; a pause was asked
         self.coils_at_zero: bool | None = None  # when that was read
@@ -143,7 +132,7 @@ class RunViewModel(QObject):
         """Show the run that went on while there was no window; its order comes with it."""
         self.forget()
         self.order, self.state, self.message = None, "starting", self.tr("Coming back to the run that goes on …")
-        self.unheard = True
+        self.unheard = self.hands_off = True  # as far as this window knows
         self._worker.request(Rejoin(), self._done, self._failed)
         self.changed.emit()
 
@@ -152,7 +141,7 @@ class RunViewModel(QObject):
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.run_id, self.began = run_id, began_at(run_id) or _now()
+        self.run_id, self.began = run_id, began.began_at(run_id) or began.now()
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -161,7 +150,9 @@ class RunViewModel(QObject):
         if self.prompt is None:
             return
         self._worker.send(Answer(self.prompt.key, text))
-        self.prompt, self.message = None, self.tr("Hands off: it goes on.")
+        self.hands_off = says_hands_off(self.prompt.key, text)
+        self.message = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
+        self.prompt = None
         self._be("running")
 
     def pause(self) -> None:
@@ -282,7 +273,7 @@ class RunViewModel(QObject):
 
     def _take(self, items: tuple[Item, ...]) -> None:
         if self._begins:  # here its record does; until now it was asked who answers
-            self._begins, self.began = False, _now()
+            self._begins, self.began = False, began.now()
         for item in items:
             self._one(item)
         if not all(isinstance(item, Block) for item in items):
@@ -326,8 +317,9 @@ class RunViewModel(QObject):
     def _event(self, event: Event) -> None:
         if event.kind == "answer":
             self._waits_no_more(event.t_s)
+            self.hands_off = says_hands_off(str(event.data.get("key")), event.text)  # also before a window came back
         if event.kind == "pause":
-            paused, self.pausing = event.text != "goes on", False
+            paused, self.pausing, self.hands_off = event.text != "goes on", False, False
             self._waits(event.t_s) if paused else self._waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
@@ -377,7 +369,7 @@ class RunViewModel(QObject):
 
     def _done(self, result: Ended) -> None:
         self.run_id, self.status, self._ending = result.run_id, result.status, result.ending
-        self.began = began_at(self.run_id) or self.began
+        self.began = began.began_at(self.run_id) or self.began
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
 

@@ -12,6 +12,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
+from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
 
 TITLES = {
@@ -45,6 +46,7 @@ class FaultCard(Card):
         self.by_hand = label("", "large", wrap=True)
         set_state(self.by_hand, "bad")
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
+        self.platform = label("", "title", wrap=True)
         self.meaning = label("", "caption", wrap=True)  # of a word that stands above, and in no manual of an instrument
         self.details = QPlainTextEdit()
         self.details.setReadOnly(True)
@@ -66,7 +68,7 @@ class FaultCard(Card):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(close)
-        for part in (self.by_hand, self.text, self.coils, self.remedy, self.meaning, self.details):
+        for part in (self.by_hand, self.platform, self.text, self.coils, self.remedy, self.meaning, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -78,6 +80,7 @@ class FaultCard(Card):
         self.fault = fault
         self.coils.hide()
         self.by_hand.hide()
+        self.platform.hide()
         self.text.show()
         if fault is None:
             return self.hide()
@@ -124,6 +127,13 @@ class FaultCard(Card):
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
+
+    def say_platform(self, words: str) -> None:
+        """Whether it may turn still, or was seen to stand; nothing where there is none with a motor."""
+        shape, mark = platform_mark(words)
+        self.platform.setText(f"{shape} {platform_said(words)}")
+        self.platform.setVisible(bool(words))
+        set_state(self.platform, mark)
 
     def _close(self) -> None:
         self.hide()

@@ -18,6 +18,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
+from labcal.gui.viewmodels.hands import READY, STILL_LOST, reached_into, says_hands_off
 from labcal.gui.viewmodels.lab_now import hands_words, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
@@ -41,7 +42,7 @@ ASKED = {  # by what the question draws or, where it draws nothing, by its key: 
     "motor-off": "Switched off",
     "motor-on": "Switched on",
     "warm": "Warmed",
-    "ready": "Hands off: begin",
+    READY: "Hands off: begin",
 }
 WORDS = {
     "done": "Done",
@@ -70,7 +71,7 @@ def acting(prompt: Prompt, choice: str) -> bool:
 
 def moves_by_itself(prompt: Prompt, choice: str) -> bool:
     """Whether the lab energises or turns something once this is answered: held, by mouse as well."""
-    return choice == RETRY or (choice == "done" and prompt.key == "ready")
+    return choice == RETRY or says_hands_off(prompt.key, choice)
 
 
 def answer_label(prompt: Prompt, choice: str) -> str:
@@ -81,9 +82,6 @@ def answer_label(prompt: Prompt, choice: str) -> str:
     if choice == "done":
         return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
     return translated(WORDS.get(choice, choice))
-
-
-HANDS_OFF, STILL_LOST = "ready", "Still lost"  # the question before anything is energised; asked again in these words
 
 
 class PromptCard(Card):
@@ -243,7 +241,9 @@ class PromptCard(Card):
             again = self.tr("Every instrument answers again.")
             self.text.set_text(unbroken(headline(self._prompt)) if lost else again)
         self._lost = bool(lost)
-        if self._prompt.key != HANDS_OFF:
+        self._reached_into = reached_into(self._prompt, lost=self._lost)
+        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
+        if self._prompt.key != READY:
             return
         said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
         self.details.setText(said.format(", ".join(lost)) if lost else "")

@@ -1,0 +1,113 @@
+"""COILS OFF: ordered whatever goes on, done by force where a run does not get there, and what is said of it after."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QTimer
+
+from labcal.bench.coils import state
+from labcal.bench.named_links import named_links
+from labcal.gui.ipc.answers import SwitchedOff
+from labcal.gui.ipc.messages import Identify, SwitchOff
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.lab_now import off_words, switched_off
+
+if TYPE_CHECKING:
+    from labcal.gui.viewmodels.app_state import AppState
+
+OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
+STANDS_S = 30.0  # and where they are there this long to end: a large platform comes to rest, the reference is asked
+READ_AFTER = ("coil-", "reference", "platform")  # roles that tell, after a zero, whether hands may go in
+
+
+class CoilsOff(QObject):
+    """Of the window `app_state`. `unconfirmed`: the card that says that the coils are not known to be at zero."""
+
+    def __init__(self, app_state: AppState) -> None:
+        super().__init__()
+        self._window = app_state
+        self.unconfirmed: Fault | None = None
+        self._ordered_s, self._looked = 0.0, False
+        self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
+        self.force_timer.timeout.connect(self._by_force)
+
+    def order(self) -> None:
+        """Every coil to zero now. A run that does not get there itself is ended, and switched off."""
+        window, self._ordered_s, self._looked = self._window, time.monotonic(), False
+        window.watch.stop()
+        window.kept.order(window.now_s())
+        if window.run.alive:
+            window.run.abort()
+            self.force_timer.start()
+        elif window.bench:
+            self.switch_off()
+        else:
+            window.kept.answered()
+            window.lab.update(message=self.tr("Coils off: no bench is open, this window drives no coil."))
+
+    def _by_force(self) -> None:
+        """A run that has brought the coils to zero is left to its end: it stops the platform, asks the reference."""
+        if not self._window.run.alive:
+            return None
+        if self._window.kept.reached_zero() and time.monotonic() - self._ordered_s < STANDS_S:
+            return self.force_timer.start()
+        self._window.bench_worker.kill()
+        return self.switch_off()
+
+    def switch_off(self, *, read_back: bool = False) -> None:
+        """By another worker. `read_back`: by a run that has ended in order, what was at zero then is not missed."""
+        window = self._window
+        window.kept.order(window.now_s(), asked=True, read_back=read_back)
+        window.lab.update(message=self.tr("Coils off: reading them back …"))
+        window.grow_old()
+        window.off_worker.request(SwitchOff(window.bench), self._known, self._failed)
+
+    def _known(self, said: SwitchedOff) -> None:
+        window = self._window
+        names = window.run.links
+        words = "; ".join(f"{one.axis}: {in_words(named_links(one.words, names, brief=True))}" for one in said.coils)
+        zero = all(axis.ok for axis in said.coils)
+        window.kept.answered()
+        window.take_lab(switched_off(window.known or state.LabState(()), said, window.facts))
+        if said.doubt or not zero:
+            self.warn(Fault("coils", words))
+        else:
+            window.lab.update(message=off_words(words, window.lab.state.now.platform_words))
+        if said.doubt and zero:
+            self.look_again()
+        elif zero and window.facts is not None:
+            instruments = window.facts.instruments.items()
+            window.watch.read_again([name for name, one in instruments if one.role.startswith(READ_AFTER)])
+
+    def look_again(self) -> None:
+        """A doubt that is older than the zero that was read back by now: the reference is asked anew, once."""
+        window = self._window
+        known = window.known
+        if known is None or known.reference.verdict != "disagrees" or not all(coil.zero for coil in known.coils):
+            return
+        if not self._looked and not window.off_worker.busy:
+            self._looked = True
+            window.off_worker.request(Identify(window.bench), window.take_identified, window.fault.emit)
+
+    def _failed(self, fault: Fault) -> None:
+        """Who was to switch them off did not: how they are is not known."""
+        known = self._window.kept.missed()
+        self._window.kept.answered()
+        self._window.take_lab(known)
+        self.warn(fault)
+
+    def say_what_is_missed(self) -> None:
+        """An answer that is due, and has not come."""
+        missed = ", ".join(self._window.by_hand())
+        self.warn(Fault("coils", self.tr("No answer yet from: {0}").format(missed)))
+
+    def warn(self, fault: Fault) -> None:
+        """Say that the coils may be on, whatever page is open."""
+        remedy = self.tr("At its panel, or at its mains switch; then press COILS OFF (F12).")
+        self.unconfirmed = replace(fault, kind="coils", remedy=remedy)
+        self._window.fault.emit(self.unconfirmed)
+        self._window.lab.update(message=self.unconfirmed.text)

@@ -1,0 +1,23 @@
+"""Hands in the lab: which question brings them there, and which answer says that they are off. No widgets."""
+
+from __future__ import annotations
+
+from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT
+from labcal.record.stream import Prompt
+
+READY, DONE = "ready", "done"  # the question whether all hands are off, and the answer that says so
+STILL_LOST = "Still lost"  # so it begins where it is asked again, because somebody does not answer
+
+
+def says_hands_off(key: str, answer: object) -> bool:
+    """Whether whoever answers the question `key` so stands back, until anything else is asked."""
+    return key == READY and answer == DONE
+
+
+def reached_into(prompt: Prompt, *, lost: bool) -> bool:
+    """Whether what is asked brings hands to the lab: to mount or switch, or to the plug of what does not answer.
+
+    `lost`: somebody does not, whatever is asked.
+    """
+    mends = bool({NO_ANSWER, WHAT} & set(prompt.drawing)) or prompt.text.startswith(STILL_LOST)
+    return mends or (lost if prompt.key == READY else prompt.acts)

@@ -1,0 +1,56 @@
+"""The reference, read again after the coils were switched off: whether it sees the zero that the supplies state.
+
+It is judged by the ambient field that a run compared it with last, and only until something was mounted anew.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from labcal.bench.coils import state
+from labcal.bench.coils.agreement import LIMIT_NT, NO_AMBIENT
+from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.ipc.lab_messages import InstrumentRead
+
+CURRENT_FOLLOWS = 0.02  # of the coils' field, between what was set and what was read
+
+
+def ambient_of(known: state.LabState, facts: Bench | None) -> tuple[state.Vector, float] | None:
+    """The field [nT, C] that the reference sees with the coils at zero, and how far off that may be.
+
+    None where it has not just agreed with the supplies, or in a simulated lab: that one ends with its run.
+    """
+    agreed, coils = known.reference, [coil.current_A for coil in known.coils]
+    if facts is None or facts.virtual_time or agreed.verdict != "agrees" or agreed.expected_nT is None or None in coils:
+        return None
+    of_coils = np.array(facts.cage.matrix) @ np.array(coils, dtype=float)
+    x, y, z = (np.array(agreed.expected_nT) - of_coils).tolist()
+    return (x, y, z), LIMIT_NT + CURRENT_FOLLOWS * float(np.linalg.norm(of_coils))
+
+
+def mounted_anew(known: state.LabState) -> bool:
+    """Whether what the reference saw before says nothing any more."""
+    return known.reference.why == NO_AMBIENT
+
+
+def seconded(
+    known: state.LabState, said: tuple[InstrumentRead, ...], ambient: tuple[state.Vector, float] | None
+) -> state.LabState:
+    """`known` with what the reference, if it was among those just read, says of a zero; a doubt stands until lifted."""
+    seen = next((one for one in said if one.role == "reference" and not one.held), None)
+    if seen is None or known.reference.verdict == "disagrees" or not all(coil.zero for coil in known.coils):
+        return known
+    return replace(known, reference=_witness(seen, ambient))
+
+
+def _witness(seen: InstrumentRead, ambient: tuple[state.Vector, float] | None) -> state.Witness:
+    if seen.field_nT is None:
+        return state.Witness(why=state.REFERENCE_SILENT if seen.fault else state.NOT_ASKED)
+    if ambient is None:
+        return state.Witness(why=NO_AMBIENT)
+    expected, limit = ambient
+    apart = float(np.linalg.norm(np.subtract(seen.field_nT, expected)))
+    verdict: state.Verdict = "agrees" if apart <= limit else "disagrees"
+    return state.Witness(verdict, "", seen.field_nT, expected, apart, limit, seen.read_s)

@@ -1,0 +1,65 @@
+"""What happens now, in one line to be read from the cage. No widgets."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.failed_step import SHOWN
+from labcal.gui.viewmodels.lab_now import LabNow, alarm_of, platform_mark, still_live
+from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.viewmodels.run import RunViewModel
+
+COMES_BACK = QT_TRANSLATE_NOOP("Words", "A run goes on: the coils may be on. Hands off.")
+WORDS = {
+    "starting": QT_TRANSLATE_NOOP("Words", "Starting"),
+    "stopping": QT_TRANSLATE_NOOP("Words", "Stopping"),
+    "paused": QT_TRANSLATE_NOOP("Words", "Paused"),
+}
+HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
+LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
+ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
+
+
+def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> str:
+    """Of `run` with the lab as it is `now`; `alarmed`: a card above says that the coils may be on, which is enough."""
+    if run.state == "ended":
+        return _how_it_ended(run, now)
+    if run.unheard:
+        return translated(str(COMES_BACK))
+    if run.state in WORDS:
+        return translated(str(WORDS[run.state]))
+    return "" if alarmed else alarm_of(now.coil_words) or _of_who_is_lost(now) or _doing(run, now)
+
+
+def at_rest(now: LabNow) -> bool:
+    """Whether coils at zero and a platform that stands were read just now: then nobody has to keep off."""
+    return now.coils_at_zero is True and platform_mark(now.platform_words)[1] in ("", "good")
+
+
+def _how_it_ended(run: RunViewModel, now: LabNow) -> str:
+    shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
+    ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
+    lost = now.failed if shape == "✕" else []
+    return translated(str(ENDED)).format(ended, ", ".join(lost)) if lost else ended
+
+
+def _of_who_is_lost(now: LabNow) -> str:
+    """Nobody is sent to a plug before coils and platform rest."""
+    if not now.failed:
+        return ""
+    lost, live = ", ".join(now.failed), still_live(now)
+    return translated(str(LIVE)).format(lost, live) if live else translated(str(SHOWN)).format(lost)
+
+
+def _doing(run: RunViewModel, now: LabNow) -> str:
+    """The step, and "Hands off" as long as something is on, turns, may do so unasked, or is being measured.
+
+    Between two questions nothing is: who goes on mounting is not called away.
+    """
+    doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
+    if not run.segment and not run.hands_off and at_rest(now):
+        return doing
+    left = run.step_left_s()
+    wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised
+    return " · ".join(part for part in (translated(str(HANDS_OFF)), wait, doing) if part)
