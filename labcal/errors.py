@@ -44,12 +44,13 @@ class InstrumentError(RuntimeError):
     """An instrument failed: what happened and what to do. How the coils are, whoever shows it says from a reading.
 
     `fault` is the named fault state ("silent", "overloaded", "stuck", "wrong mode", "tripped", "link lost" …); where no
-    `remedy` is stated, it has that of its fault in `WHAT_TO_DO`.
+    `remedy` is stated, it has that of its fault in `WHAT_TO_DO`. `mends`: what only who mends labcal can do about it.
     """
 
-    def __init__(self, what: str, *, fault: str = "failed", remedy: str = "") -> None:
+    def __init__(self, what: str, *, fault: str = "failed", remedy: str = "", mends: str = "") -> None:
         self.what, self.fault, self.remedy = what, fault, remedy or WHAT_TO_DO.get(fault, "")
-        super().__init__(f"{what} {self.remedy}".strip())
+        self.mends = mends
+        super().__init__(" ".join(filter(None, (what, self.remedy, mends))))
 
 
 class LimitError(InstrumentError):

@@ -204,7 +204,7 @@ def test_who_may_not_begin_is_told_what_is_not_at_zero_and_which_guardian_tries(
     ear.coils.unresolved = {"x": InstrumentError("coil x does not answer.", fault="silent", remedy="Plug it in.")}
     (answer,) = ear.asked({"order": "hello", "with": {"who": "session 1", "bench": bench}})
     assert answer["error"]["what"] == "coil x does not answer."
-    assert f"kill {os.getpid()}" in answer["error"]["remedy"]
+    assert f"kill {os.getpid()}" in answer["error"]["mends"]
     assert ear.server.dismissed.is_set() == (bench != BENCH)
 
 

@@ -304,7 +304,7 @@ class GuardianClient:
                 self._forget()
                 if fault.fault != wire.OTHER_BENCH:
                     raise
-                not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy)
+                not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy, mends=fault.mends)
             self._clock.wait_until(self._clock.now() + 0.02)  # whoever watches hears that it takes long
         raise not_met
 
@@ -338,7 +338,8 @@ def answered(connection: Connection, number: int) -> Any:
                 f"the guardian has not answered for {REPLY_S:g} s: it hangs, or was stopped; how the coils are is not "
                 "known.",
                 fault="guardian lost",
-                remedy="Switch the supplies off by hand; guardian.log names its process: end it, then say off again.",
+                remedy="Switch the supplies off by hand.",
+                mends="guardian.log names its process: end it, then say off again.",
             )
     if "error" in reply:
         raise wire.fault_of(reply["error"])

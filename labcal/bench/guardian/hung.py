@@ -30,20 +30,21 @@ def ended(pid: int | None, uid: int | None, why: str) -> None:
     """
     whose = "" if uid is None else f" of user {user_name(uid)}"
     if pid is None or pid == os.getpid():
-        raise _lost("a guardian holds the ports and hangs, or was stopped.", "End it, then say off again.")
+        raise _lost("a guardian holds the ports and hangs, or was stopped.", "Have it ended, then say off again.")
     try:
         os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
     except ProcessLookupError:
         return
     except OSError as error:
         what = f"guardian {pid}{whose} hangs, or was stopped, and may not be ended from here ({error.strerror})."
-        raise _lost(what, f"Have it ended (kill -9 {pid}), then say off again.") from error
+        raise _lost(what, f"To end it: kill -9 {pid}. Then say off again.") from error
     note(f"guardian {pid} {why} and hangs, or was stopped: it was killed by process {os.getpid()}")
 
 
-def _lost(what: str, remedy: str) -> InstrumentError:
+def _lost(what: str, mends: str) -> InstrumentError:
     return InstrumentError(
         f"{what} How the coils are is not known.",
         fault="guardian lost",
-        remedy=f"Switch the supplies off by hand. {remedy}",
+        remedy="Switch the supplies off by hand.",
+        mends=mends,
     )

@@ -32,6 +32,7 @@ LINE_BYTES = 65536  # no order is longer
 TOKEN_S = 5.0  # to say who one is
 CALLERS, ORDERS = 32, 64  # at once; and of one caller not worked off yet: then it is not listened to
 STALE_S = 3.0  # a session that has been silent so long, with the coils at zero, makes room for another
+TRIED_AGAIN = "It is tried again and again; no run begins before it answers."
 FOR_THE_SESSION = ("set_current", "output", "modbus", "reopen")
 KINDS: dict[str, tuple[type, ...]] = {
     "current_A": (float, int), "on": (bool,), "axis": (str,), "name": (str,), "within_s": (float,)
@@ -191,7 +192,8 @@ class Server:
             raise InstrumentError(
                 fault.what,
                 fault=OTHER_BENCH if other_bench else fault.fault,
-                remedy=f"{fault.remedy} Guardian {os.getpid()} of user {user_name(user())} goes on trying; "
+                remedy=f"{fault.remedy} {TRIED_AGAIN}",
+                mends=f"Guardian {os.getpid()} of user {user_name(user())} goes on trying; "
                 f"where it will never answer: kill {os.getpid()}.",
             )
         if other_bench:

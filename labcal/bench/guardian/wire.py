@@ -122,13 +122,13 @@ def fingerprint(bench: Path) -> str:
 def fault_message(fault: InstrumentError) -> Message:
     """An error as it goes over the socket."""
     kind = "limit" if isinstance(fault, LimitError) else "instrument"
-    return {"kind": kind, "what": fault.what, "fault": fault.fault, "remedy": fault.remedy}
+    return {"kind": kind, "what": fault.what, "fault": fault.fault, "remedy": fault.remedy, "mends": fault.mends}
 
 
 def fault_of(message: Message) -> InstrumentError:
     """The error that came over the socket."""
     kind = LimitError if message["kind"] == "limit" else InstrumentError
-    return kind(message["what"], fault=message["fault"], remedy=message["remedy"])
+    return kind(message["what"], fault=message["fault"], remedy=message["remedy"], mends=message.get("mends", ""))
 
 
 def zero_message(end: AtZero) -> Message:

@@ -150,7 +150,9 @@ def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
 
 
 def _coil_end(one: AtZero) -> CoilEnd:
-    return CoilEnd(one.axis, one.current_A, one.words, one.fault is None, one.read_s)
+    mends = "" if one.fault is None else one.fault.mends  # no technician's business
+    words = one.words.replace(mends, "").rstrip() if mends else one.words
+    return CoilEnd(one.axis, one.current_A, words, one.fault is None, one.read_s)
 
 
 def run(channel: Channel, asked: RunProcedure) -> Ended:

@@ -69,13 +69,14 @@ class Fault:
     text: str
     remedy: str = ""
     details: str = ""
+    mends: str = ""  # what only who mends labcal can do: behind the fold
 
 
 def fault_of(error: BaseException, details: str = "") -> Fault:
     """The fault that an exception of labcal's (or any other) stands for."""
     if isinstance(error, InstrumentError):
         kind = "input" if isinstance(error, LimitError) else NO_INSTRUMENT.get(error.fault, "instrument")
-        return Fault(kind, error.what, error.remedy, details)
+        return Fault(kind, error.what, error.remedy, details, error.mends)
     if isinstance(error, OutOfControl):
         return Fault("standard", error.words, error.remedy, details or str(error))
     kinds: tuple[tuple[type[BaseException], str], ...] = (

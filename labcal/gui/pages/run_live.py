@@ -288,6 +288,7 @@ class Live(QWidget):
         self.fault.show_fault(fault)
         self.answer_for.show_fault(fault)
         if fault is None:
+            self.verdict.say_reason("")
             return self.fault.hide()
         self._say_coils_left()
         if "begin this step again" in fault.remedy.lower():
@@ -329,7 +330,10 @@ class Live(QWidget):
         """One card at a time: that the coils may be on is said above, and comes first."""
         self.fault.say_coils(self._coils_left())
         self.fault.say_platform(self._app_state.platform_words())
-        self.fault.setVisible(not self._app_state.warning_shown)
+        gives_way = self._app_state.warning_shown
+        self.fault.setVisible(not gives_way)
+        why = (self.fault.text.text(), self.fault.remedy.text())
+        self.verdict.say_reason(" ".join(filter(None, why)) if gives_way else "")
 
     def _coils_left(self) -> str:
         """How the coils are after a run that failed."""

@@ -86,6 +86,8 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP(
         "Data", "the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known."
     ),
+    QT_TRANSLATE_NOOP("Data", "It is tried again and again; no run begins before it answers."),
+    QT_TRANSLATE_NOOP("Data", "Switch the supplies off by hand."),
     QT_TRANSLATE_NOOP("Data", "zero was ordered for all coils: {0}."),
     QT_TRANSLATE_NOOP("Data", "zero was ordered{0}; what was being asked of this line was given up."),
     QT_TRANSLATE_NOOP("Data", "See guardian.log; what was measured since then was measured without them."),

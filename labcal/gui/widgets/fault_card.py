@@ -94,13 +94,18 @@ class FaultCard(Card):
         self.remedy.setVisible(bool(fault.remedy))
         self.meaning.setText(guardian_is(fault.kind, fault.text, fault.remedy))
         self.meaning.setVisible(bool(self.meaning.text()))
-        for_others = self.tr("For who mends labcal; a problem report holds it:") if "Traceback" in fault.details else ""
-        self.details.setPlainText(f"{for_others}\n\n{fault.details}".strip())
-        self.fold.setVisible(bool(fault.details) and not stopped)
+        self.details.setPlainText(self._for_others(fault))
+        self.fold.setVisible(bool(fault.details or fault.mends) and not stopped)
         self.fold.setChecked(False)
         self.details.hide()
         QTimer.singleShot(0, self, self._come_into_sight)
         return self.show()  # whole at once: what is folded widens no window
+
+    def _for_others(self, fault: Fault) -> str:
+        """What is behind the fold: of what is no technician's business, whose it is."""
+        theirs = bool(fault.mends) or "Traceback" in fault.details
+        head = self.tr("For who mends labcal; a problem report holds it:") if theirs else ""
+        return "\n\n".join(filter(None, (head, fault.mends, fault.details)))
 
     def _come_into_sight(self) -> None:
         """On a page that is scrolled."""
@@ -123,7 +128,9 @@ class FaultCard(Card):
             self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
             short = in_words(words.partition(";")[0].partition(":")[0])
             self.coils.setText(f"{short}. {common}" if common else short)
-            said = dict.fromkeys((in_words(words), in_words(self.fault.text), self.fault.details))  # figures first
+            said = dict.fromkeys(
+                (in_words(words), in_words(self.fault.text), self._for_others(self.fault))
+            )  # figures first
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPalette
 
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.run_verdict import RunVerdict
-from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, set_state
 
 HUGE_PT = 150
 NO_BREAK = "\N{NO-BREAK SPACE}"
@@ -25,13 +25,14 @@ class VerdictCard(Card):
         self.serial.setAccessibleName(self.tr("DUT"))
         self.word.setAccessibleName(self.tr("Verdict"))
         self.rule, self.next = label("", wrap=True), label("", "title", wrap=True)
+        self.reason = label("", "title", wrap=True)  # where the card that says it gives way to another
         self.details = button(self.tr("What was measured"), self.tr("The pictures and every value with its limit"))
         self.details.clicked.connect(self.details_wanted)
         for part, share in ((self.serial, 2), (self.word, 3)):
             part.setAlignment(Qt.AlignmentFlag.AlignCenter)
             part.setMinimumHeight(6 * GRID)
             self.body.addWidget(part, share)
-        for words in (self.rule, self.next):
+        for words in (self.reason, self.rule, self.next):
             words.setAlignment(Qt.AlignmentFlag.AlignCenter)
             self.body.addWidget(words)
         self.body.addWidget(self.details, 0, Qt.AlignmentFlag.AlignHCenter)
@@ -45,6 +46,12 @@ class VerdictCard(Card):
         self.rule.setVisible(bool(verdict.rule))
         self.next.setText(verdict.next)
         self._colour()
+
+    def say_reason(self, reason: str) -> None:
+        """Why it ended so, or did not go on."""
+        self.reason.setText(reason)
+        self.reason.setVisible(bool(reason))
+        set_state(self.reason, "bad")
 
     def set_theme(self, theme: Theme) -> None:
         """The word in the theme's colour of its state."""
