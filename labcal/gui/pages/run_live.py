@@ -366,7 +366,7 @@ class Live(QWidget):
     def draw(self) -> None:
         """Draw what has come since the last frame."""
         run = self._run
-        self.time_left.show_now(self._app_state.lab.state.now.coil_words)
+        self.time_left.show_now(self._app_state.lab.state.now)
         self._say_now()
         percent = round(100 * run.coverage())
         self.coverage.setValue(percent)

@@ -160,7 +160,10 @@ class AppState(QObject):
 
     def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
         self.answered |= lab_heard.answers(said)
-        self.take_lab(seconded(lab_heard.read(self.known, said), said, self.kept.ambient_nT(self.facts)))
+        known = lab_heard.read(self.known, said)
+        simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
+        ambient = self.kept.ambient_nT(self.facts, time.monotonic())
+        self.take_lab(known if simulated else seconded(known, said, ambient))
         if self.off.unconfirmed is not None:
             self.off.look_again()
 
@@ -337,6 +340,8 @@ class AppState(QObject):
         if self.off.unconfirmed is not None and (lifted or now.coils_at_zero):
             over, self.off.unconfirmed = self.off.unconfirmed, None
             self.fault_over.emit(over)
+            if not lifted:  # the supplies say so, and the reference has not been asked since
+                self.off.read_again()
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""

@@ -79,9 +79,14 @@ class CoilsOff(QObject):
             window.lab.update(message=off_words(words, window.lab.state.now.platform_words))
         if said.doubt and zero:
             self.look_again()
-        elif zero and window.facts is not None:
-            instruments = window.facts.instruments.items()
-            window.watch.read_again([name for name, one in instruments if one.role.startswith(READ_AFTER)])
+        elif zero:
+            self.read_again()
+
+    def read_again(self) -> None:
+        """What tells whether hands may go in, now that the supplies are at zero: the reference is asked as well."""
+        facts = self._window.facts
+        instruments = {} if facts is None or facts.virtual_time else facts.instruments  # emulated: gone with the run
+        self._window.watch.read_again([n for n, one in instruments.items() if one.role.startswith(READ_AFTER)])
 
     def look_again(self) -> None:
         """A doubt that is older than the zero that was read back by now: the reference is asked anew, once."""

@@ -15,6 +15,7 @@ from labcal.gui.viewmodels.reference_again import ambient_of, mounted_anew
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
+AMBIENT_S = 120.0  # so long what a reference saw is compared with what it sees
 ANSWERS_S = 2.0  # so long after its ramp a supply has to be read back at zero; then it is said that it was not
 
 
@@ -35,9 +36,15 @@ class KnownLab:
         if known.reference.verdict == "agrees" or mounted_anew(known):
             self._agreed = None if mounted_anew(known) else known
 
-    def ambient_nT(self, facts: Bench | None) -> tuple[state.Vector, float] | None:
-        """What the reference is to see with the coils at zero [nT, C], and how far off that may be."""
-        return None if self._agreed is None else ambient_of(self._agreed, facts)
+    def ambient_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
+        """What the reference is to see with the coils at zero [nT, C], and how far off that may be; soon out of date.
+
+        Hands may have brought or taken something since.
+        """
+        seen_s = None if self._agreed is None else self._agreed.reference.read_s
+        if self._agreed is None or facts is None or seen_s is None or now_s - seen_s > AMBIENT_S:
+            return None
+        return ambient_of(self._agreed, facts)
 
     def order(self, now_s: float, *, asked: bool = False, read_back: bool = False) -> None:
         """Somebody says off; where that was said before and stands, its time counts.

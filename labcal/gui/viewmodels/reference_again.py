@@ -17,13 +17,13 @@ from labcal.gui.ipc.lab_messages import InstrumentRead
 CURRENT_FOLLOWS = 0.02  # of the coils' field, between what was set and what was read
 
 
-def ambient_of(known: state.LabState, facts: Bench | None) -> tuple[state.Vector, float] | None:
+def ambient_of(known: state.LabState, facts: Bench) -> tuple[state.Vector, float] | None:
     """The field [nT, C] that the reference sees with the coils at zero, and how far off that may be.
 
-    None where it has not just agreed with the supplies, or in a simulated lab: that one ends with its run.
+    None where it has not agreed with the supplies.
     """
     agreed, coils = known.reference, [coil.current_A for coil in known.coils]
-    if facts is None or facts.virtual_time or agreed.verdict != "agrees" or agreed.expected_nT is None or None in coils:
+    if agreed.verdict != "agrees" or agreed.expected_nT is None or None in coils:
         return None
     of_coils = np.array(facts.cage.matrix) @ np.array(coils, dtype=float)
     x, y, z = (np.array(agreed.expected_nT) - of_coils).tolist()

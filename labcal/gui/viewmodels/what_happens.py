@@ -61,5 +61,6 @@ def _doing(run: RunViewModel, now: LabNow) -> str:
     if not run.segment and not run.hands_off and at_rest(now):
         return doing
     left = run.step_left_s()
-    wait = f"{left:.0f} s" if left and left >= 1.0 else ""  # of what takes longer than planned nothing is promised
+    asks = (needed := run.needed_s()) is not None and needed < 1.0
+    wait = f"{left:.0f} s" if left and left >= 1.0 and not asks else ""  # nothing is promised of a person, nor too late
     return " · ".join(part for part in (translated(str(HANDS_OFF)), wait, doing) if part)

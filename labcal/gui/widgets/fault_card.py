@@ -46,7 +46,7 @@ class FaultCard(Card):
         self.by_hand = label("", "large", wrap=True)
         set_state(self.by_hand, "bad")
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
-        self.platform = label("", "title", wrap=True)
+        self.platform, self.turning = label("", wrap=True), label("", "title", wrap=True)
         self.meaning = label("", "caption", wrap=True)  # of a word that stands above, and in no manual of an instrument
         self.details = QPlainTextEdit()
         self.details.setReadOnly(True)
@@ -68,7 +68,8 @@ class FaultCard(Card):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(close)
-        for part in (self.by_hand, self.platform, self.text, self.coils, self.remedy, self.meaning, self.details):
+        said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
+        for part in (self.by_hand, self.turning, *said, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -81,6 +82,7 @@ class FaultCard(Card):
         self.coils.hide()
         self.by_hand.hide()
         self.platform.hide()
+        self.turning.hide()
         self.text.show()
         if fault is None:
             return self.hide()
@@ -128,19 +130,20 @@ class FaultCard(Card):
             self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
             short = in_words(words.partition(";")[0].partition(":")[0])
             self.coils.setText(f"{short}. {common}" if common else short)
-            said = dict.fromkeys(
-                (in_words(words), in_words(self.fault.text), self._for_others(self.fault))
-            )  # figures first
+            figures = in_words(words), in_words(self.fault.text)
+            said = dict.fromkeys((*figures, self._for_others(self.fault)))
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
 
     def say_platform(self, words: str) -> None:
-        """Whether it may turn still, or was seen to stand; nothing where there is none with a motor."""
+        """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
         shape, mark = platform_mark(words)
-        self.platform.setText(f"{shape} {platform_said(words)}")
-        self.platform.setVisible(bool(words))
-        set_state(self.platform, mark)
+        keep_off = mark in ("warning", "bad")
+        for place, shown in ((self.turning, keep_off), (self.platform, not keep_off)):
+            place.setText(f"{shape} {platform_said(words)}")
+            place.setVisible(bool(words) and shown)
+            set_state(place, mark)
 
     def _close(self) -> None:
         self.hide()

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import alarm_of
+from labcal.gui.viewmodels.lab_now import LabNow, alarm_of
 from labcal.gui.viewmodels.number_format import clock_time, format_duration, step_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import label
@@ -18,7 +18,7 @@ UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
 class TimeLeft(QWidget):
-    """Shows `run`; nothing is promised while a person is asked, or where the coils are not as they should be."""
+    """Shows `run`; nothing is promised while a person is asked, one is lost, or the coils are not as they should be."""
 
     def __init__(self, run: RunViewModel) -> None:
         super().__init__()
@@ -40,9 +40,9 @@ class TimeLeft(QWidget):
             self.progress.setMaximum(run.step.total)
             self.progress.setValue(run.step.total if run.status == "finished" else run.steps_done())
 
-    def show_now(self, coil_words: str) -> None:
-        """The words, beside what is said of the coils."""
-        self.until.setText(words := self._until(coil_words))
+    def show_now(self, now: LabNow) -> None:
+        """The words, beside what is said of the lab."""
+        self.until.setText(words := self._until(now))
         self.until.setVisible(bool(words))
         self.left.setText(self._left())
 
@@ -58,10 +58,10 @@ class TimeLeft(QWidget):
             return self.tr("step {0} of {1} · {2} left").format(at, total, left)
         return self.tr("step {0} of {1} · {2} of simulated time left").format(at, total, left)
 
-    def _until(self, coil_words: str) -> str:
+    def _until(self, lab: LabNow) -> str:
         run, now = self._run, datetime.now()
         done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
-        if not done_s or alarm_of(coil_words):
+        if not done_s or alarm_of(lab.coil_words) or lab.failed:
             return ""
         done = self.tr("Done at about {0}").format(clock_time(now, done_s))
         if needed_s is None or run.step is None:
