@@ -91,22 +91,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coils off: no bench is open, this window drives no coil.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coils off: reading them back …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No answer yet from: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>your turn</source>
         <translation type="unfinished"></translation>
     </message>
@@ -598,6 +582,25 @@
     </message>
 </context>
 <context>
+    <name>CoilsOff</name>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ComparisonView</name>
     <message>
         <source>Runs without a calibration are fitted now.</source>
@@ -780,6 +783,10 @@
     </message>
     <message>
         <source>no reference was asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference does not answer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1384,6 +1391,14 @@
     </message>
     <message>
         <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tried again and again; no run begins before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the supplies off by hand.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5596,27 +5611,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>stop it at its controller, and see it stand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0} % of the circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: no answer from {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A run goes on: the coils may be on. Hands off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>HANDS OFF – no answer from {0}; {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hands off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5678,18 +5673,6 @@ after this step …</source>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paused</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6361,6 +6344,10 @@ after this step …</source>
     </message>
     <message>
         <source>Hands off: it goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It goes on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7841,6 +7828,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ Hands out: the platform is not being read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ Hands may go in: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8102,6 +8093,34 @@ after this step …</source>
     </message>
     <message>
         <source>offsets {0} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hands off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no answer from {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -91,22 +91,6 @@
         <translation>Zuerst beantworten, ob {0} der Prüfling ist.</translation>
     </message>
     <message>
-        <source>Coils off: no bench is open, this window drives no coil.</source>
-        <translation>Spulen aus: Kein Messplatz ist offen, dieses Fenster treibt keine Spule.</translation>
-    </message>
-    <message>
-        <source>Coils off: reading them back …</source>
-        <translation>Spulen aus: werden zurückgelesen …</translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
-        <translation>An seinem Bedienfeld oder am Netzschalter; dann SPULEN AUS (F12) drücken.</translation>
-    </message>
-    <message>
-        <source>No answer yet from: {0}</source>
-        <translation>Noch keine Antwort von: {0}</translation>
-    </message>
-    <message>
         <source>your turn</source>
         <translation>Sie sind dran</translation>
     </message>
@@ -598,6 +582,25 @@
     </message>
 </context>
 <context>
+    <name>CoilsOff</name>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
+        <translation>Spulen aus: Kein Messplatz ist offen, dieses Fenster treibt keine Spule.</translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation>Spulen aus: werden zurückgelesen …</translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation>Noch keine Antwort von: {0}</translation>
+    </message>
+    <message>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
+        <translation>An seinem Bedienfeld oder am Netzschalter; dann SPULEN AUS (F12) drücken.</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonView</name>
     <message>
         <source>Runs without a calibration are fitted now.</source>
@@ -781,6 +784,10 @@
     <message>
         <source>no reference was asked</source>
         <translation>keine Referenz wurde gefragt</translation>
+    </message>
+    <message>
+        <source>the reference does not answer</source>
+        <translation>die Referenz antwortet nicht</translation>
     </message>
     <message>
         <source>no ambient field was measured since the mounting</source>
@@ -1385,6 +1392,14 @@
     <message>
         <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
         <translation>Der Wächter hat seit {0} s nicht geantwortet: Er hängt oder wurde angehalten; wie die Spulen stehen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It is tried again and again; no run begins before it answers.</source>
+        <translation>Es wird immer wieder versucht; kein Lauf beginnt, bevor es antwortet.</translation>
+    </message>
+    <message>
+        <source>Switch the supplies off by hand.</source>
+        <translation>Die Netzgeräte von Hand ausschalten.</translation>
     </message>
     <message>
         <source>zero was ordered for all coils: {0}.</source>
@@ -5658,40 +5673,8 @@ diesem Schritt …</translation>
         <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
-        <source>stop it at its controller, and see it stand</source>
-        <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
-    </message>
-    <message>
         <source>{0} % of the circle</source>
         <translation>{0} % des Kreises</translation>
-    </message>
-    <message>
-        <source>{0}: no answer from {1}</source>
-        <translation>{0}: keine Antwort von {1}</translation>
-    </message>
-    <message>
-        <source>A run goes on: the coils may be on. Hands off.</source>
-        <translation>Eine Messung läuft: die Spulen sind vielleicht an. Hände weg.</translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation>Beginnt</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>Endet</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>Pausiert</translation>
-    </message>
-    <message>
-        <source>HANDS OFF – no answer from {0}; {1}</source>
-        <translation>HÄNDE WEG – keine Antwort von {0}; {1}</translation>
-    </message>
-    <message>
-        <source>Hands off</source>
-        <translation>Hände weg</translation>
     </message>
 </context>
 <context>
@@ -6363,6 +6346,10 @@ diesem Schritt …</translation>
     <message>
         <source>Hands off: it goes on.</source>
         <translation>Hände weg: Es geht weiter.</translation>
+    </message>
+    <message>
+        <source>It goes on.</source>
+        <translation>Es geht weiter.</translation>
     </message>
     <message>
         <source>Pauses where the next step begins.</source>
@@ -7842,6 +7829,10 @@ diesem Schritt …</translation>
         <translation>▲ Hände heraus: die Spulen werden nicht gelesen</translation>
     </message>
     <message>
+        <source>▲ Hands out: the platform is not being read</source>
+        <translation>▲ Hände heraus: die Plattform wird nicht gelesen</translation>
+    </message>
+    <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Hände dürfen hinein: {0}</translation>
     </message>
@@ -8104,6 +8095,34 @@ diesem Schritt …</translation>
     <message>
         <source>offsets {0} nT</source>
         <translation>Nullpunkte {0} nT</translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation>Eine Messung läuft: die Spulen sind vielleicht an. Hände weg.</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Endet</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pausiert</translation>
+    </message>
+    <message>
+        <source>Hands off</source>
+        <translation>Hände weg</translation>
+    </message>
+    <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation>HÄNDE WEG – keine Antwort von {0}; {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no answer from {1}</source>
+        <translation>{0}: keine Antwort von {1}</translation>
     </message>
 </context>
 <context>

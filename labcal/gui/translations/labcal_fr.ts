@@ -91,22 +91,6 @@
         <translation>Répondez d&apos;abord si {0} est le DUT.</translation>
     </message>
     <message>
-        <source>Coils off: no bench is open, this window drives no coil.</source>
-        <translation>Bobines à zéro : aucun banc n&apos;est ouvert, cette fenêtre ne pilote aucune bobine.</translation>
-    </message>
-    <message>
-        <source>Coils off: reading them back …</source>
-        <translation>Bobines à zéro : relecture …</translation>
-    </message>
-    <message>
-        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
-        <translation>À son panneau, ou à son interrupteur secteur ; puis appuyez sur BOBINES À ZÉRO (F12).</translation>
-    </message>
-    <message>
-        <source>No answer yet from: {0}</source>
-        <translation>Pas encore de réponse de : {0}</translation>
-    </message>
-    <message>
         <source>your turn</source>
         <translation>à vous</translation>
     </message>
@@ -598,6 +582,25 @@
     </message>
 </context>
 <context>
+    <name>CoilsOff</name>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
+        <translation>Bobines à zéro : aucun banc n&apos;est ouvert, cette fenêtre ne pilote aucune bobine.</translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation>Bobines à zéro : relecture …</translation>
+    </message>
+    <message>
+        <source>No answer yet from: {0}</source>
+        <translation>Pas encore de réponse de : {0}</translation>
+    </message>
+    <message>
+        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
+        <translation>À son panneau, ou à son interrupteur secteur ; puis appuyez sur BOBINES À ZÉRO (F12).</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonView</name>
     <message>
         <source>Runs without a calibration are fitted now.</source>
@@ -781,6 +784,10 @@
     <message>
         <source>no reference was asked</source>
         <translation>aucune référence n&apos;a été interrogée</translation>
+    </message>
+    <message>
+        <source>the reference does not answer</source>
+        <translation>la référence ne répond pas</translation>
     </message>
     <message>
         <source>no ambient field was measured since the mounting</source>
@@ -1385,6 +1392,14 @@
     <message>
         <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
         <translation>Le gardien n&apos;a pas répondu depuis {0} s : il est bloqué ou arrêté ; l&apos;état des bobines n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>It is tried again and again; no run begins before it answers.</source>
+        <translation>On réessaie sans cesse ; aucune mesure ne commence avant qu’elle ne réponde.</translation>
+    </message>
+    <message>
+        <source>Switch the supplies off by hand.</source>
+        <translation>Éteindre les alimentations à la main.</translation>
     </message>
     <message>
         <source>zero was ordered for all coils: {0}.</source>
@@ -5658,40 +5673,8 @@ cette étape …</translation>
         <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
-        <source>stop it at its controller, and see it stand</source>
-        <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
-    </message>
-    <message>
         <source>{0} % of the circle</source>
         <translation>{0} % du cercle</translation>
-    </message>
-    <message>
-        <source>{0}: no answer from {1}</source>
-        <translation>{0} : pas de réponse de {1}</translation>
-    </message>
-    <message>
-        <source>A run goes on: the coils may be on. Hands off.</source>
-        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains éloignées.</translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation>Démarrage</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>Arrêt</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>En pause</translation>
-    </message>
-    <message>
-        <source>HANDS OFF – no answer from {0}; {1}</source>
-        <translation>MAINS LOIN – pas de réponse de {0} ; {1}</translation>
-    </message>
-    <message>
-        <source>Hands off</source>
-        <translation>Mains loin</translation>
     </message>
 </context>
 <context>
@@ -6363,6 +6346,10 @@ cette étape …</translation>
     <message>
         <source>Hands off: it goes on.</source>
         <translation>Mains éloignées : cela continue.</translation>
+    </message>
+    <message>
+        <source>It goes on.</source>
+        <translation>Cela continue.</translation>
     </message>
     <message>
         <source>Pauses where the next step begins.</source>
@@ -7842,6 +7829,10 @@ cette étape …</translation>
         <translation>▲ Mains dehors : les bobines ne sont pas lues</translation>
     </message>
     <message>
+        <source>▲ Hands out: the platform is not being read</source>
+        <translation>▲ Mains dehors : la plate-forme n’est pas lue</translation>
+    </message>
+    <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Les mains peuvent entrer : {0}</translation>
     </message>
@@ -8104,6 +8095,34 @@ cette étape …</translation>
     <message>
         <source>offsets {0} nT</source>
         <translation>décalages {0} nT</translation>
+    </message>
+    <message>
+        <source>A run goes on: the coils may be on. Hands off.</source>
+        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains éloignées.</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Hands off</source>
+        <translation>Mains loin</translation>
+    </message>
+    <message>
+        <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation>MAINS LOIN – pas de réponse de {0} ; {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no answer from {1}</source>
+        <translation>{0} : pas de réponse de {1}</translation>
     </message>
 </context>
 <context>
