@@ -12,6 +12,7 @@ import pytest
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import LabState
+from labcal.record.stream import Item
 from labcal.runner import drive, find, run_procedure
 from labcal.runner.prompts import first_choice
 from labcal.store import Store
@@ -29,14 +30,26 @@ def test_currents_are_shown_while_they_rise(bench_file: Callable[..., Path], mon
     assert [i for i in z_A if 0.01 < i < 0.9 * max(z_A)]
 
 
-def test_who_is_lost_is_shown_while_the_guardian_still_tries_to_reach_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    told, state = list[LabState](), LabState(())
-    monkeypatch.setattr(drive, "SHOWN_S", 60.0)
-    bench = type("Waits", (), {
-        "state": lambda self: state, "slow_zero": lambda self: "", "clock": type("Clock", (), {"now": lambda self: 0.0})(),
-        "cage": type("Cage", (), {"on": False})(),
-    })()  # fmt: skip
-    one = drive.Drive(bench, lambda item: None, first_choice, show=told.append)
-    for _ in range(3):
-        one._say_what_takes_long()
-    assert len(told) == 1  # at once, and then no more often than is of use
+def test_and_while_the_guardian_still_tries_to_reach_who_is_lost(
+    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The clock has everybody look who asked for it; nothing of the run comes meanwhile."""
+    shown, looks, more = list[LabState](), list[Callable[[], None]](), list[int]()
+
+    class Waiting(VirtualClock):
+        def while_waiting(self, look: Callable[[], None]) -> None:
+            looks.append(look)
+
+    def tell(item: Item) -> None:
+        monkeypatch.setattr(drive, "SHOWN_S", 0.0)
+        before = len(shown)
+        looks[-1]()
+        monkeypatch.setattr(drive, "SHOWN_S", 1e9)
+        looks[-1]()
+        more.append(len(shown) - before)
+
+    clock = Waiting(datetime(2026, 11, 21, tzinfo=UTC))
+    with closing(open_bench(bench_file(), clock=clock, seed=2)) as lab, Store.open() as store:
+        answers = first_choice
+        run_procedure(lab, find("rotate-axis"), TURN, store=store, answer=answers, on_item=tell, show=shown.append)
+    assert set(more) == {1}

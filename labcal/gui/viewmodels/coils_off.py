@@ -4,32 +4,70 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QTimer, SignalInstance
 
 from labcal.bench.coils import state
 from labcal.bench.named_links import named_links
-from labcal.gui.ipc.answers import SwitchedOff
+from labcal.gui.ipc.answers import Bench, Identified, SwitchedOff
+from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Identify, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.known_lab import KnownLab
+from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import off_words, switched_off
-
-if TYPE_CHECKING:
-    from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.lab_watch import LabWatch
+from labcal.gui.viewmodels.run import RunViewModel
 
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 STANDS_S = 30.0  # and where they are there this long to end: a large platform comes to rest, the reference is asked
 READ_AFTER = ("coil-", "reference", "platform")  # roles that tell, after a zero, whether hands may go in
 
 
-class CoilsOff(QObject):
-    """Of the window `app_state`. `unconfirmed`: the card that says that the coils are not known to be at zero."""
+class Window(Protocol):
+    """What is known of the lab, and who may be asked to do something to it."""
 
-    def __init__(self, app_state: AppState) -> None:
+    bench: str
+    facts: Bench | None
+    lab: LabViewModel
+    run: RunViewModel
+    kept: KnownLab
+    watch: LabWatch
+    bench_worker: Client
+    off_worker: Client
+
+    @property
+    def fault(self) -> SignalInstance:
+        """Of anything that has no card of its own."""
+
+    @property
+    def known(self) -> state.LabState | None:
+        """As a worker sent it last."""
+
+    def now_s(self) -> float:
+        """On the clock of what was read."""
+
+    def by_hand(self) -> tuple[str, ...]:
+        """The supplies that a person has to switch off."""
+
+    def take_lab(self, known: state.LabState) -> None:
+        """From here on this is how the lab is."""
+
+    def take_identified(self, said: Identified) -> None:
+        """Who answered."""
+
+    def grow_old(self) -> None:
+        """Show the lab as it is known now."""
+
+
+class CoilsOff(QObject):
+    """Of a `window`. `unconfirmed`: the card that says that the coils are not known to be at zero."""
+
+    def __init__(self, window: Window) -> None:
         super().__init__()
-        self._window = app_state
+        self._window = window
         self.unconfirmed: Fault | None = None
         self._ordered_s, self._looked = 0.0, False
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
