@@ -346,6 +346,27 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     assert card.hands.isVisibleTo(card)
 
 
+def test_nobody_is_sent_to_a_plug_that_is_in_again(running):
+    card = running.page("Run").live.prompt
+    drawing = {"no_answer": "dut", "what": "dut: the link was lost.", "remedy": "Plug it in."}
+    send(running, Prompt(3.0, "failed-z+20uT", "z+20uT: lost", ("stop", "retry"), drawing=drawing))
+    says(running, faulty=("dut",))
+    assert "Plug it in." in card.details.text()
+    says(running)
+    assert (card.text.text(), card.details.text()) == (
+        "Every instrument answers again.",
+        "Then “Hands off: try again”.",
+    )
+    says(running, faulty=("dut",))
+    assert "Plug it in." in card.details.text()
+
+
+def test_who_answers_stop_is_not_told_that_it_goes_on(running):
+    send(running, Prompt(3.0, "failed-z+20uT", "z+20uT: lost", ("stop", "retry")))
+    running.app_state.run.answer("stop")
+    assert (headline(running), running.app_state.run.message) == ("Stopping", "Stopping …")
+
+
 def test_so_is_who_is_asked_for_hands_off_while_somebody_is_lost(running):
     card = running.page("Run").live.prompt
     send(running, READY)

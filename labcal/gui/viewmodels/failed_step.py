@@ -35,10 +35,15 @@ def headline(prompt: Prompt) -> str:
     return in_words(_plain(str(prompt.drawing[WHAT])) if WHAT in prompt.drawing else asked_text(prompt))
 
 
-def below(prompt: Prompt, again: str) -> str:
-    """What is known and what to do about it, before `again`, the button that begins the step anew; else ""."""
+def below(prompt: Prompt, again: str, *, lost: bool = True) -> str:
+    """What is known and what to do about it, before `again`, the button that begins the step anew; else "".
+
+    Where nobody is `lost` any more nothing is left to do but that.
+    """
     if WHAT not in prompt.drawing:
         return ""
+    if not lost:
+        return translated(str(THEN)).format(again)
     what, remedy = _plain(str(prompt.drawing[WHAT])), str(prompt.drawing.get(REMEDY, ""))
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)

@@ -6,6 +6,7 @@ from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT
 from labcal.record.stream import Prompt
 
 READY, DONE = "ready", "done"  # the question whether all hands are off, and the answer that says so
+STOP = "stop"  # the answer that ends the run
 STILL_LOST = "Still lost"  # so it begins where it is asked again, because somebody does not answer
 
 

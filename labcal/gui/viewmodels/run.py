@@ -32,7 +32,7 @@ from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_nam
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.failed_step import asked_text, ended_by_off, said_of
-from labcal.gui.viewmodels.hands import says_hands_off
+from labcal.gui.viewmodels.hands import STOP, says_hands_off
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
@@ -151,9 +151,10 @@ class RunViewModel(QObject):
             return
         self._worker.send(Answer(self.prompt.key, text))
         self.hands_off = says_hands_off(self.prompt.key, text)
-        self.message = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
-        self.prompt = None
-        self._be("running")
+        goes_on = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
+        self.prompt, ends = None, text == STOP
+        self.message = self.tr("Stopping …") if ends else goes_on
+        self._be("stopping" if ends else "running")
 
     def pause(self) -> None:
         """Wait where the next step begins, coils at zero."""

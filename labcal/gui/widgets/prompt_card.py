@@ -240,6 +240,7 @@ class PromptCard(Card):
         if says and bool(lost) is not self._lost and (lost or self._lost):
             again = self.tr("Every instrument answers again.")
             self.text.set_text(unbroken(headline(self._prompt)) if lost else again)
+            self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
         self._lost = bool(lost)
         self._reached_into = reached_into(self._prompt, lost=self._lost)
         self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
