@@ -20,6 +20,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.viewmodels.what_happens import what_happens
@@ -332,8 +333,7 @@ class Live(QWidget):
         self.fault.say_platform(self._app_state.platform_words())
         gives_way = self._app_state.warning_shown
         self.fault.setVisible(not gives_way)
-        why = (self.fault.text.text(), self.fault.remedy.text())
-        self.verdict.say_reason(" ".join(filter(None, why)) if gives_way else "")
+        self.verdict.say_reason(in_short(self._run.fault) if gives_way and self._run.fault is not None else "")
 
     def _coils_left(self) -> str:
         """How the coils are after a run that failed."""

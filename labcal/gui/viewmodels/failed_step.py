@@ -16,6 +16,7 @@ from labcal.record.stream import FAULT, Event, Prompt
 
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
+LINK = re.compile(r" \([a-z-]+://[^()]*\)")  # where an instrument is plugged in, after its name
 AGAIN = "begin this step again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
@@ -48,6 +49,11 @@ def below(prompt: Prompt, again: str, *, lost: bool = True) -> str:
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
     return " ".join(part for part in (known, in_words(remedy), button) if part)
+
+
+def in_short(fault: Fault) -> str:
+    """What happened and what to do, to be read from afar: no links, and not what the computer says of them."""
+    return " ".join(filter(None, (in_words(LINK.sub("", _plain(fault.text))), in_words(fault.remedy))))
 
 
 def ended_by_off(fault: Fault) -> Fault:

@@ -152,9 +152,8 @@ class RunViewModel(QObject):
         self._worker.send(Answer(self.prompt.key, text))
         self.hands_off = says_hands_off(self.prompt.key, text)
         goes_on = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
-        self.prompt, ends = None, text == STOP
-        self.message = self.tr("Stopping …") if ends else goes_on
-        self._be("stopping" if ends else "running")
+        self.prompt, self.message = None, self.tr("Stopping …") if text == STOP else goes_on
+        self._be("running")  # whatever was answered: it may ask something else on its way out
 
     def pause(self) -> None:
         """Wait where the next step begins, coils at zero."""
