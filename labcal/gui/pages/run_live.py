@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.ipc.messages import KeepPhoto
-from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.wire import BROKEN, Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title
@@ -330,7 +330,8 @@ class Live(QWidget):
     def _say_coils_left(self) -> None:
         """One card at a time: that the coils may be on is said above, and comes first."""
         self.fault.say_coils(self._coils_left())
-        self.fault.say_platform(self._app_state.platform_words())
+        began = self._run.lab is not None or (self._run.fault is not None and self._run.fault.kind in BROKEN)
+        self.fault.say_platform(self._app_state.platform_words() if began else "")  # else nothing was moved
         gives_way = self._app_state.warning_shown
         self.fault.setVisible(not gives_way)
         self.verdict.say_reason(in_short(self._run.fault) if gives_way and self._run.fault is not None else "")
