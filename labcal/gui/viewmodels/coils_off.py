@@ -26,7 +26,7 @@ STANDS_S = 30.0  # and where they are there this long to end: a large platform c
 READ_AFTER = ("coil-", "reference", "platform")  # roles that tell, after a zero, whether hands may go in
 
 
-class Window(Protocol):
+class KnowsLab(Protocol):
     """What is known of the lab, and who may be asked to do something to it."""
 
     bench: str
@@ -65,7 +65,7 @@ class Window(Protocol):
 class CoilsOff(QObject):
     """Of a `window`. `unconfirmed`: the card that says that the coils are not known to be at zero."""
 
-    def __init__(self, window: Window) -> None:
+    def __init__(self, window: KnowsLab) -> None:
         super().__init__()
         self._window = window
         self.unconfirmed: Fault | None = None
