@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from labcal.bench.axis_up import WrongAxis
 from labcal.bench.bench import Bench
+from labcal.bench.coverage import refuse_unseen
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Least, Limits
 from labcal.bench.position import Position, position
-from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, refuse_unseen, rotate_once
+from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
 from labcal.bench.steps import (
     AT_REST_DEG,
     Blocks,

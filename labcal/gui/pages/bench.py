@@ -332,9 +332,9 @@ class BenchPage(QWidget):
     def _legend(self, vectors: tuple[Triple | None, ...]) -> str:
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
         lines = []
-        for name, colour, vector in zip(names, vector_colours(self._theme), vectors, strict=True):
+        for name, colour, vector, arrow in zip(names, vector_colours(self._theme), vectors, "➝➝⇢", strict=True):
             size = "–" if vector is None else f"{format_number(hypot(*vector), 0, signed=False)} nT"
-            lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
+            lines.append(f'<span style="color: {colour}; font-weight: 600">{arrow} {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
 
     def _expected(self, earth: Earth | None) -> str:

@@ -289,7 +289,7 @@ class LoopPage(QWidget):
             gain = effect.improvement_ci95_nT
             start = effect.holdout_rms_before_nT or base
             interval = (start - gain[1], start - gain[0]) if gain else None
-            rows.append((f"+ {cause(effect)}", effect.holdout_rms_after_nT or base, interval, self._theme.accent))
+            rows.append((f"+ {cause(effect)}", effect.holdout_rms_after_nT or base, interval, self._theme.after))
             rows += [
                 (self.tr("or {0}").format(cause(r)), r.holdout_rms_after_nT, None, self._theme.warning)
                 for r in effect.rivals
@@ -395,5 +395,5 @@ class LoopPage(QWidget):
             return self.change.clear()
         before, after = one.before, one.after
         noise_nT = said.noise_floor_nT / before.shape[1] ** 0.5
-        both = [(self.tr("as calibrated"), theme.axis_x, before), (self.tr("with it"), theme.accent, after)]
+        both = [(self.tr("as calibrated"), theme.before, before), (self.tr("with it"), theme.after, after)]
         return self.change.show_residual(name, one.against[name], both, noise_nT)

@@ -47,8 +47,8 @@ def coils() -> list[tuple[int, list[Corner]]]:
 
 
 def vector_colours(theme: Theme) -> tuple[str, str, str]:
-    """Of the applied, the ambient and the reference field."""
-    return theme.accent, theme.muted, theme.axis_x
+    """Of the applied, the ambient and the reference field; the last is dashed as well."""
+    return theme.text, theme.muted, theme.text
 
 
 class CageView(QWidget):
@@ -58,6 +58,7 @@ class CageView(QWidget):
         super().__init__()
         self._theme = theme
         self.vectors: list[tuple[str, Triple]] = []
+        self.dashed: Triple | None = None  # of them: that of the reference, which may lie on another
         self.eye = [-28.0, 22.0]
         self._dragged_from: QPointF | None = None
         self.setMinimumHeight(220)
@@ -75,6 +76,7 @@ class CageView(QWidget):
         """Fields [nT] in the cage's frame."""
         known = zip(vector_colours(self._theme), (applied, ambient, reference), strict=True)
         self.vectors = [(colour, vector) for colour, vector in known if vector is not None]
+        self.dashed = reference
         self.update()
 
     def turn(self, by_deg: float, tilt_deg: float) -> None:
@@ -128,7 +130,8 @@ class CageView(QWidget):
         self._paint_axes(painter, at)
         longest = max((hypot(*vector) for _, vector in self.vectors), default=0.0) or 1.0
         for colour, vector in self.vectors:
-            self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour)
+            style = Qt.PenStyle.DotLine if vector is self.dashed else Qt.PenStyle.SolidLine
+            self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour, style)
 
     def _paint_coils(self, painter: QPainter, at: object, eye: Array) -> None:
         assert callable(at)
@@ -149,12 +152,13 @@ class CageView(QWidget):
             painter.setPen(QColor(colour))
             painter.drawText(QRectF(beyond.x() - 10, beyond.y() - 10, 20, 20), Qt.AlignmentFlag.AlignCenter, name)
 
-    def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str) -> None:
+    def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str, style: Qt.PenStyle) -> None:
         if hypot(tip.x() - start.x(), tip.y() - start.y()) < LEAST_PX:
             return
-        painter.setPen(QPen(QColor(colour), 2.4))
+        painter.setPen(QPen(QColor(colour), 2.4, style))
         painter.setBrush(QColor(colour))
         painter.drawLine(start, tip)
+        painter.setPen(QPen(QColor(colour), 2.4))
         angle = atan2(tip.y() - start.y(), tip.x() - start.x())
         wings = [QPointF(tip.x() - 10 * cos(angle + s), tip.y() - 10 * sin(angle + s)) for s in (0.4, -0.4)]
         painter.drawPolygon([tip, *wings])

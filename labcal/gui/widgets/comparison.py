@@ -149,7 +149,7 @@ class ComparisonView(QWidget):
     def _named(self, found: Comparison) -> list[tuple[str, str, Compared]]:
         """Name and colour of either run, the later one in front."""
         earlier, later = self.tr("Earlier"), self.tr("Later")
-        return [(earlier, self._theme.axis_x, found.older), (later, self._theme.accent, found.newer)]
+        return [(earlier, self._theme.before, found.older), (later, self._theme.after, found.newer)]
 
     def _draw_residuals(self, found: Comparison) -> None:
         against = self.against.currentData()

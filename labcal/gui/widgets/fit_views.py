@@ -14,7 +14,7 @@ from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
+from labcal.gui.widgets.plots import DASHED, Loci, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.shell_plot import draw_degrees
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
 
@@ -155,7 +155,7 @@ class FitViews(Card):
         """What belongs to the picture that is looked at: a second choice where there is one, and its legend."""
         self.against.setVisible(self.shown() == "residual")
         words = (
-            self.tr("orange: as read   blue: calibrated   faint: behind the sphere"),
+            self.tr("grey: as read   dark: calibrated   faint: behind the sphere"),
             self.tr("band: the noise this method states, k=2"),
             "",
             self.tr("line: the noise this method states"),
@@ -185,17 +185,17 @@ class FitViews(Card):
         if said is None or said.residual is None:
             return self.residual.clear()
         against = self.against.currentData()
-        cloud = (self._method, self._theme.accent, said.residual)
+        cloud = (self._method, self._theme.after, said.residual)
         return self.residual.show_residual(against, look.against[against], [cloud], said.noise_nT)
 
     def _draw_magnitude(self, look: Look, said: Fitted | None) -> None:
         self.magnitude.clear()
         against = {name.split("  ")[0]: values for name, values in look.against.items()}
-        curves = [(self.tr("as read"), self._theme.axis_x, np.linalg.norm(look.before, axis=1))]
+        curves = [(self.tr("as read"), self._theme.before, np.linalg.norm(look.before, axis=1))]
         if said is not None and said.after is not None:
-            curves.append((self.tr("calibrated"), self._theme.accent, np.linalg.norm(said.after, axis=1)))
+            curves.append((self.tr("calibrated"), self._theme.after, np.linalg.norm(said.after, axis=1)))
         if "field" in against:
-            curves.append((self.tr("reference"), self._theme.text, against["field"]))
+            curves.append((f"{DASHED} {self.tr('reference')}", self._theme.before, against["field"]))
         named_curves(self.magnitude, against["time"], curves)
 
     def _draw_histogram(self, said: Fitted | None) -> None:
@@ -212,7 +212,7 @@ class FitViews(Card):
             y0=0,
             height=counts,
             pen=None,
-            brush=with_alpha(self._theme.accent, 160),
+            brush=with_alpha(self._theme.before, 160),
         )
         self.histogram.addItem(bars)
         if noise_nT:

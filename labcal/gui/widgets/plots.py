@@ -24,6 +24,7 @@ REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
+DASHED = "┄"  # before the name of a curve that is
 NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
@@ -217,7 +218,7 @@ class Loci(QWidget):
     def _colour(self, theme: Theme) -> None:
         for circle, clouds in zip(self._circles, self._views, strict=True):
             circle.setPen(pg.mkPen(theme.muted))
-            for colour, (front, behind) in zip((theme.accent, theme.axis_x), clouds, strict=False):
+            for colour, (front, behind) in zip((theme.after, theme.before), clouds, strict=False):
                 with_alpha = QColor(colour)
                 with_alpha.setAlpha(90)
                 front.setPen(pg.mkPen(colour, width=2))
@@ -250,9 +251,10 @@ def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> Non
 
 
 def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
-    """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
-    for _, colour, values in curves:
-        widget.plot(t_s, values, pen=pg.mkPen(colour), connect="finite")
+    """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour; those named ┄ are dashed."""
+    for name, colour, values in curves:
+        style = Qt.PenStyle.DashLine if name.startswith(DASHED) else Qt.PenStyle.SolidLine
+        widget.plot(t_s, values, pen=pg.mkPen(colour, style=style), connect="finite")
     legend_above(widget, [(name, colour) for name, colour, _ in curves])
     widget.autoRange()
 
