@@ -18,7 +18,7 @@ from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coverage import refuse_unseen
 from labcal.errors import InstrumentError, LimitError
-from labcal.record.stream import FAULT, Block, Event, Item, Prompt, Step
+from labcal.record.stream import FAULT, Block, Event, Item, Measurement, Prompt, Step
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.store import Store
 
@@ -108,6 +108,23 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     first, *_, last = (one for n, one in enumerate(run.segments) if len(run.rows(n)) > 150)
     assert (first.id, first.mounting, last.mounting) == ("z+20uT-nominal", "z", "z.again")
     assert last.id.startswith(SECOND)
+
+
+@pytest.mark.parametrize("at", ["closure-x", "mount-z"])
+def test_a_closure_that_an_interruption_kept_from_being_measured_is_made_up(bench_file: BenchFile, at: str) -> None:
+    bench, steps = bench_file(), list[Step]()
+    begun(bench, "preflight", pulled("reference"), SHORT | {"axes": "x,z"}, at)
+    there = session.resume("R", bench, seed=2, on_item=lambda i: steps.append(i) if isinstance(i, Step) else None)
+    assert (there.status, there.fault, there.failed) == ("finished", None, ())
+    names = [step.name for step in steps]
+    made_up = ["mount-x", "closure-x"] if at == "closure-x" else []
+    assert names == ["zero", "axes-check", "sync-check", *made_up, "mount-z", "z+20uT-nominal", "closure-z", "closing"]
+    assert steps[0].left_s == pytest.approx(sum(step.step_s for step in steps))
+    closures = {one.name: one for one in session.load_run("R").closures}
+    with Store.open() as store:
+        measured = {i.name: i for i in store.items("R") if isinstance(i, Measurement)}
+    assert measured["closure x"].verdict == "PASS"
+    assert ("closure x" in closures) == (at == "mount-z")  # made up, it has one end in this stretch alone
 
 
 def test_a_turn_in_which_the_dut_was_lost_is_asked_about_with_the_coils_at_zero_and_begun_again(

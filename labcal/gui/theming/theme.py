@@ -2,8 +2,8 @@
 
 A colour has one meaning. States are green, amber and vermilion (Okabe-Ito), what may be clicked or goes on is blue;
 x, y and z are magenta, cyan and violet, which eyes that see fewer colours tell from these and from each other
-(tests/gui/test_theme.py works out what they see). What is drawn of a run is grey before and ink after. Every state has a
-shape and a word as well. Spacing stands on an 8-pixel grid.
+(tests/gui/test_theme.py works out what they see). What is drawn of a run is grey before and ink after. Every state
+has a shape and a word as well. Spacing stands on an 8-pixel grid.
 """
 
 from __future__ import annotations

@@ -37,11 +37,12 @@ def _is_missing(step: str, measured: Collection[str]) -> bool:
 
 
 def _is_kept(step: str, names: Sequence[str], measured: Collection[str]) -> bool:
-    """Turns are not repeated, nor what mounts and closes an axis of which every turn is kept."""
+    """Turns are not repeated, nor what mounts and closes an axis of which every turn is kept, and its closure."""
     kind, _, axis = step.partition("-")
     if axis and kind == "closure":
         return not _is_missing(step, measured)
     if axis and kind == "mount":
         turns = [name for name in names if name.startswith((f"{axis}+", f"{axis}-"))]
-        return bool(turns) and all(_is_kept(name, names, measured) for name in turns)
+        closed = f"closure-{axis}" not in names or not _is_missing(f"closure-{axis}", measured)
+        return closed and bool(turns) and all(_is_kept(name, names, measured) for name in turns)
     return any(name.startswith(f"{step}:") for name in measured)
