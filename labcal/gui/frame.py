@@ -148,6 +148,7 @@ class SidePanel(Surface):
         while len(self.instrument_rows) < len(state.now.lights):
             self.instrument_rows.append(label("", wrap=True))
             self._lights.addWidget(self.instrument_rows[-1])
+        others = dict(state.other_serials)
         wordless = {light for _, light, words in state.now.lights if not words}
         legend = "   ".join(
             f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
@@ -156,6 +157,8 @@ class SidePanel(Surface):
         set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
+            if light != "fault" and name in others:
+                shape, colour, words = "▲", "warning", others[name]
             row.setText(f"{shape} {shown_name(name)}  {words}".strip())
             row.setToolTip(guardian_is(name))
             set_state(row, colour)

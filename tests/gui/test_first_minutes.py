@@ -12,7 +12,7 @@ from labcal.gui.ipc.messages import FindSimulatedBench, ReadBench, Rehearse, Rej
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.theme import LIGHT
-from labcal.gui.viewmodels.run import began_at
+from labcal.gui.viewmodels.began import began_at
 from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.plots import Traces, spread
 from labcal.gui.widgets.run_chooser import run_title

@@ -129,7 +129,7 @@ def test_without_a_gap_that_is_allowed_no_harmonic_is_known_much_worse() -> None
         seen = A[np.degrees(theta) >= gap_deg]
         return float(1 / np.sqrt(np.linalg.eigvalsh(seen.T @ seen / len(theta))[0]))
 
-    assert MOST_GAP_DEG == pytest.approx(22.5)
+    assert pytest.approx(22.5) == MOST_GAP_DEG
     assert MOST_GROWTH - 0.05 < grows(MOST_GAP_DEG) <= MOST_GROWTH
     assert grows(29.0) > MOST_GROWTH
 

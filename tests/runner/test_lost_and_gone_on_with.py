@@ -150,7 +150,7 @@ def test_a_turn_of_which_the_dut_missed_sectors_is_refused() -> None:
     angle = Block("angle", "stage", ("angle_deg",), t, 18.0 * t[:, None])
     dut = Block("dut", "dut", ("x",), t[(t < 8) | (t > 11.5)], np.ones((int(np.sum((t < 8) | (t > 11.5))), 1)))
     bench: Any = SimpleNamespace(dut=SimpleNamespace(name="dut"))
-    with pytest.raises(InstrumentError, match="it sent nothing from 1[0-9][0-9]° to 20[0-9]° of this turn"):
+    with pytest.raises(InstrumentError, match=r"it sent nothing from 1[0-9][0-9]° to 20[0-9]° of this turn"):
         refuse_unseen(bench, [angle, dut])
     refuse_unseen(bench, [angle, Block("dut", "dut", ("x",), t, np.ones((len(t), 1)))])
 

@@ -88,6 +88,7 @@ class InstrumentAnswer:
     link: str
     identity: str
     fault: Fault | None = None
+    serial: str = ""
 
 
 @dataclass(frozen=True, slots=True)

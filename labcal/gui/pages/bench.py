@@ -252,7 +252,10 @@ class BenchPage(QWidget):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one.driver})")
         identity = (answered.identity if answered is not None else "") or "–"
         simulated = simulated and answered is not None and one.role == "dut"
-        self.table.set_cell(row, 3, self.tr("{0}, simulated").format(identity) if simulated else identity)
+        said = self.tr("{0}, simulated").format(identity) if simulated else identity
+        other = dict(self._app_state.lab.state.other_serials).get(name, "")
+        ink = self._theme.warning if other else ""
+        self.table.set_cell(row, 3, f"▲ {other}: {said}" if other else said, colour=ink)
         text, colour = self._standing(name)
         self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 import time
-from datetime import UTC, datetime
 from typing import Literal
 
 import numpy as np
@@ -31,40 +29,32 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
+from labcal.gui.viewmodels.began import began_at, now_said
+from labcal.gui.viewmodels.covered import Covered
 from labcal.gui.viewmodels.failed_step import asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
-from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+from labcal.record.stream import (
+    COVERAGE,
+    NOT_USED,
+    OTHER_SERIAL,
+    Block,
+    Event,
+    Item,
+    Measurement,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
-SECTORS = 24  # of 15 degrees: what coverage counts
-UNSEEN_S = 2.0  # without a reading so long, a DUT has not seen where the platform turned
 SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
-SAID_ELSEWHERE = ("answer", "set-point", "read-back")  # by whoever answered, and by the lab's state
-WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
-AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
-    "coverage": "{axis}[+-].*: missing sectors",
-    "noise": "{axis}[+-].*: noise",
-    "sign": "{axis}[+-].*: wrong signs",
-    "delay": "delay {axis}",
-    "closure": "closure {axis}",
-}
-
-
-def _now() -> str:
-    return f"{datetime.now():%Y-%m-%d %H:%M}"
-
-
-def began_at(run_id: str) -> str:
-    """When a run of this id began by the clock of this place, as its row in the lists says it; "" where it does not."""
-    try:
-        utc = datetime.strptime(run_id.partition("-")[0], "%Y%m%dT%H%M%S").replace(tzinfo=UTC)
-    except ValueError:
-        return ""
-    return f"{utc.astimezone():%Y-%m-%d %H:%M}"
+SAID_ELSEWHERE = ("answer", "set-point", "read-back", OTHER_SERIAL)  # by whoever answered, and by the lab's state
 
 
 class RunViewModel(QObject):
@@ -100,7 +90,7 @@ class RunViewModel(QObject):
         self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
         self._turned = False  # in any segment
-        self.sectors: set[int] = set()
+        self.covered = Covered()
         self._goes_on = self._begins = self._by_off = (
             False  # a run that was interrupted; a new one, of which nothing has come yet
         )
@@ -152,7 +142,7 @@ class RunViewModel(QObject):
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.run_id, self.began = run_id, began_at(run_id) or _now()
+        self.run_id, self.began = run_id, began_at(run_id) or now_said()
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -255,12 +245,7 @@ class RunViewModel(QObject):
 
     def axis_checks(self, axis: str) -> dict[str, str]:
         """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
-        found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
-        return {look: self._worst(pattern) for look, pattern in found.items()}
-
-    def _worst(self, pattern: re.Pattern[str]) -> str:
-        about = [m.verdict for name, m in self.measurements.items() if pattern.fullmatch(name)]
-        return max(about, key=WORST.index, default="")
+        return axis_checks(axis, self.measurements)
 
     def turns(self) -> bool:
         """Whether a turn was recorded, or is to come: else circle and axes have nothing to say."""
@@ -268,7 +253,7 @@ class RunViewModel(QObject):
 
     def coverage(self) -> float:
         """The part of the circle that this segment has seen, 0 to 1."""
-        return len(self.sectors) / SECTORS
+        return self.covered.part()
 
     def field_rows(self) -> NDArray[np.float64]:
         """All DUT readings of all segments (n, 3) [nominal nT], thinned."""
@@ -282,7 +267,7 @@ class RunViewModel(QObject):
 
     def _take(self, items: tuple[Item, ...]) -> None:
         if self._begins:  # here its record does; until now it was asked who answers
-            self._begins, self.began = False, _now()
+            self._begins, self.began = False, now_said()
         for item in items:
             self._one(item)
         if not all(isinstance(item, Block) for item in items):
@@ -295,19 +280,21 @@ class RunViewModel(QObject):
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
-                self._waited_s, self._waits_since_s, self.sectors = 0.0, None, set()
+                self._waited_s, self._waits_since_s = 0.0, None
+                self.covered.begin()
                 self._running(step_title(item.name))
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
                 if item.key.startswith("failed-"):  # what was seen of this turn counts no more
-                    self.sectors = set()
+                    self.covered.begin()
                     self._forget_turn(item.key.removeprefix("failed-"))
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
-                self.segment, self.sectors = item.segment.id, set()
+                self.segment = item.segment.id
+                self.covered.begin()
                 self._forget_turn(item.segment.id)  # as it was before, where it is begun again
                 self._turned = self._turned or item.segment.kind == "rotation"
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
@@ -333,6 +320,8 @@ class RunViewModel(QObject):
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
         elif event.kind == "skip":
             self.skipped.add(str(event.data.get("step", "")))
+        elif event.kind == COVERAGE:
+            self.covered.missed(event)
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
@@ -341,11 +330,13 @@ class RunViewModel(QObject):
     def _forget_turn(self, segment: str) -> None:
         """Nothing that was seen or measured of it counts any more."""
         self.locus.pop(segment, None)
+        self.covered.forget((segment,))
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(f"{segment}:")}
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""
         looks = [f"{look} {axis}" for look in ("delay", "closure") for axis in {segment[:1] for segment in segments}]
+        self.covered.forget(segments)
         gone = (*(f"{segment}:" for segment in segments), *looks)
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
         self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
@@ -368,8 +359,7 @@ class RunViewModel(QObject):
         elif block.stream == "reference" and block.values.shape[1] == 3:
             self.reference.push(block.t_s, block.values)
         elif block.stream == "angle" and self.segment is not None:
-            seen = block.t_s < (self._dut_s or np.inf) + UNSEEN_S
-            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[seen, 0]}
+            self.covered.turned(block.t_s, block.values[:, 0], self._dut_s)
 
     def _be(self, state: State) -> None:
         self.state = state
