@@ -244,6 +244,7 @@ class Compared:
     residual: Array | None
     after: Array
     against: Mapping[str, Array]
+    noise_stated: bool = False  # by the run, of its sensors; else it is what the fit makes of its own residual
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -25,6 +25,11 @@ LEAST_PX = 220  # of a picture
 SIGMAS = 3.0  # the papers' bounds
 
 
+def band_of(said: Fitted) -> float | None:
+    """The noise of |b| [nT] that is drawn: what the run states, as the verdict has it; else the method's own."""
+    return said.noise_nT if said.stated_nT is None else said.stated_nT
+
+
 class FitViews(Card):
     """One picture at a time, as large as there is room; `filter_wanted` asks for a filter's history."""
 
@@ -156,17 +161,29 @@ class FitViews(Card):
         self.against.setVisible(self.shown() == "residual")
         words = (
             self.tr("grey: as read   dark: calibrated   faint: behind the sphere"),
-            self.tr("band: the noise this method states, k=2"),
+            self._band_words(),
             "",
-            self.tr("line: the noise this method states"),
+            self._line_words(),
             self.tr("the ekf, or the filter that is chosen above"),
             self.tr("lines: what scatter alone gives   2: products of two components   3: a cubic"),
         )
         self.words.setText(words[self.view.currentIndex()])
 
+    def _band_words(self) -> str:
+        """What the verdict above goes by; the method's own noise alone where none is stated."""
+        if self._said is not None and self._said.stated_nT is None:
+            return self.tr("band: the noise that this method makes of its own residual, k=2; none is stated")
+        return self.tr("band: the stated noise of |b|, k=2")
+
+    def _line_words(self) -> str:
+        if self._said is not None and self._said.stated_nT is None:
+            return self.tr("line: the noise that this method makes of its own residual; none is stated")
+        return self.tr("line: the stated noise of |b|")
+
     def _draw(self) -> None:
         """The picture that is looked at."""
         look, said = self._look, self._said
+        self._name_view()
         if self.shown() == "degrees":
             draw_degrees(self.degrees, self._theme, () if said is None else said.shells)
         if look is None or self.shown() in ("growth", "degrees"):
@@ -186,7 +203,7 @@ class FitViews(Card):
             return self.residual.clear()
         against = self.against.currentData()
         cloud = (self._method, self._theme.after, said.residual)
-        return self.residual.show_residual(against, look.against[against], [cloud], said.noise_nT)
+        return self.residual.show_residual(against, look.against[against], [cloud], band_of(said))
 
     def _draw_magnitude(self, look: Look, said: Fitted | None) -> None:
         self.magnitude.clear()
@@ -202,7 +219,7 @@ class FitViews(Card):
         self.histogram.clear()
         if said is None or said.residual is None:
             return
-        residual, noise_nT = said.residual[np.isfinite(said.residual)], said.noise_nT
+        residual, noise_nT = said.residual[np.isfinite(said.residual)], band_of(said)
         if not len(residual):
             return
         counts, edges = np.histogram(residual, BINS)
