@@ -327,6 +327,13 @@ def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
 
 
+@pytest.mark.parametrize("state", STATES)
+def test_every_page_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
+    page = shown(still, state)
+    found = list(faults_at(still, sized, page, "1440 x 900, F11", LARGE))
+    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
 @pytest.fixture
 def other_language(qapp, request):
     translate.install_translator(qapp, QLocale(request.param))

@@ -292,9 +292,10 @@ class BenchPage(QWidget):
                 age = age_words(old_s(run.read_s[name], time.monotonic())) or age  # to answer is no reading
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
             old = bool(age) and words != "–"
-            text = f"{words}   {age}" if old else words
+            standing, colour = self._standing(name)
+            text = f"{words}   {age}" if old and not standing.endswith(age) else words  # an age stands once in a row
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
-            text, colour = self._standing(name)
+            text = standing
             self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
         self._say_what_to_do()
         self._show_cage()

@@ -185,6 +185,7 @@ class LoopPage(QWidget):
         card = Card(self.tr("4  Still not known"), "")
         self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
+        self.unknown.document().setDocumentMargin(0)  # in line with the heading
         self.unknown.setMinimumHeight(LEAST_PX * 2 // 3)
         self.next = button(
             "",

@@ -105,8 +105,8 @@ QLabel { background: transparent; }
 QLabel#title { font-size: ${title_pt}pt; font-weight: 600; }
 QLabel#caption { font-size: ${small_pt}pt; color: $muted; }
 QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
-QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padding: 4px 12px; border-radius: 4px;
-                   letter-spacing: 2px; }
+QLabel#simulated { background: transparent; color: $warning; border: 2px solid $warning; font-weight: 700;
+                   padding: 4px 12px; border-radius: 4px; letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }

@@ -22,6 +22,7 @@ Corner = tuple[float, float, float]
 FLAT = (("from above", (0.0, 90.0)), ("from the side", (0.0, 0.0)))  # turn and tilt of the eye [deg]
 SPACE_SHARE = 0.5  # of the width
 STEP_DEG = 5.0  # a key turns the cage by
+REACH = 1.36  # of the names of the axes, in half sides
 NAMED_PX, LEAST_PX = 26.0, 6.0  # an axis shorter than these has no name, an arrow is not drawn
 HALF_GAP = 0.54  # of a square coil pair's half side: Helmholtz spacing 0.5445 of the side
 
@@ -44,6 +45,11 @@ def coils() -> list[tuple[int, list[Corner]]]:
                 square.append((corner[0], corner[1], corner[2]))
             found.append((axis, square))
     return found
+
+
+def half_px(width: float, height: float, share: float, name_px: float) -> float:
+    """Half a side of the cage in a place of this size: no name of an axis reaches out of it, in letters of any size."""
+    return max(0.0, min(share * min(width, height), (min(width, height) - name_px) / 2 / REACH))
 
 
 def vector_colours(theme: Theme) -> tuple[str, str, str]:
@@ -117,10 +123,12 @@ class CageView(QWidget):
                 painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
 
     def _view(self, painter: QPainter, area: QRectF, title: str, eye: Array, share: float) -> None:
-        centre = QPointF(area.center().x(), area.center().y() + (10 if title else 0))
-        half = share * min(area.width(), area.height() - (24 if title else 0))
+        letters = painter.fontMetrics()
+        above = float(letters.height()) if title else 0.0
+        centre = QPointF(area.center().x(), area.center().y() + above / 2)
+        half = half_px(area.width(), area.height() - above, share, letters.height())
         painter.setPen(QColor(self._theme.muted))
-        painter.drawText(QRectF(area.x(), 0, area.width(), 20), Qt.AlignmentFlag.AlignCenter, title)
+        painter.drawText(QRectF(area.x(), 0, area.width(), above), Qt.AlignmentFlag.AlignCenter, title)
 
         def at(point: Array | Corner) -> QPointF:
             x, y = eye @ np.asarray(point)
@@ -144,13 +152,15 @@ class CageView(QWidget):
     def _paint_axes(self, painter: QPainter, at: object) -> None:
         assert callable(at)
         for name, colour, end in zip("XYZ", self._theme.axes, np.eye(3), strict=True):
-            start, tip, beyond = at((0.0, 0.0, 0.0)), at(1.2 * end), at(1.36 * end)
+            start, tip, beyond = at((0.0, 0.0, 0.0)), at(1.2 * end), at(REACH * end)
             if hypot(tip.x() - start.x(), tip.y() - start.y()) < NAMED_PX:
                 continue
             painter.setPen(QPen(QColor(colour), 1, Qt.PenStyle.DashLine))
             painter.drawLine(start, tip)
             painter.setPen(QColor(colour))
-            painter.drawText(QRectF(beyond.x() - 10, beyond.y() - 10, 20, 20), Qt.AlignmentFlag.AlignCenter, name)
+            high = painter.fontMetrics().height()
+            place = QRectF(beyond.x() - high / 2, beyond.y() - high / 2, high, high)
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, name)
 
     def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str, style: Qt.PenStyle) -> None:
         if hypot(tip.x() - start.x(), tip.y() - start.y()) < LEAST_PX:

@@ -24,6 +24,7 @@ REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
+BEFORE_ALPHA = 130  # of 255: what was before lies behind
 DASHED = "┄"  # before the name of a curve that is
 NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
@@ -217,12 +218,15 @@ class Loci(QWidget):
 
     def _colour(self, theme: Theme) -> None:
         for circle, clouds in zip(self._circles, self._views, strict=True):
-            circle.setPen(pg.mkPen(theme.muted))
-            for colour, (front, behind) in zip((theme.after, theme.before), clouds, strict=False):
-                with_alpha = QColor(colour)
-                with_alpha.setAlpha(90)
-                front.setPen(pg.mkPen(colour, width=2))
-                behind.setPen(pg.mkPen(with_alpha))
+            circle.setPen(pg.mkPen(theme.line, width=2))
+            for (colour, front_alpha), (front, behind) in zip(
+                ((theme.after, 255), (theme.before, BEFORE_ALPHA)), clouds, strict=False
+            ):
+                front.setPen(pg.mkPen(with_alpha(colour, front_alpha), width=2))
+                behind.setPen(pg.mkPen(with_alpha(colour, front_alpha // 3)))
+        for widget in self.plots:  # directions need no axes
+            for side in ("bottom", "left"):
+                widget.getPlotItem().getAxis(side).setPen(pg.mkPen(theme.surface))
 
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
@@ -233,6 +237,13 @@ class Loci(QWidget):
             x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
             front.setData(x, np.where(toward, y, np.nan), connect="finite")
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+
+
+def with_alpha(colour: str, alpha: int) -> QColor:
+    """`colour` with some transparency."""
+    made = QColor(colour)
+    made.setAlpha(alpha)
+    return made
 
 
 def spread(values: Array, least: float) -> list[float]:

@@ -226,7 +226,7 @@ class PromptCard(Card):
         self.drawing.show_platform(platform_deg)
         for place, words, (shape, mark) in (
             (self.lab, coil_words, mark_of(coil_words)),
-            (self.stands, platform_words, platform_mark(platform_words)),
+            (self.stands, platform_words, platform_mark(platform_words, coil_words)),
         ):
             place.setText(f"{shape} {in_words(words)}".strip())
             place.setVisible(bool(words))
