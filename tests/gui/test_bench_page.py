@@ -17,6 +17,7 @@ from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.bench import HEADINGS, reading_text
+from labcal.gui.widgets.cage_view import REACH, half_px
 from labcal.record.stream import Block
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"

@@ -27,6 +27,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.whole_card import WholeCard
 from labcal.gui.widgets.whole_text import WholeText
 from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.records import EffectRecord, Rival
@@ -64,11 +65,10 @@ class LoopPage(QWidget):
         column.addLayout(self._head())
         self.waiting = label("", "caption", wrap=True)
         self.work = WorkBar()
-        column.addWidget(self.waiting)
-        column.addWidget(self.work)
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
-        column.addWidget(self.fault)
+        for widget in (self.waiting, self.work, self.fault):
+            column.addWidget(widget)
         self.empty, self.to_run = label("", "ask", wrap=True), go_to_run_button(app_state)
         column.addWidget(self.empty, 1)
         column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
@@ -114,7 +114,7 @@ class LoopPage(QWidget):
         return holder
 
     def _verdict_card(self) -> Card:
-        card = Card()
+        card = WholeCard()
         self.verdict, self.plainly = label("", "ask"), shrinkable(label("", wrap=True))
         self.summary = shrinkable(label("", "caption", wrap=True))
         self.summary.hide()

@@ -9,8 +9,9 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
+from labcal.gui.widgets.common import Card
 
-LETTERS = 44  # that a card holds on a line, or it is too narrow
+LETTERS = 28  # of a heading that a card holds on a line, or it is too narrow
 
 
 class FactGrid(QWidget):
@@ -21,12 +22,12 @@ class FactGrid(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.wide = False
-        self._cards: Sequence[QWidget] = ()
+        self._cards: Sequence[Card] = ()
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(2 * GRID)
 
-    def take(self, cards: Sequence[QWidget]) -> None:
+    def take(self, cards: Sequence[Card]) -> None:
         """These, the last of which may be long."""
         self._cards = cards
         self._place()
@@ -34,7 +35,7 @@ class FactGrid(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """As many in a row as there is room for, in letters of the size that they have."""
         super().resizeEvent(event)
-        letters = self._cards[0].fontMetrics().averageCharWidth() * LETTERS if self._cards else 0
+        letters = self._cards[0].heading.fontMetrics().averageCharWidth() * LETTERS if self._cards else 0
         if (wide := self.width() >= 3 * (letters + 4 * GRID)) is not self.wide:
             self.wide = wide
             self._place()

@@ -226,7 +226,9 @@ class Loci(QWidget):
                 behind.setPen(pg.mkPen(with_alpha(colour, front_alpha // 3)))
         for widget in self.plots:  # directions need no axes
             for side in ("bottom", "left"):
-                widget.getPlotItem().getAxis(side).setPen(pg.mkPen(theme.surface))
+                axis = widget.getPlotItem().getAxis(side)
+                axis.setPen(pg.mkPen(theme.surface))
+                axis.setLabel(axis.labelText, color=theme.muted)
 
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
