@@ -49,14 +49,14 @@ def missing_sectors(blocks: Sequence[Block], sector_deg: float = SECTOR_DEG) -> 
 
 
 def in_words(found: Sequence[Gap]) -> str:
-    """From where to where: 30° to 58°, 350° to 15°."""
-    return ", ".join(f"{a:.0f}° to {b % 360:.0f}°" for a, b in found)
+    """From where to where: 30°–58°, 350°–15°."""
+    return ", ".join(f"{a:.0f}°–{b % 360:.0f}°" for a, b in found)
 
 
 def unseen(bench: Bench, segment: str, found: Sequence[Gap]) -> Event:
     """For the record, and for whoever decides whether the turn is repeated while the DUT still stands there."""
     data = {"segment": segment, "gaps_deg": [list(gap) for gap in found]}
-    return Event(bench.clock.now(), COVERAGE, f"{segment}: not seen from {in_words(found)}", data)
+    return Event(bench.clock.now(), COVERAGE, f"{segment}: not seen: {in_words(found)}", data)
 
 
 def refuse_unseen(bench: Bench, blocks: Blocks) -> None:
@@ -64,7 +64,7 @@ def refuse_unseen(bench: Bench, blocks: Blocks) -> None:
     passed = missing_sectors([block for block in blocks if block.stream == "angle"])
     if set(missing_sectors(blocks)) - set(passed):
         raise InstrumentError(
-            f"{bench.dut.name}: it sent nothing from {in_words(gaps(blocks))} of this turn.",
+            f"{bench.dut.name}: it sent nothing at {in_words(gaps(blocks))} of this turn.",
             fault="coverage",
             remedy="See that it sends, then begin this step again.",
         )

@@ -127,7 +127,7 @@ def _by_hand(bench: Bench, rotation: Rotation) -> Work[Blocks]:
         if not wanted:
             return kept
     raise InstrumentError(
-        f"{rotation.name}: still not seen from {in_words(gaps(kept))}.",
+        f"{rotation.name}: still not seen: {in_words(gaps(kept))}.",
         fault="coverage",
         remedy="Check that the dial's reading is entered after each turn.",
     )

@@ -114,7 +114,7 @@ def test_a_gap_that_matters_is_found_wherever_it_begins_and_said_by_angle() -> N
         found = gaps(at_angles(angles))
         assert found == [(begins, begins + 28.0)]
         assert missing_sectors(at_angles(angles))
-        assert in_words(found) == f"{begins:.0f}° to {(begins + 28) % 360:.0f}°"
+        assert in_words(found) == f"{begins:.0f}°–{(begins + 28) % 360:.0f}°"
     assert gaps(at_angles(np.arange(20.0, 361.0, 1.0))) == []  # 20 degrees do not matter
     assert gaps(at_angles(np.arange(7.5, 360.0, 15.0))) == []  # nor do stops
     assert gaps(at_angles(np.array([10.0]))) == [(10.0, 370.0)]

@@ -15,7 +15,7 @@ UNSEEN_S = 2.0  # without a reading so long, a DUT has not seen where the platfo
 
 
 class Covered:
-    """`unseen`: by segment, in words: 30° to 58°."""
+    """`unseen`: by segment, in words: 30°–58°."""
 
     def __init__(self) -> None:
         self._sectors, self.unseen = set[int](), dict[str, str]()
