@@ -17,7 +17,6 @@ KNOWN = {  # file and name: why; the list only shrinks
     ("campaign/faulty_supply.py", "_hear"): "a supply that hears late, from within the served emulator",
     ("gui/test_off_hung_up.py", "_exit"): "Python's own, which would end this process",
     ("campaign/pushes_and_studies.py", "_exit"): "Python's own: a copy of this process pushes, and ends at once",
-    ("gui/test_first_minutes.py", "_now"): "the clock at which a run began, as the window shows it",
     ("campaign/faulty_lab.py", "_twin"): "the campaign's own lab is served from within",
 }
 

@@ -3,32 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from datetime import datetime
 from itertools import pairwise
 
 from labcal.record.stream import RESUMED, Event, Item, Step
+from labcal.record.told import Interruption, Told
 from labcal.store import Store
-
-
-@dataclass(frozen=True, slots=True)
-class Interruption:
-    """`at`: the step that was broken off, "" where none had begun. `gone_s` is None where nobody wrote when it ended.
-
-    `again`: the steps that were begun before it and after it.
-    """
-
-    at: str
-    gone_s: float | None
-    again: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Told:
-    """Notes and photographs in the order that they were made, in the words that were typed."""
-
-    interruptions: tuple[Interruption, ...] = ()
-    notes: tuple[str, ...] = ()
 
 
 def told(run_id: str) -> Told:

@@ -218,7 +218,7 @@ def test_a_reading_on_the_bench_page_is_the_sensors_own_and_as_old_as_it_is(stil
 
 def test_a_run_begins_when_its_record_does_and_a_window_that_comes_back_does_not_change_that(still, monkeypatch):
     times = iter(["2026-11-28 01:53", "2026-11-28 01:54"])
-    monkeypatch.setattr("labcal.gui.viewmodels.run._now", lambda: next(times))
+    monkeypatch.setattr("labcal.gui.viewmodels.run.now_said", lambda: next(times))
     run, worker = still.app_state.run, still.app_state.bench_worker
     run.start(ORDER)
     worker.items.emit((Step(0.0, 1, 1, "zero", 60.0, ("zero",)),))

@@ -44,12 +44,14 @@ def test_it_is_amber_in_the_panel_and_on_bench_until_the_serial_at_the_top_is_th
     assert row_of(real).text() == "▲ dut  names itself EM-21, not EM-07"
     assert row_of(real).property("state") == "warning"
     page = real.page("Bench")
-    page._show()
+    page.show_readings()
     row = next(n for n in range(page.table.rowCount()) if page.table.text(n, 1) == "dut")
     assert page.table.text(row, 3).startswith("▲ names itself EM-21, not EM-07")
     real.app_state.set_identity(dut="EM-21")
     QApplication.processEvents()
     assert "names itself" not in row_of(real).text()
+    page.show_readings()
+    assert page.table.text(row, 3) == "maker EM-21"
 
 
 def test_a_question_to_mount_says_it_too_and_a_run_tells_of_it_by_itself(real):

@@ -6,8 +6,9 @@ from test_path import RUN
 
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import ListRuns, RunProcedure
-from labcal.gui.ipc.record_messages import Interruption, TellRecord, Told
+from labcal.gui.ipc.record_messages import TellRecord
 from labcal.record.stream import RESUMED, Event, Step
+from labcal.record.told import Interruption, Told
 from labcal.session.told import interruptions
 
 BROKEN = Interruption("x+20uT-nominal", 240.0, ("zero", "x+20uT-nominal"))

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
-from labcal.gui.ipc.record_messages import Interruption, TellRecord, Told
+from labcal.gui.ipc.record_messages import TellRecord
+from labcal.record.told import Told
 
 
 def tell(channel: Channel, asked: TellRecord) -> Told:
     """Interruptions and notes of a run."""
     from labcal.session.told import told
 
-    found = told(asked.run)
-    return Told(tuple(Interruption(one.at, one.gone_s, one.again) for one in found.interruptions), found.notes)
+    return told(asked.run)
 
 
 HANDLERS = (handles(TellRecord, tell),)

@@ -179,15 +179,16 @@ class FitPage(QWidget):
             for row, text in enumerate(cells(said.fit)):
                 self.table.set_cell(row, column, text, right=True, tip=in_words(said.fit.why_not or ""))
 
+        self._fill_table()
         self.why.setText("\n".join(refusals(fits)))
         self.why.setVisible(bool(self.why.text()))
 
     def _fill_table(self) -> None:
         """What room is left goes to the names, as in every table of figures; with less, the table rolls."""
         header, mode = self.table.horizontalHeader(), QHeaderView.ResizeMode
-        needed = sum(header.sectionSizeHint(n) if n == 0 else header.sectionSize(n) for n in range(header.count()))
-        named = max(self.table.sizeHintForColumn(0), header.sectionSizeHint(0)) - header.sectionSizeHint(0)
-        wanted = mode.Stretch if needed + named < self.table.viewport().width() else mode.ResizeToContents
+        columns = range(header.count())
+        needed = sum(max(self.table.sizeHintForColumn(n), header.sectionSizeHint(n)) for n in columns)
+        wanted = mode.Stretch if needed < self.table.viewport().width() else mode.ResizeToContents
         if header.sectionResizeMode(0) != wanted:
             header.setSectionResizeMode(0, wanted)
 

@@ -322,6 +322,7 @@ class RunViewModel(QObject):
             self.skipped.add(str(event.data.get("step", "")))
         elif event.kind == COVERAGE:
             self.covered.missed(event)
+            self.message = said_of(event, self.links)
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:

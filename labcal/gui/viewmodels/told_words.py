@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from labcal.gui.ipc.record_messages import Interruption, Told
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import step_title
+from labcal.record.told import Interruption, Told
 
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Interrupted once: {0}. Measured again: {1}."),

@@ -5,10 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from labcal.gui.ipc.record_messages import TellRecord, Told
+from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.told_words import interrupted_words, noted_words
 from labcal.gui.widgets.common import label, set_state
+from labcal.record.told import Told
 
 
 class RecordWords(QWidget):
