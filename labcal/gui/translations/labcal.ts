@@ -5271,7 +5271,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>grey: as read   dark: calibrated   faint: behind the sphere</source>
+        <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5271,8 +5271,8 @@
         <translation>Rest auf der Kugel, nach Grad (Risbo 2003)</translation>
     </message>
     <message>
-        <source>grey: as read   dark: calibrated   faint: behind the sphere</source>
-        <translation>grau: wie gelesen   dunkel: kalibriert   blass: hinter der Kugel</translation>
+        <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
+        <translation>grau: wie gelesen   kräftig: kalibriert   blass: hinter der Kugel</translation>
     </message>
     <message>
         <source>the ekf, or the filter that is chosen above</source>

@@ -5271,8 +5271,8 @@
         <translation>Résidu sur la sphère, par degré (Risbo 2003)</translation>
     </message>
     <message>
-        <source>grey: as read   dark: calibrated   faint: behind the sphere</source>
-        <translation>gris : tel que lu   foncé : étalonné   pâle : derrière la sphère</translation>
+        <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
+        <translation>gris : tel que lu   soutenu : étalonné   pâle : derrière la sphère</translation>
     </message>
     <message>
         <source>the ekf, or the filter that is chosen above</source>

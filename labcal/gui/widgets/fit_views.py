@@ -160,7 +160,7 @@ class FitViews(Card):
         """What belongs to the picture that is looked at: a second choice where there is one, and its legend."""
         self.against.setVisible(self.shown() == "residual")
         words = (
-            self.tr("grey: as read   dark: calibrated   faint: behind the sphere"),
+            self.tr("grey: as read   strong: calibrated   faint: behind the sphere"),
             self._band_words(),
             "",
             self._line_words(),
