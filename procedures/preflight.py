@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass, replace
 from functools import partial
@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 
 from labcal.bench.axis_up import WrongAxis
 from labcal.bench.bench import Bench
+from labcal.bench.coverage import refuse_unseen
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Least, Limits
 from labcal.bench.position import Position, position
-from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, refuse_unseen, rotate_once
+from labcal.bench.rotation import Rotation, refuse_too_fast, rotate_once
 from labcal.bench.steps import (
     AT_REST_DEG,
     Blocks,
-    Plan,
     Procedure,
     Resume,
     Work,
@@ -42,6 +42,7 @@ from labcal.errors import LimitNotMet
 from labcal.record.closure import Standstill
 from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes
+from procedures.preflight_plan import POSITIONS, PreflightPlan, first_of
 from procedures.running_estimate import RunningEstimate
 from procedures.sync_check import check_sync
 
@@ -49,83 +50,12 @@ NEEDS, LASTS_MIN = "the DUT on the platform, remounted three times; a vector ref
 
 Array = NDArray[np.float64]
 REFERENCE = ("ref_x", "ref_y", "ref_z")
-POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
 REMOUNT = "remount"
 ONE_AXIS = (
     "No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. "
     "It repeats or checks turns."
 )
 LONGEST_DELAY_S = 0.5  # of an axis, as sync-check allows
-MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, for the time that is left
-
-
-@dataclass(frozen=True, slots=True)
-class PreflightPlan:
-    """What a preflight does, resolved: every field in order, reversed ones negative, and the rate."""
-
-    axes: tuple[str, ...]
-    fields_nT: tuple[float, ...]
-    modes: tuple[str, ...]
-    inclination_deg: float
-    rate_asked: bool
-    rate_deg_per_s: float
-    timing_nT: float
-    u_time_s: float
-    step_deg: float
-    dwell_s: float
-    zero_s: float
-    closure_nT: float
-    u_mounting_deg: float
-    estimate: RunningEstimate
-    finished: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
-
-    def at_rate_of(self, bench: Bench) -> PreflightPlan:
-        """The same at the fastest rate that is allowed, unless one was asked for."""
-        if self.rate_asked:
-            return self
-        strongest = max(abs(b) for b in self.fields_nT)
-        return replace(
-            self, rate_deg_per_s=fastest_rate(bench, strongest, self.inclination_deg, self.u_time_s, self.timing_nT)
-        )
-
-    def left(self, axis: str, done: frozenset[str]) -> list[tuple[str, str, float]]:
-        """The turns about one body axis that are not done."""
-        return [turn for turn in self.turns(axis) if turn[0] not in done]
-
-    def turned(self, done: frozenset[str]) -> bool:
-        """Whether any turn is done."""
-        return any(name in done for axis in self.axes for name, _, _ in self.turns(axis))
-
-    def stood(self, done: frozenset[str]) -> str:
-        """The body axis that was mounted when the run broke off after these steps; "" where none surely was."""
-        mounted = [axis for axis in self.axes if f"mount-{axis}" in done]
-        return mounted[-1] if mounted else self.axes[0] if "axes-check" in done else ""
-
-    def turns(self, axis: str) -> Iterator[tuple[str, str, float]]:
-        """Step name, mode and field of every turn about one body axis."""
-        for mode in self.modes:
-            for field_nT in self.fields_nT:
-                yield f"{axis}{field_nT / 1000:+g}uT-{mode}", mode, field_nT
-
-    def plan(self) -> Plan:
-        """All steps with their lab time, those that are kept with none."""
-        one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
-        steps = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
-        for axis in self.axes:
-            left = {name: one for name, _, _ in self.left(axis, self.finished)}
-            mount_s, closure_s = (MOUNT_S + self.dwell_s, self.dwell_s) if left else (0.0, 0.0)
-            steps += [(f"mount-{axis}", mount_s), *((name, left.get(name, 0.0)) for name, _, _ in self.turns(axis))]
-            steps += [(f"closure-{axis}", closure_s)]
-        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)), self.asks())
-
-    def asks(self) -> frozenset[str]:
-        """The steps that begin with mounting or switching; the first mounting is in the zero."""
-        left = {axis: turns for axis in self.axes if (turns := self.left(axis, self.finished))}
-        mounted = {f"mount-{axis}" for axis in list(left)[1:]}
-        first = {axis: {mode: name for name, mode, _ in reversed(turns)} for axis, turns in left.items()}
-        switched = {name for of in first.values() for mode, name in of.items() if mode != self.modes[0]}
-        back = {f"closure-{axis}" for axis, of in first.items() if set(of) - {self.modes[0]}}
-        return frozenset(mounted | back | switched | {"closing"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,17 +96,17 @@ def preflight(
     )  # fmt: skip
     refuse_too_fast(bench, rate_deg_per_s)
     done = resume.done if resume else frozenset[str]()
-    setting = replace(wanted.at_rate_of(bench), finished=done)
+    setting = wanted.at_rate_of(bench).after(resume)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        mounted = next((axis for axis in axes if setting.left(axis, done)), axes[0])
+        mounted = next((axis for axis in axes if setting.to_mount(axis)), axes[0])
         first = yield from _open_and_check_axes(bench, setting, mounted, resume)
         setting = yield from _check_sync(bench, setting, mounted)
         before = ""
-        for axis in axes:
-            if setting.left(axis, done):
-                yield from _about(bench, setting, axis, done, mounted, before)
-                before = axis
+        for axis in filter(setting.to_mount, axes):
+            kept_nT = resume.measured[first_of(axis)] if resume and axis in setting.unclosed else None
+            yield from _about(bench, setting, axis, done, mounted, before, kept_nT)
+            before = axis
         yield from _closing(bench, setting, first, before)
 
 
@@ -237,14 +167,35 @@ def _check_sync(bench: Bench, setting: PreflightPlan, axis: str) -> Work[Preflig
 
 
 def _about(
-    bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str], mounted: str, last: str
+    bench: Bench,
+    setting: PreflightPlan,
+    axis: str,
+    done: frozenset[str],
+    mounted: str,
+    last: str,
+    kept_nT: float | None,
 ) -> Work[None]:
-    """Mount one body axis, unless the `last` one is to be redone first; then every turn about it."""
+    """Mount one body axis, unless the `last` one is to be redone first; then every turn about it.
+
+    Where the turns are kept, its closure alone, with what the first position was then (`kept_nT`).
+    """
     yield setting.plan().begin(bench, f"mount-{axis}")
     if axis != mounted:
         yield from _mount_or_redo(bench, setting, f"mount-{axis}", axis, last)
         yield from switch_mode(bench, setting.modes[0])
-    yield from _turns_about_it(bench, setting, axis, done)
+    if kept_nT is None:
+        yield from _turns_about_it(bench, setting, axis, done)
+    else:
+        yield from _close_since(bench, setting, axis, kept_nT)
+
+
+def _close_since(bench: Bench, setting: PreflightPlan, axis: str, kept_nT: float) -> Work[None]:
+    """The closure that an interruption has kept from being measured: as that of the closing, by magnitudes."""
+    yield setting.plan().begin(bench, f"closure-{axis}")
+    yield from _all_hands_off(bench, setting)
+    after = yield from _first_position(bench, setting)
+    moved, u = abs(after.excess - kept_nT), float(np.sqrt(2) * after.u)
+    yield from _closed(bench, f"closure {axis}", moved, u, setting.closure_nT, None)
 
 
 def _turns_about_it(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]) -> Work[None]:
@@ -287,6 +238,7 @@ def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]
     plan, mode_now, seen = setting.plan(), setting.modes[0], list[Turned]()
     yield from _all_hands_off(bench, setting)
     before = yield from _first_position(bench, setting)
+    yield from measured(bench, first_of(axis), before.excess, before.u, "nT")
     for name, mode, field_nT in setting.left(axis, done):
         yield plan.begin(bench, name)
         if mode != mode_now:

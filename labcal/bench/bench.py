@@ -136,6 +136,11 @@ class Bench:
         who = f"{known.model} {known.serial}".strip() if known else stated.driver
         return f"{name} ({who} at {stated.link})"
 
+    @property
+    def known(self) -> Mapping[str, Identity]:
+        """Who said who they are when they were asked last."""
+        return self._known
+
     def identities(self, begun: Identifications | None = None) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
 

@@ -33,6 +33,7 @@ class Identified:
     identity: str = ""
     fault: InstrumentError | None = None
     flows_A: float | None = None
+    serial: str = ""
 
 
 def identify_all(path: Path) -> list[Identified]:
@@ -98,4 +99,5 @@ def _identified(
     if isinstance(answer, InstrumentError):
         return Identified(name, entry.role, entry.link, fault=answer)
     words = (answer.manufacturer, answer.model, answer.serial, answer.firmware)
-    return Identified(name, entry.role, entry.link, abridged(" ".join(part for part in words if part)), flows_A=flows_A)
+    said = abridged(" ".join(part for part in words if part))
+    return Identified(name, entry.role, entry.link, said, flows_A=flows_A, serial=abridged(answer.serial))

@@ -58,6 +58,7 @@ class InstrumentReading:
     field_nT: Vector | None = None
     angle_deg: float | None = None
     moving: bool | None = None
+    serial: str = ""
 
 
 def read_lab(path: Path, names: Collection[str] = ()) -> list[InstrumentReading]:
@@ -140,8 +141,9 @@ def _asked(loader: Loader, name: str) -> InstrumentReading:
     if entry.role == "reference" and not blind(loader.config.reference):
         field = _field(loader, cast(Magnetometer, instrument))
     return InstrumentReading(
-        name, entry.role, entry.link, identity, None, False, time.monotonic(), current_A, zero, field, angle, moving
-    )
+        name, entry.role, entry.link, identity, None, False, time.monotonic(), current_A, zero, field, angle, moving,
+        abridged(who.serial),
+    )  # fmt: skip
 
 
 def _current(instrument: Instrument) -> tuple[float | None, bool]:

@@ -1,27 +1,22 @@
-"""Turning the DUT in a steady field: how fast it may, how a turn is recorded, and which sectors it covered."""
+"""Turning the DUT in a steady field: how fast it may, and how a turn is recorded and looked at."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from labcal.bench.axis_up import refuse_another_axis
 from labcal.bench.bench import Bench
+from labcal.bench.coverage import SECTOR_DEG, gaps, in_words, missing_sectors, unseen
 from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
-from labcal.bench.streams.samples import samples
 from labcal.bench.turn_diagnostics import look_at_turn
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Segment
-from labcal.record.stream import Block
 from labcal.record.vector import Vector
 
-SECTOR_DEG = 15.0
 MOST_NOISE = 1.5  # times what the bench file states
 TRIES_BY_HAND = 3
-GAP = 5.0  # times the DUT's usual pause between two readings: so far from any it has seen nothing
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +86,8 @@ def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
     blocks = yield from recorded(bench, rotation.segment(bench), how(bench, rotation))
     refuse_another_axis(bench, rotation.name, rotation.axis_body, blocks)
     missing, seen = missing_sectors(blocks), look_at_turn(bench, rotation.axis_body, blocks)
+    if found := gaps(blocks):
+        yield unseen(bench, rotation.name, found)
     yield from measured(bench, f"{rotation.name}: missing sectors", len(missing), 0.0, "", limit=0.0)
     stated = bench.config.dut.noise_nT
     limit = None if stated is None else MOST_NOISE * stated
@@ -98,42 +95,6 @@ def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
     if seen.wrong_signs is not None:
         yield from measured(bench, f"{rotation.name}: wrong signs", seen.wrong_signs, 0.0, "", limit=0.0)
     return blocks
-
-
-def missing_sectors(blocks: Sequence[Block], sector_deg: float = SECTOR_DEG) -> list[int]:
-    """The starting angles [deg] of the sectors of the circle in which no angle was recorded that the DUT saw."""
-    angle = samples(blocks, "angle", "angle_deg")
-    seen = _filled(np.sort(angle.values[_beside_the_dut(angle.t_s, blocks), 0]), sector_deg)
-    there = {int(a // sector_deg) for a in np.mod(seen, 360.0)}
-    return [int(n * sector_deg) for n in range(round(360 / sector_deg)) if n not in there]
-
-
-def refuse_unseen(bench: Bench, blocks: Blocks) -> None:
-    """Raise InstrumentError where the platform passed sectors of the circle while the DUT sent nothing."""
-    passed = missing_sectors([block for block in blocks if block.stream == "angle"])
-    unseen = [sector for sector in missing_sectors(blocks) if sector not in passed]
-    if unseen:
-        raise InstrumentError(
-            f"{bench.dut.name}: it sent nothing in {len(unseen)} of {round(360 / SECTOR_DEG)} sectors of this turn.",
-            fault="coverage",
-            remedy="See that it sends, then begin this step again.",
-        )
-
-
-def _beside_the_dut(t_s: NDArray[np.float64], blocks: Sequence[Block]) -> NDArray[np.bool_]:
-    """Which of these stamps lie near a sample of the DUT, by its usual pauses; all where none of it is given."""
-    sent = np.unique(np.concatenate([np.empty(0), *(block.t_s for block in blocks if block.stream == "dut")]))
-    if len(sent) < 2:
-        return np.full(len(t_s), len(sent) == 0)
-    after = np.clip(np.searchsorted(sent, t_s), 1, len(sent) - 1)
-    nearest = np.minimum(np.abs(t_s - sent[after - 1]), np.abs(sent[after] - t_s))
-    return np.asarray(nearest <= GAP * np.median(np.diff(sent)))
-
-
-def _filled(angle: NDArray[np.float64], sector_deg: float) -> NDArray[np.float64]:
-    """The angles, with the path between two neighbours that are less than half a sector apart."""
-    middles = (angle[1:] + angle[:-1]) / 2
-    return np.concatenate([angle, middles[np.diff(angle) < sector_deg / 2]])
 
 
 def _by_motor(bench: Bench, rotation: Rotation) -> Work[Blocks]:
@@ -166,7 +127,7 @@ def _by_hand(bench: Bench, rotation: Rotation) -> Work[Blocks]:
         if not wanted:
             return kept
     raise InstrumentError(
-        f"{rotation.name}: sectors {[round(w) for w in wanted]}° are still missing.",
+        f"{rotation.name}: still not seen: {in_words(gaps(kept))}.",
         fault="coverage",
         remedy="Check that the dial's reading is entered after each turn.",
     )

@@ -1,4 +1,6 @@
-"""What a serial number may look like on a bench: `serial_pattern` of its bench.toml, or what serials usually are."""
+"""What a serial number may look like on a bench, `serial_pattern` of its bench.toml or what serials usually are; and
+whether an instrument names another one than is stated.
+"""
 
 from __future__ import annotations
 
@@ -23,3 +25,12 @@ def objection(serial: str, pattern: str) -> str:
     if pattern == USUAL:
         return f"{serial!r} is no serial number: letters and digits, and . : / + # ( ) - or blanks between them"
     return f"{serial!r} is no serial number of this bench: they match {pattern} (dut.serial_pattern)"
+
+
+def is_another(named: str, stated: str) -> bool:
+    """Whether an instrument that names itself so is another than the one that is `stated`; not where either is silent.
+
+    What a driver adds, as the serial of the sensor behind a converter, stands beside it.
+    """
+    words = [word.casefold() for word in (named, *named.split())]
+    return bool(named.strip()) and bool(stated.strip()) and stated.strip().casefold() not in words

@@ -40,6 +40,7 @@ NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side pan
 NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
 UNITS = ("nT", "µT", "mG")
+NO_MARK = "\N{EM SPACE}\N{SIX-PER-EM SPACE}"  # as wide as a mark and the blank behind it
 
 
 class SidePanel(Surface):
@@ -82,6 +83,7 @@ class SidePanel(Surface):
             self.tr("Read all"),
             self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
         )
+        self._column.addSpacing(GRID)
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
@@ -123,7 +125,7 @@ class SidePanel(Surface):
         shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
         set_state(self.zero_words, mark)
-        shape, mark = platform_mark(now.platform_words)
+        shape, mark = platform_mark(now.platform_words, now.coil_words)
         self.platform.setText(f"{shape} {in_words(now.platform_words)}".strip())
         self.platform.setVisible(bool(now.platform_words))
         set_state(self.platform, mark)
@@ -148,6 +150,7 @@ class SidePanel(Surface):
         while len(self.instrument_rows) < len(state.now.lights):
             self.instrument_rows.append(label("", wrap=True))
             self._lights.addWidget(self.instrument_rows[-1])
+        others = dict(state.other_serials)
         wordless = {light for _, light, words in state.now.lights if not words}
         legend = "   ".join(
             f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
@@ -156,6 +159,8 @@ class SidePanel(Surface):
         set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
+            if light != "fault" and name in others:
+                shape, colour, words = "▲", "warning", others[name]
             row.setText(f"{shape} {shown_name(name)}  {words}".strip())
             row.setToolTip(guardian_is(name))
             set_state(row, colour)
@@ -281,7 +286,9 @@ class Frame(QMainWindow):
         """A mark before the name of each page that is a step of the path."""
         for index, name in enumerate(self._names):
             mark = marks.get(name, "")
-            self.sidebar_buttons.button(index).setText(f"{mark} {translated(name)}".strip())
+            self.sidebar_buttons.button(index).setText(
+                f"{mark} {translated(name)}" if mark else f"{NO_MARK}{translated(name)}"
+            )
 
     def say_next(self, following: str) -> None:
         """What is next, in words."""

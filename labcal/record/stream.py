@@ -137,6 +137,8 @@ class Prompt:
 NOT_USED = (
     "not-used"  # an Event of this kind: the segments so far that its data name are kept, and no run is made of them
 )
+OTHER_SERIAL = "other-serial"  # an Event of this kind: an instrument names another serial than is stated
+COVERAGE = "coverage"  # an Event of this kind: a turn has not seen a stretch of the circle that matters
 RESUMED = "resumed"  # an Event of this kind: an interrupted run is gone on with
 SLOW_DISK = "slow-disk"  # an Event of this kind is told and not kept: rows wait in memory for a busy disk
 NOT_KEPT = "not-kept"  # an Event of this kind: the store does not take what is recorded, or not yet

@@ -8,12 +8,14 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_CONFIRMED, LabState
+from labcal.bench.named_serials import other_serials
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
@@ -84,7 +86,7 @@ class Drive:
                 self.bench.start()
                 self.bench.look = self._look
                 self.bench.clock.while_waiting(self._say_what_takes_long)
-                for item in self._items(procedure):
+                for item in chain(other_serials(self.bench), self._items(procedure)):
                     self._refuse_mode(item)
                     self._keep(item)
                     if isinstance(item, Prompt):

@@ -46,7 +46,8 @@ class _Stretch:
     def _undo(self, index: int) -> None:
         undone, self.begun = self.begun[index:], self.begun[:index]
         self.done -= set(undone)
-        of_them = tuple(f"{name}: " for name in undone)
+        closures = [name.replace("-", " ", 1) for name in undone if name.startswith("closure-")]
+        of_them = (*(f"{name}: " for name in undone), *closures)
         self.measured = {name: value for name, value in self.measured.items() if not name.startswith(of_them)}
 
     def after(self, done: set[str], measured: dict[str, float]) -> tuple[set[str], dict[str, float]]:

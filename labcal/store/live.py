@@ -167,6 +167,12 @@ class Store:
         ((status,),) = self._all(f"SELECT {LAST_STATUS} FROM run WHERE number = ?", number)
         return true_status(self.path, run_id, str(status))
 
+    def statuses(self, run_id: str) -> list[tuple[str, str]]:
+        """Every status that was written, with its time (ISO 8601, UTC), the first first."""
+        number = self._number(run_id)
+        found = self._all("SELECT status, utc FROM status WHERE run = ? ORDER BY rowid", number)
+        return [(str(status), str(utc)) for status, utc in found]
+
     def header(self, run_id: str) -> RunHeader:
         """The head of a recorded run. Raises InputError where there is no such run, or it was imported."""
         if self._imported(run_id) is not None:

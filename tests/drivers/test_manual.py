@@ -11,9 +11,10 @@ import pytest
 from drivers.manual import ManualPlatform
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coverage import missing_sectors
 from labcal.bench.driver_kit.testing import scripted
 from labcal.bench.links import open_link
-from labcal.bench.rotation import Rotation, missing_sectors, rotate_once
+from labcal.bench.rotation import Rotation, rotate_once
 from labcal.bench.steps import record, to_angle
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import Block, Prompt, SegmentOpened

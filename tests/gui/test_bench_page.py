@@ -17,6 +17,7 @@ from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.pages.bench import HEADINGS, reading_text
+from labcal.gui.widgets.cage_view import REACH, half_px
 from labcal.record.stream import Block
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -204,3 +205,12 @@ def test_no_heading_of_the_table_is_cut_where_room_is_least(still, bench, qtbot)
             sum(map(header.sectionSize, range(header.count()))) >= bench.table.viewport().width()
         )  # none is left over
     still.resize(before)
+
+
+def test_no_name_of_an_axis_of_the_cage_reaches_out_of_its_place_in_letters_of_any_size():
+    for width, height in ((170.0, 240.0), (300.0, 200.0), (500.0, 180.0)):
+        for name_px in (16.0, 26.0, 40.0):
+            for share in (0.30, 0.34):
+                half = half_px(width, height, share, name_px)
+                assert REACH * half + name_px / 2 <= min(width, height) / 2 + 1e-9
+    assert half_px(400.0, 400.0, 0.34, 16.0) == pytest.approx(136.0)  # with room enough it is as large as ever

@@ -13,11 +13,12 @@ from test_calibration_views import FOUND, calibration
 from test_path import RUN
 
 from labcal.gui.ipc import compare_commands
-from labcal.gui.ipc.answers import Compared, Comparison, Figure
+from labcal.gui.ipc.answers import Compared, Comparison, Figure, FitFigures, Fitted, Look
 from labcal.gui.ipc.compare_commands import compare, newest_file
 from labcal.gui.ipc.messages import CompareRuns, ExportRun, ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.trend import Trend, courses
 from labcal.model.apply import apply
 from labcal.model.readings import readings_of
@@ -185,3 +186,26 @@ def test_the_trend_draws_the_limits_of_the_specification(qtbot):
     trend.draw()
     trend.idle_queue.finish()
     assert [item for item in trend.plot.getPlotItem().items if hasattr(item, "value")] == []
+
+
+@pytest.mark.parametrize("stated_nT", [15.0, None])
+def test_the_band_is_the_noise_that_the_verdict_of_fit_goes_by_on_both_pages_and_says_which(page, stated_nT):
+    stated = stated_nT is not None
+    one, other = side("r1", "r1.json"), side("r2", "r2.json")
+    if stated:  # of the fits' own, 20 nT each, nothing is drawn
+        one, other = (replace(each, noise_nT=stated_nT, noise_stated=True) for each in (one, other))
+    page.comparison.view.setCurrentIndex(0)
+    page.comparison.show_comparison(Comparison(one, other, FOUND), {})
+    views, figures = FitViews(LIGHT), FitFigures(True)
+    views.view.setCurrentIndex(1)
+    look = Look("r1", "EM-07", 50, np.ones((50, 3)), {"time  s": np.arange(50.0)})
+    views.show_fit(look, "ml", Fitted(figures, 20.0, np.zeros(50), np.ones((50, 3)), stated_nT=stated_nT))
+    for picture in (page.comparison.residuals, views.residual):
+        assert picture._band.getRegion() == pytest.approx((-2 * (stated_nT or 20.0), 2 * (stated_nT or 20.0)))
+    for words in (page.comparison.words.text(), views.words.text()):
+        assert ("none is stated" in words) != stated
+
+
+def test_the_noise_of_a_side_is_stated_by_its_run_where_it_states_one():
+    run = SimpleNamespace(dut=SimpleNamespace(noise_nT=3.0), reference=SimpleNamespace(noise_nT=4.0))
+    assert compare_commands.stated_noise(run) == 5.0

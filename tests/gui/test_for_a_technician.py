@@ -67,7 +67,7 @@ def test_theme_and_size_are_switched_in_the_window_and_the_theme_is_kept(still, 
             "Dark",
         )
         qtbot.mouseClick(still.size_switch, Qt.MouseButton.LeftButton)
-        assert (still.wall, still.size_switch.text()) == (True, "Smaller F11")
+        assert (still.wall, still.size_switch.text()) == (True, "Smaller   F11")
     finally:
         still.app_state.settings.remove("theme")
         still.toggle_wall()

@@ -31,6 +31,7 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.translations import translate
+from labcal.gui.widgets.common import Card
 from labcal.record import Segment
 from labcal.record.stream import Block, Measurement, Prompt, SegmentOpened, Step
 
@@ -325,6 +326,33 @@ def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
     still.open_page(page)
     found = [fault for words in LARGE for fault in faults_at(still, sized, page, words, LARGE)]
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_every_page_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
+    page = shown(still, state)
+    found = list(faults_at(still, sized, page, "1440 x 900, F11", LARGE))
+    found += [f"{type(one).__name__} runs over its card" for one in run_over(still.page(page))]
+    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+def run_over(page):
+    """Whatever in a card reaches out of it: lists, tables and pictures too, which have no one text to be measured."""
+    cards = [card for card in page.findChildren(Card) if card.isVisible()]
+    parts = ((card, one) for card in cards for one in card.children() if isinstance(one, QWidget) and one.isVisible())
+    return [one for card, one in parts if not card.rect().contains(one.geometry())]
+
+
+def test_what_runs_over_its_card_is_found(qtbot):
+    holder, card, inside = QWidget(), Card("A title"), QLabel("inside")
+    qtbot.addWidget(holder)
+    QVBoxLayout(holder).addWidget(card)
+    card.body.addWidget(inside)
+    holder.resize(300, 200)
+    holder.show()
+    assert run_over(holder) == []
+    inside.setGeometry(10, 100, 100, 300)
+    assert run_over(holder) == [inside]
 
 
 @pytest.fixture

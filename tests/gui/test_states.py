@@ -191,7 +191,7 @@ def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought
     live.note.setText("lift moved")
     live.note.returnPressed.emit()
     live.note.setText("how it stands")
-    live.keep_photo("/tmp/picture.jpg")
+    live.notes.keep_photo("/tmp/picture.jpg")
     brought.app_state.quick_worker.answer(KeepPhoto, {"photo": "ab.jpg", "sha256": "ab"})
     assert worker.said == [
         Note("lift moved"),

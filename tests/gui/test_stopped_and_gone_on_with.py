@@ -179,6 +179,16 @@ def test_who_goes_on_sees_which_turns_are_kept_and_what_was_broken_off_for_good(
     assert run_verdict(run).rule.endswith("Not measured: closure-x.")
 
 
+def test_an_axis_whose_closure_is_made_up_is_to_be_mounted_again(running):
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
+    run, names = running.app_state.run, ("zero", "mount-x", "x+20uT-nominal", "closure-x", "mount-y", "closing")
+    run.resume("r1", run.order)
+    before = [("x+20uT-nominal: noise", 15.0), ("mount-x: DUT less reference, first position", 120.0)]
+    items = [Measurement(3.5, name, value, 1.0, "nT") for name, value in before]
+    running.app_state.bench_worker.items.emit((*items, Step(1.0, 1, len(names), "zero", 60.0, names)))
+    assert [mark for _, mark in run.steps()] == ["now", "next", "done", "next", "next", "next"]
+
+
 def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, patience):
     start, path = still.page("Start"), still.app_state.path
     broken = (replace(RUN, status="interrupted"), replace(RUN, run_id="r2", dut_serial="EM-08", status="interrupted"))

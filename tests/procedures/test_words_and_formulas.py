@@ -9,7 +9,8 @@ import numpy as np
 import ppigrf
 import pytest
 
-from labcal.bench.rotation import missing_sectors, stops
+from labcal.bench.coverage import MOST_GAP_DEG, MOST_GROWTH, gaps, in_words, missing_sectors
+from labcal.bench.rotation import stops
 from labcal.bench.streams.running import Running
 from labcal.bench.streams.samples import Samples, merged
 from labcal.errors import InputError
@@ -97,9 +98,40 @@ def test_a_sector_that_the_platform_passed_while_the_dut_sent_nothing_is_missing
 
     assert missing_sectors([angle, dut(sent)]) == []
     away = (sent > 40.0) & (sent < 100.0)  # 80 to 200 degrees; what it sees on either side is its usual pause
-    missing = missing_sectors([angle, dut(sent[~away])])
-    assert set(missing) >= {105, 120, 135, 150, 165}
-    assert set(missing) <= {90, 105, 120, 135, 150, 165, 180}
+    blocks = [angle, dut(sent[~away])]
+    assert missing_sectors(blocks) == [75, 90, 105, 120, 135, 150, 165, 180]
+    ((begins, ends),) = gaps(blocks)
+    assert (begins, ends) == pytest.approx((80.0, 200.0), abs=1.0)
+
+
+def at_angles(angles: np.ndarray) -> list[Block]:
+    return [Block("angle", "dial", ("angle_deg",), np.arange(len(angles), dtype=float), angles[:, None])]
+
+
+def test_a_gap_that_matters_is_found_wherever_it_begins_and_said_by_angle() -> None:
+    for begins in (0.0, 1.0, 14.0, 345.0):
+        angles = np.arange(begins + 28.0, begins + 361.0, 1.0)
+        found = gaps(at_angles(angles))
+        assert found == [(begins, begins + 28.0)]
+        assert missing_sectors(at_angles(angles))
+        assert in_words(found) == f"{begins:.0f}°–{(begins + 28) % 360:.0f}°"
+    assert gaps(at_angles(np.arange(20.0, 361.0, 1.0))) == []  # 20 degrees do not matter
+    assert gaps(at_angles(np.arange(7.5, 360.0, 15.0))) == []  # nor do stops
+    assert gaps(at_angles(np.array([10.0]))) == [(10.0, 370.0)]
+
+
+def test_without_a_gap_that_is_allowed_no_harmonic_is_known_much_worse() -> None:
+    theta = np.radians(np.arange(0.0, 360.0, 0.25))
+    waves = [np.sqrt(2) * f(n * theta) for n in (1, 2, 3) for f in (np.cos, np.sin)]
+    A = np.column_stack([np.ones_like(theta), *waves])
+
+    def grows(gap_deg: float) -> float:
+        seen = A[np.degrees(theta) >= gap_deg]
+        return float(1 / np.sqrt(np.linalg.eigvalsh(seen.T @ seen / len(theta))[0]))
+
+    assert pytest.approx(22.5) == MOST_GAP_DEG
+    assert MOST_GROWTH - 0.05 < grows(MOST_GAP_DEG) <= MOST_GROWTH
+    assert grows(29.0) > MOST_GROWTH
 
 
 def test_blocks_of_one_source_become_one_and_nothing_is_lost() -> None:

@@ -16,10 +16,11 @@ from short_preflight import SHORT
 from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.rotation import refuse_unseen
+from labcal.bench.coverage import refuse_unseen
 from labcal.errors import InstrumentError, LimitError
-from labcal.record.stream import FAULT, Block, Event, Item, Prompt, Step
+from labcal.record.stream import FAULT, Block, Event, Item, Measurement, Prompt, Step
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
+from labcal.session.told import told
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
@@ -110,6 +111,27 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     assert last.id.startswith(SECOND)
 
 
+@pytest.mark.parametrize("at", ["closure-x", "mount-z"])
+def test_a_closure_that_an_interruption_kept_from_being_measured_is_made_up(bench_file: BenchFile, at: str) -> None:
+    bench, steps = bench_file(), list[Step]()
+    begun(bench, "preflight", pulled("reference"), SHORT | {"axes": "x,z"}, at)
+    there = session.resume("R", bench, seed=2, on_item=lambda i: steps.append(i) if isinstance(i, Step) else None)
+    assert (there.status, there.fault, there.failed) == ("finished", None, ())
+    names = [step.name for step in steps]
+    made_up = ["mount-x", "closure-x"] if at == "closure-x" else []
+    assert names == ["zero", "axes-check", "sync-check", *made_up, "mount-z", "z+20uT-nominal", "closure-z", "closing"]
+    assert steps[0].left_s == pytest.approx(sum(step.step_s for step in steps))
+    closures = {one.name: one for one in session.load_run("R").closures}
+    with Store.open() as store:
+        measured = {i.name: i for i in store.items("R") if isinstance(i, Measurement)}
+    assert measured["closure x"].verdict == "PASS"
+    assert ("closure x" in closures) == (at == "mount-z")  # made up, it has one end in this stretch alone
+    (broken,) = told("R").interruptions
+    again = {"closure-x": ("mount-x", "closure-x"), "mount-z": ("mount-z",)}[at]
+    assert (broken.at, broken.again) == (at, ("zero", "axes-check", "sync-check", *again))
+    assert broken.gone_s is not None
+
+
 def test_a_turn_in_which_the_dut_was_lost_is_asked_about_with_the_coils_at_zero_and_begun_again(
     bench_file: BenchFile,
 ) -> None:
@@ -133,7 +155,7 @@ def test_a_turn_of_which_the_dut_missed_sectors_is_refused() -> None:
     angle = Block("angle", "stage", ("angle_deg",), t, 18.0 * t[:, None])
     dut = Block("dut", "dut", ("x",), t[(t < 8) | (t > 11.5)], np.ones((int(np.sum((t < 8) | (t > 11.5))), 1)))
     bench: Any = SimpleNamespace(dut=SimpleNamespace(name="dut"))
-    with pytest.raises(InstrumentError, match=r"it sent nothing in \d of 24 sectors"):
+    with pytest.raises(InstrumentError, match=r"it sent nothing at 1[0-9][0-9]°–20[0-9]° of this turn"):
         refuse_unseen(bench, [angle, dut])
     refuse_unseen(bench, [angle, Block("dut", "dut", ("x",), t, np.ones((len(t), 1)))])
 

@@ -49,6 +49,12 @@ def test_an_opening_that_led_to_no_turn_is_forgotten_with_its_values() -> None:
     assert resume_state([*run, *steps("zero"), right, *steps("axes-check", "x")]).measured == {"zero: ref_x": 2.0}
 
 
+def test_the_closure_of_turns_that_were_begun_anew_is_to_be_measured_again() -> None:
+    closed = [*steps("zero", "x", "closure-x"), Measurement(5.0, "closure x", 3.0, 1.0, "nT", 500.0)]
+    assert resume_state([*closed, *steps("mount-y")]).measured == {"closure x": 3.0}
+    assert resume_state([*closed, *steps("mount-y", "x")]).measured == {}
+
+
 def test_what_was_marked_as_not_used_is_not_finished() -> None:
     refused = Event(10.0, NOT_USED, "", {"segments": ["x", "-x"]})
     turned = [*steps("zero", "x", "-x", "closure-x", "mount-y"), refused]

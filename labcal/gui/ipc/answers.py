@@ -88,6 +88,7 @@ class InstrumentAnswer:
     link: str
     identity: str
     fault: Fault | None = None
+    serial: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,6 +245,7 @@ class Compared:
     residual: Array | None
     after: Array
     against: Mapping[str, Array]
+    noise_stated: bool = False  # by the run, of its sensors; else it is what the fit makes of its own residual
 
 
 @dataclass(frozen=True, slots=True, eq=False)

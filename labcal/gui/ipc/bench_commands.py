@@ -58,6 +58,7 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
     """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
     from labcal.bench.coils.cage_file import calibrated
     from labcal.bench.config import read_config
+    from labcal.bench.named_serials import stated_serial
 
     config, _ = calibrated(read_config(Path(asked.bench)), Path(asked.bench))
     dut, reference = config.dut, config.reference
@@ -67,7 +68,10 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
         dut=Dut(dut.serial, dut.model, dut.unit, dut.nominal_nT_per_unit, dut.noise_nT),
         reference=Reference(reference.u_offset_nT, reference.u_scale_ppm, reference.calibration),
         cage=_cage(config.cage),
-        instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
+        instruments={
+            name: Instrument(i.role, i.link, i.driver, stated_serial(config, name))
+            for name, i in config.instruments.items()
+        },
         serial_pattern=dut.serial_pattern,
         modes=dut.limits.modes,
         virtual_time=config.simulated,
@@ -122,7 +126,7 @@ def identify(channel: Channel, asked: Identify) -> Identified:
 
 def _instrument_answer(one: Answered) -> InstrumentAnswer:
     fault = None if one.fault is None else fault_of(one.fault)
-    return InstrumentAnswer(one.name, one.role, one.link, one.identity, fault)
+    return InstrumentAnswer(one.name, one.role, one.link, one.identity, fault, one.serial)
 
 
 def read_lab(channel: Channel, asked: ReadLab) -> tuple[InstrumentRead, ...]:
@@ -135,7 +139,7 @@ def read_lab(channel: Channel, asked: ReadLab) -> tuple[InstrumentRead, ...]:
 def _instrument_read(one: InstrumentReading) -> InstrumentRead:
     fault = None if one.fault is None else fault_of(one.fault)
     return InstrumentRead(one.name, one.role, one.link, one.identity, fault, one.held, one.read_s, one.current_A,
-                          one.zero, one.field_nT, one.angle_deg, one.moving)  # fmt: skip
+                          one.zero, one.field_nT, one.angle_deg, one.moving, one.serial)  # fmt: skip
 
 
 def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:

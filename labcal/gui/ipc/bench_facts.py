@@ -18,6 +18,7 @@ class Instrument:
     role: str
     link: str
     driver: str
+    serial: str = ""  # as its [[equipment]] states it
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from labcal.gui.ipc.answers import Compared, Comparison
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import CompareRuns
-from labcal.gui.ipc.study_commands import loaded_fit, loaded_run, regressors, thinned
+from labcal.gui.ipc.study_commands import loaded_fit, loaded_run, regressors, stated_noise, thinned
 from labcal.record import Run
 from labcal.record.run_id import as_file_name
 from labcal.uncertainty.conformity import Change, Changes, changes
@@ -54,7 +54,8 @@ def side_of(run_id: str) -> tuple[Compared, Calibration]:
     field_nT = _field(found, run)
     rows = thinned(len(run))
     left = np.linalg.norm(field_nT, axis=1) - run.magnitude_nT if run.reference.kind != "none" else None
-    noise_nT = found.metrics.get("after", {}).get("noise_nT")
+    own_nT, stated_nT = found.metrics.get("after", {}).get("noise_nT"), stated_noise(run)
+    noise_nT = own_nT if stated_nT is None else stated_nT  # as Fit judges it
     compared = Compared(
         run_id=run_id,
         dut=run.dut.serial,
@@ -63,6 +64,7 @@ def side_of(run_id: str) -> tuple[Compared, Calibration]:
         residual=None if left is None else left[rows],
         after=field_nT[rows],
         against=regressors(replace(run, t_s=run.t_s - run.t_s[0]), rows),
+        noise_stated=stated_nT is not None,
     )
     return compared, found
 

@@ -29,6 +29,7 @@ class InstrumentRead:
     field_nT: Triple | None = None
     angle_deg: float | None = None
     moving: bool | None = None
+    serial: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -244,17 +244,24 @@ class BenchPage(QWidget):
         set_primary(self.choose, not there)
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):
-            self._show_row(row, name, one, simulated=facts is not None and facts.simulated)
+            self._show_row(row, name, one)
 
-    def _show_row(self, row: int, name: str, one: Instrument, *, simulated: bool) -> None:
-        answered = self._app_state.answered.get(name)
+    def _show_row(self, row: int, name: str, one: Instrument) -> None:
         for column, text in enumerate((one.role, name, one.link)):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one.driver})")
-        identity = (answered.identity if answered is not None else "") or "–"
-        simulated = simulated and answered is not None and one.role == "dut"
-        self.table.set_cell(row, 3, self.tr("{0}, simulated").format(identity) if simulated else identity)
+        self._show_identity(row, name, one.role)
         text, colour = self._standing(name)
         self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
+
+    def _show_identity(self, row: int, name: str, role: str) -> None:
+        """Who answered; amber where that is another than is stated, which what is typed at the top may change."""
+        facts, answered = self._app_state.facts, self._app_state.answered.get(name)
+        identity = (answered.identity if answered is not None else "") or "–"
+        simulated = facts is not None and facts.simulated and answered is not None and role == "dut"
+        said = self.tr("{0}, simulated").format(identity) if simulated else identity
+        other = dict(self._app_state.lab.state.other_serials).get(name, "")
+        ink = self._theme.warning if other else ""
+        self.table.set_cell(row, 3, f"▲ {other}: {said}" if other else said, colour=ink)
 
     def _standing(self, name: str) -> tuple[str, str]:
         """How an instrument stands now, in the words of the panel at the right; where it failed, with what to do."""
@@ -276,6 +283,7 @@ class BenchPage(QWidget):
         seen = now.field_measured_nT  # what the panel at the right says of it
         for row in range(self.table.rowCount()):
             role, name = self.table.text(row, 0), self.table.text(row, 1)
+            self._show_identity(row, name, role)
             words, age, said = "–", ages.get(name, ""), run.reading.get(name)
             if role.startswith("coil"):
                 current = now.coil_A["xyz".index(role[-1])]
@@ -289,9 +297,10 @@ class BenchPage(QWidget):
                 age = age_words(old_s(run.read_s[name], time.monotonic())) or age  # to answer is no reading
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
             old = bool(age) and words != "–"
-            text = f"{words}   {age}" if old else words
+            standing, colour = self._standing(name)
+            text = f"{words}   {age}" if old and not standing.endswith(age) else words  # an age stands once in a row
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
-            text, colour = self._standing(name)
+            text = standing
             self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
         self._say_what_to_do()
         self._show_cage()
@@ -332,9 +341,9 @@ class BenchPage(QWidget):
     def _legend(self, vectors: tuple[Triple | None, ...]) -> str:
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
         lines = []
-        for name, colour, vector in zip(names, vector_colours(self._theme), vectors, strict=True):
+        for name, colour, vector, arrow in zip(names, vector_colours(self._theme), vectors, "➝➝⇢", strict=True):
             size = "–" if vector is None else f"{format_number(hypot(*vector), 0, signed=False)} nT"
-            lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
+            lines.append(f'<span style="color: {colour}; font-weight: 600">{arrow} {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
 
     def _expected(self, earth: Earth | None) -> str:

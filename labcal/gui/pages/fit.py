@@ -91,6 +91,7 @@ class FitPage(QWidget):
         self.table.show_rows(LEAST_ROWS, LEAST_ROWS)
         self.table.setToolTip(self.tr("Choose a column to see its pictures"))
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.horizontalHeader().geometriesChanged.connect(self._fill_table)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
         self.to_run = go_to_run_button(self._app_state)
@@ -178,8 +179,18 @@ class FitPage(QWidget):
             for row, text in enumerate(cells(said.fit)):
                 self.table.set_cell(row, column, text, right=True, tip=in_words(said.fit.why_not or ""))
 
+        self._fill_table()
         self.why.setText("\n".join(refusals(fits)))
         self.why.setVisible(bool(self.why.text()))
+
+    def _fill_table(self) -> None:
+        """What room is left goes to the names, as in every table of figures; with less, the table rolls."""
+        header, mode = self.table.horizontalHeader(), QHeaderView.ResizeMode
+        columns = range(header.count())
+        needed = sum(max(self.table.sizeHintForColumn(n), header.sectionSizeHint(n)) for n in columns)
+        wanted = mode.Stretch if needed < self.table.viewport().width() else mode.ResizeToContents
+        if header.sectionResizeMode(0) != wanted:
+            header.setSectionResizeMode(0, wanted)
 
     def _colour(self, name: str) -> str:
         axis = name[2] if name in OFFSETS else ""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
-from typing import Literal
 
 from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QStackedWidget, QVBoxLayout, QWidget
@@ -16,6 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.export_formats import FORMATS, Format
 from labcal.gui.viewmodels.run_search import cells, file_name, in_order, matches, moment_s, run_key
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import Card, button, combo_box, label, set_state, shrinkable
@@ -24,19 +24,13 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton
+from labcal.gui.widgets.record_words import RecordWords
 from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
 HEADINGS = ("started", "DUT", "procedure", "operator", "status", "state", "run")
 OF_ARCHIVE = tuple(heading if heading != "state" else "site" for heading in HEADINGS)
 NOT_WHOLE = ("running", "interrupted")
-Format = Literal["bundle", "csv", "hdf5", "mat"]
-FORMATS: dict[str, Format] = {
-    "Bundle (*.zip)": "bundle",
-    "CSV (*.csv)": "csv",
-    "HDF5 (*.h5)": "hdf5",
-    "MATLAB (*.mat)": "mat",
-}
 
 
 class HistoryPage(QWidget):
@@ -200,6 +194,8 @@ class HistoryPage(QWidget):
         card.body.addLayout(where)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
+        self.told = RecordWords(self._app_state)
+        card.body.addWidget(self.told)
         return card
 
     def chosen_runs(self) -> list[RunLine]:
@@ -270,6 +266,7 @@ class HistoryPage(QWidget):
     def _chosen(self) -> None:
         one = self.chosen()
         several = self.chosen_runs()
+        self.told.show_run("" if one is None or self.of_archive else one.run_id)
         self.open.setEnabled(one is not None and one.status not in NOT_WHOLE)
         self.export.setEnabled(bool(several) and all(each.status not in NOT_WHOLE for each in several))
         self.compare.setEnabled(len(several) == 2 and all(two.status not in NOT_WHOLE for two in several))

@@ -27,6 +27,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.whole_card import WholeCard
 from labcal.gui.widgets.whole_text import WholeText
 from labcal.gui.widgets.work_bar import WorkBar
 from labcal.model.records import EffectRecord, Rival
@@ -64,11 +65,10 @@ class LoopPage(QWidget):
         column.addLayout(self._head())
         self.waiting = label("", "caption", wrap=True)
         self.work = WorkBar()
-        column.addWidget(self.waiting)
-        column.addWidget(self.work)
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
-        column.addWidget(self.fault)
+        for widget in (self.waiting, self.work, self.fault):
+            column.addWidget(widget)
         self.empty, self.to_run = label("", "ask", wrap=True), go_to_run_button(app_state)
         column.addWidget(self.empty, 1)
         column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
@@ -114,7 +114,7 @@ class LoopPage(QWidget):
         return holder
 
     def _verdict_card(self) -> Card:
-        card = Card()
+        card = WholeCard()
         self.verdict, self.plainly = label("", "ask"), shrinkable(label("", wrap=True))
         self.summary = shrinkable(label("", "caption", wrap=True))
         self.summary.hide()
@@ -185,6 +185,7 @@ class LoopPage(QWidget):
         card = Card(self.tr("4  Still not known"), "")
         self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
+        self.unknown.document().setDocumentMargin(0)  # in line with the heading
         self.unknown.setMinimumHeight(LEAST_PX * 2 // 3)
         self.next = button(
             "",
@@ -289,7 +290,7 @@ class LoopPage(QWidget):
             gain = effect.improvement_ci95_nT
             start = effect.holdout_rms_before_nT or base
             interval = (start - gain[1], start - gain[0]) if gain else None
-            rows.append((f"+ {cause(effect)}", effect.holdout_rms_after_nT or base, interval, self._theme.accent))
+            rows.append((f"+ {cause(effect)}", effect.holdout_rms_after_nT or base, interval, self._theme.after))
             rows += [
                 (self.tr("or {0}").format(cause(r)), r.holdout_rms_after_nT, None, self._theme.warning)
                 for r in effect.rivals
@@ -395,5 +396,5 @@ class LoopPage(QWidget):
             return self.change.clear()
         before, after = one.before, one.after
         noise_nT = said.noise_floor_nT / before.shape[1] ** 0.5
-        both = [(self.tr("as calibrated"), theme.axis_x, before), (self.tr("with it"), theme.accent, after)]
+        both = [(self.tr("as calibrated"), theme.before, before), (self.tr("with it"), theme.after, after)]
         return self.change.show_residual(name, one.against[name], both, noise_nT)

@@ -5,9 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QApplication,
-    QFileDialog,
     QHBoxLayout,
-    QLineEdit,
     QProgressBar,
     QSplitter,
     QVBoxLayout,
@@ -33,6 +31,7 @@ from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
+from labcal.gui.widgets.run_notes import RunNotes
 from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.step_list import StepList
 from labcal.gui.widgets.time_left import TimeLeft
@@ -42,7 +41,6 @@ FRAME_MS = 40
 HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
-PICTURES = "*.jpg *.jpeg *.png *.webp"
 
 
 class Live(QWidget):
@@ -78,13 +76,14 @@ class Live(QWidget):
         self.frame_timer.timeout.connect(self.draw)
         self.sounds = Sounds(self, app_state.settings)
         self.prompt.calls.connect(lambda: self.sounds.play("needed"))
-        self._run.ended.connect(self._sound_done)  # a method: it goes when the page does, as a lambda would not
+        self._run.ended.connect(self._ended)  # a method: it goes when the page does, as a lambda would not
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
         self._say_lab()
         self._show()
 
-    def _sound_done(self, _run_id: str, _status: str) -> None:
+    def _ended(self, run_id: str, _status: str) -> None:
+        self.verdict.told.show_run(run_id)
         self.sounds.play("done")
 
     def set_theme(self, theme: Theme) -> None:
@@ -100,20 +99,13 @@ class Live(QWidget):
         self.whose.setAccessibleName(self.tr("Whose run this is"))
         self.time_left = TimeLeft(self._run)
         self.steps = StepList()
-        self.note = QLineEdit()
-        self.note.setPlaceholderText(self.tr("Note"))
-        self.note.setToolTip(self.tr('Put a remark with its time into the record, and Enter: "lift moved"'))
-        self.note.returnPressed.connect(self._note)
+        self.notes = RunNotes(self._app_state)
+        self.note, self.photo = self.notes.note, self.notes.photo
         for widget in (self.title, self.whose, self.time_left):
             card.body.addWidget(widget)
-        self.photo = button(self.tr("Photo …"), self.tr("Put a photograph into the record, with the note as its words"))
-        self.photo.clicked.connect(self._photo)
-        notes = QHBoxLayout()
-        notes.addWidget(self.note, 1)
-        notes.addWidget(self.photo)
         card.body.addWidget(self.steps, 1)
         card.body.addStretch()
-        card.body.addLayout(notes)
+        card.body.addWidget(self.notes)
         card.body.addLayout(self._buttons())
         return card
 
@@ -140,7 +132,7 @@ class Live(QWidget):
         self.fault.report_requested.connect(self._app_state.report_requested)
         self.middle = FaceStack()
         self._picture = self._live_card()
-        self.verdict = VerdictCard(self._theme)
+        self.verdict = VerdictCard(self._app_state, self._theme)
         self.verdict.details_wanted.connect(self._show_details)
         self.answer_for = AnswerForCard(self._app_state)
         for widget in (self._picture, self.prompt, self.verdict, self.answer_for):
@@ -200,21 +192,6 @@ class Live(QWidget):
         self._app_state.open_study(self._run.run_id)
         self._app_state.study_vm.fit("ml")
 
-    def _note(self) -> None:
-        self._run.note(self.note.text())
-        self.note.clear()
-
-    def _photo(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("A photograph for the record"), "", PICTURES)
-        if path:
-            self.keep_photo(path)
-
-    def keep_photo(self, path: str) -> None:
-        """Copy the photograph at `path` beside the store and put it into the record, with the note as its words."""
-        text = self.note.text().strip() or self.tr("photograph")
-        self._app_state.request(KeepPhoto(path), lambda kept: self._run.note(text, **kept))
-        self.note.clear()
-
     def _resume(self) -> None:
         if self._run.order is not None:
             self._app_state.resume(self._run.run_id, self._run.order.procedure, self._run.order.dut)
@@ -265,8 +242,7 @@ class Live(QWidget):
                 widget.setVisible(shown)
         set_primary(self.close_run, not again and not (turned and run.status == "finished"))
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
-        self.note.setEnabled(run.alive)
-        self.photo.setEnabled(run.alive)
+        self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
         if ended:
             verdict = run_verdict(run, self._app_state.resumable)
@@ -326,6 +302,7 @@ class Live(QWidget):
         now = self._app_state.lab.state.now
         self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
         self.prompt.say_lost(now.failed)
+        self.prompt.say_serials(self._app_state.lab.state.other_serials)
 
     def _say_coils_left(self) -> None:
         """One card at a time: that the coils may be on is said above, and comes first."""

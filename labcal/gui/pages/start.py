@@ -7,7 +7,7 @@ from collections.abc import Collection
 from datetime import UTC, date, datetime
 
 from PySide6.QtCore import QDate, QLocale, Qt
-from PySide6.QtWidgets import QApplication, QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, CalibrationFile, Checked, RunLine
 from labcal.gui.ipc.messages import LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
@@ -18,12 +18,14 @@ from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.fact_grid import FactGrid
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
 LISTED = 3  # interrupted runs
+LAST, LAST_WIDE = 3, 10  # runs, where their card has the width of half the page, and of all of it
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 
@@ -44,8 +46,8 @@ class StartPage(QWidget):
         self.interrupted = flat(Card(self.tr("▲ Interrupted: to be gone on with")))
         self.interrupted.hide()
         column.addWidget(self.interrupted)
-        grid = QGridLayout()
-        grid.setSpacing(2 * GRID)
+        self.grid = FactGrid()
+        self.grid.laid_out.connect(lambda: self._say_runs(self._app_state.path.runs))
         self.facts: dict[str, tuple[QLabel, QLabel]] = {}
         self.check_cage = button(self.tr("Check the cage"), self.tr("The procedure cage-calibration, on the Run page"))
         self.check_cage.clicked.connect(lambda: self._app_state.open_procedure("cage-calibration"))
@@ -55,10 +57,8 @@ class StartPage(QWidget):
             "cage": self.tr("Cage calibration"),
             "runs": self.tr("Last runs"),
         }
-        for n, (key, title) in enumerate(titles.items()):
-            grid.addWidget(self._fact_card(key, title), n // 2, n % 2)
-            grid.setColumnStretch(n % 2, 1)
-        column.addLayout(grid)
+        self.grid.take([self._fact_card(key, title) for key, title in titles.items()])
+        column.addWidget(flat(self.grid))
         column.addStretch()
         app_state.bench_changed.connect(self._bench_known)
         app_state.lab.changed.connect(self._enable)
@@ -95,7 +95,7 @@ class StartPage(QWidget):
         self.open.clicked.connect(self._app_state.next_requested)  # there to the button that opens one
         self.logo, self.laboratory = Logo(), label("", "caption", wrap=True)
         row = QHBoxLayout()
-        row.setSpacing(2 * GRID)
+        row.setSpacing(GRID)
         row.addWidget(self.logo)
         words = QVBoxLayout()
         words.addWidget(self.laboratory)
@@ -249,9 +249,10 @@ class StartPage(QWidget):
         self._say_runs(self._app_state.path.runs)
 
     def _say_runs(self, runs: tuple[RunLine, ...]) -> None:
-        """The last three, and what became of their calibrations."""
+        """The last ones, and what became of their calibrations."""
         if runs:
-            path, titles = self._app_state.path, [run_title(one) for one in runs[:3]]
+            last = LAST_WIDE if self.grid.wide else LAST
+            path, titles = self._app_state.path, [run_title(one) for one in runs[:last]]
             stands = [path.stands(one.run_id) for one in runs]
             lines = [" · ".join(filter(None, both)) for both in zip(titles, stands, strict=False)]
             return self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))

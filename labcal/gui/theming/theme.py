@@ -1,7 +1,9 @@
 """Colours, sizes and the style sheet: neutral greys, one accent, three states, one colour for each axis.
 
-States and axes come from the Okabe-Ito palette, which colour-blind eyes tell apart; every state has a shape and a
-word as well. Spacing stands on an 8-pixel grid.
+A colour has one meaning. States are green, amber and vermilion (Okabe-Ito), what may be clicked or goes on is blue;
+x, y and z are magenta, cyan and violet, which eyes that see fewer colours tell from these and from each other
+(tests/gui/test_theme.py works out what they see). What is drawn of a run is grey before and ink after. Every state
+has a shape and a word as well. Spacing stands on an 8-pixel grid.
 """
 
 from __future__ import annotations
@@ -48,6 +50,16 @@ class Theme:
         """The colours of x, y and z, the same in every plot and table."""
         return self.axis_x, self.axis_y, self.axis_z
 
+    @property
+    def before(self) -> str:
+        """What is drawn as read, as calibrated without a cause, or of the earlier of two runs."""
+        return self.muted
+
+    @property
+    def after(self) -> str:
+        """What is drawn as calibrated, with a cause, or of the later of two runs."""
+        return self.text
+
 
 LIGHT = Theme(
     name="light",
@@ -62,9 +74,9 @@ LIGHT = Theme(
     good="#00694b",
     warning="#8a5a00",
     bad="#b23a00",
-    axis_x="#b84a00",
-    axis_y="#007a58",
-    axis_z="#0072b2",
+    axis_x="#a8106e",
+    axis_y="#00778f",
+    axis_z="#6f3ad6",
 )
 DARK = Theme(
     name="dark",
@@ -79,9 +91,9 @@ DARK = Theme(
     good="#37c89b",
     warning="#e6a93c",
     bad="#ff8a5c",
-    axis_x="#f08a4b",
-    axis_y="#37c89b",
-    axis_z="#63b3ea",
+    axis_x="#ff4db8",
+    axis_y="#a6f0ff",
+    axis_z="#b070ff",
 )
 
 STATES = {"PASS": ("✓", "good"), "MARGINAL": ("▲", "warning"), "FAIL": ("✕", "bad"), "CANNOT DECIDE": ("?", "warning")}
@@ -93,8 +105,8 @@ QLabel { background: transparent; }
 QLabel#title { font-size: ${title_pt}pt; font-weight: 600; }
 QLabel#caption { font-size: ${small_pt}pt; color: $muted; }
 QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
-QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padding: 4px 12px; border-radius: 4px;
-                   letter-spacing: 2px; }
+QLabel#simulated { background: transparent; color: $warning; border: 2px solid $warning; font-weight: 700;
+                   padding: 4px 12px; border-radius: 4px; letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }

@@ -136,6 +136,8 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "{0}: {1} is {2} degC, its limit is {3} degC."),
     QT_TRANSLATE_NOOP("Data", "{0}: a field of {1} nT is seen, the limit is {2} nT."),
     QT_TRANSLATE_NOOP("Data", "no samples came from {0}."),
+    QT_TRANSLATE_NOOP("Data", "{0}: it sent nothing at {1} of this turn."),
+    QT_TRANSLATE_NOOP("Data", "{0}: still not seen: {1}."),
     QT_TRANSLATE_NOOP("Data", "Is its plug in at both ends, and has it power? Nobody can tell from here which it is."),
     QT_TRANSLATE_NOOP("Data", "Switch the sensor off and on, and look at its range."),
     QT_TRANSLATE_NOOP("Data", "Is the ambient field what it was when it was measured last?"),

@@ -671,7 +671,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>band: the larger of the two noises, k=2</source>
+        <source>band: the larger noise that the two fits make of their own residuals, k=2; none is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>band: the larger of the two runs&apos; stated noises of |b|, k=2, as on the Fit page</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1591,6 +1595,14 @@
     </message>
     <message>
         <source>no samples came from {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it sent nothing at {1} of this turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: still not seen: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4098,6 +4110,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: not seen: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and bench.toml states {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} skipped: {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5262,15 +5286,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>band: the noise this method states, k=2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>line: the noise this method states</source>
+        <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5282,15 +5298,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>band: the noise that this method makes of its own residual, k=2; none is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>band: the stated noise of |b|, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line: the noise that this method makes of its own residual; none is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line: the stated noise of |b|</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>as read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>calibrated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>reference</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5567,14 +5595,6 @@
 <context>
     <name>Live</name>
     <message>
-        <source>Photo …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Put a photograph into the record, with the note as its words</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5623,14 +5643,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Note</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Put a remark with its time into the record, and Enter: &quot;lift moved&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5652,14 +5664,6 @@
     </message>
     <message>
         <source>How much of the turn this segment has seen, in sectors of 15°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A photograph for the record</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>photograph</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5900,6 +5904,13 @@ after this step …</source>
     </message>
     <message>
         <source>platform at {0}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>NamedSerials</name>
+    <message>
+        <source>names itself {0}, not {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6190,6 +6201,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Who names another serial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6329,6 +6344,37 @@ after this step …</source>
     </message>
     <message>
         <source>Choose a run</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RunNotes</name>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record, and Enter: “lift moved”. History shows it with the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photo …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a photograph into the record, with the note as its words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept in the run&apos;s record, which History shows: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A photograph for the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>photograph</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6961,11 +7007,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Smaller F11</source>
+        <source>Smaller   F11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Larger F11</source>
+        <source>Larger   F11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8121,6 +8167,50 @@ after this step …</source>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Interrupted once: {0}. Measured again: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Interrupted {0} times: {1}. Measured again: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {0}, for {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before its first step, for {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody knows how long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noted, in the run&apos;s record (History shows it): {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(not seen: {0})</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -671,8 +671,12 @@
         <translation>Rest von |b|  nT</translation>
     </message>
     <message>
-        <source>band: the larger of the two noises, k=2</source>
-        <translation>Band: das größere der beiden Rauschen, k=2</translation>
+        <source>band: the larger noise that the two fits make of their own residuals, k=2; none is stated</source>
+        <translation>Band: das größere Rauschen, das die beiden Auswertungen aus ihrem eigenen Rest machen, k=2; keines ist angegeben</translation>
+    </message>
+    <message>
+        <source>band: the larger of the two runs&apos; stated noises of |b|, k=2, as on the Fit page</source>
+        <translation>Band: das größere der angegebenen Rauschen von |b| der beiden Messungen, k=2, wie auf der Seite Fit</translation>
     </message>
     <message>
         <source>no reference, no residual</source>
@@ -1592,6 +1596,14 @@
     <message>
         <source>no samples came from {0}.</source>
         <translation>von {0} kamen keine Werte.</translation>
+    </message>
+    <message>
+        <source>{0}: it sent nothing at {1} of this turn.</source>
+        <translation>{0}: Er sandte bei {1} dieser Drehung nichts.</translation>
+    </message>
+    <message>
+        <source>{0}: still not seen: {1}.</source>
+        <translation>{0}: noch nicht gesehen: {1}.</translation>
     </message>
     <message>
         <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
@@ -4098,6 +4110,18 @@
         <translation>{0}: {1} ist über der Grenze von {2}</translation>
     </message>
     <message>
+        <source>{0}: not seen: {1}</source>
+        <translation>{0}: nicht gesehen: {1}</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}</source>
+        <translation>{0} nennt sich {1}, und diese Messung ist von {2}</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and bench.toml states {2}</source>
+        <translation>{0} nennt sich {1}, und bench.toml gibt {2} an</translation>
+    </message>
+    <message>
         <source>{0} skipped: {1}</source>
         <translation>{0} ausgelassen: {1}</translation>
     </message>
@@ -5262,16 +5286,8 @@
         <translation>Rest auf der Kugel, nach Grad (Risbo 2003)</translation>
     </message>
     <message>
-        <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
-        <translation>orange: wie gelesen   blau: kalibriert   blass: hinter der Kugel</translation>
-    </message>
-    <message>
-        <source>band: the noise this method states, k=2</source>
-        <translation>Band: das Rauschen, das dieses Verfahren angibt, k=2</translation>
-    </message>
-    <message>
-        <source>line: the noise this method states</source>
-        <translation>Linie: das Rauschen, das dieses Verfahren angibt</translation>
+        <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
+        <translation>grau: wie gelesen   kräftig: kalibriert   blass: hinter der Kugel</translation>
     </message>
     <message>
         <source>the ekf, or the filter that is chosen above</source>
@@ -5282,16 +5298,28 @@
         <translation>Linien: was Streuung allein gibt   2: Produkte zweier Komponenten   3: kubisch</translation>
     </message>
     <message>
+        <source>band: the noise that this method makes of its own residual, k=2; none is stated</source>
+        <translation>Band: das Rauschen, das dieses Verfahren aus seinem eigenen Rest macht, k=2; keines ist angegeben</translation>
+    </message>
+    <message>
+        <source>band: the stated noise of |b|, k=2</source>
+        <translation>Band: das angegebene Rauschen von |b|, k=2</translation>
+    </message>
+    <message>
+        <source>line: the noise that this method makes of its own residual; none is stated</source>
+        <translation>Linie: das Rauschen, das dieses Verfahren aus seinem eigenen Rest macht; keines ist angegeben</translation>
+    </message>
+    <message>
+        <source>line: the stated noise of |b|</source>
+        <translation>Linie: das angegebene Rauschen von |b|</translation>
+    </message>
+    <message>
         <source>as read</source>
         <translation>wie gelesen</translation>
     </message>
     <message>
         <source>calibrated</source>
         <translation>kalibriert</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>Referenz</translation>
     </message>
     <message>
         <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
@@ -5571,22 +5599,6 @@
         <translation>Wessen Messung das ist</translation>
     </message>
     <message>
-        <source>Note</source>
-        <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>Put a remark with its time into the record, and Enter: &quot;lift moved&quot;</source>
-        <translation>Eine Bemerkung mit Uhrzeit in die Aufzeichnung, dann Eingabe: „Aufzug fuhr“</translation>
-    </message>
-    <message>
-        <source>Photo …</source>
-        <translation>Foto …</translation>
-    </message>
-    <message>
-        <source>Put a photograph into the record, with the note as its words</source>
-        <translation>Ein Foto in die Aufzeichnung legen, die Notiz als Text</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -5633,14 +5645,6 @@
     <message>
         <source>How much of the turn this segment has seen, in sectors of 15°</source>
         <translation>Wie viel der Drehung dieser Abschnitt gesehen hat, in Sektoren von 15°</translation>
-    </message>
-    <message>
-        <source>A photograph for the record</source>
-        <translation>Ein Foto für die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>photograph</source>
-        <translation>Foto</translation>
     </message>
     <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
@@ -5902,6 +5906,13 @@ diesem Schritt …</translation>
     <message>
         <source>platform at {0}°</source>
         <translation>Tisch bei {0}°</translation>
+    </message>
+</context>
+<context>
+    <name>NamedSerials</name>
+    <message>
+        <source>names itself {0}, not {1}</source>
+        <translation>nennt sich {0}, nicht {1}</translation>
     </message>
 </context>
 <context>
@@ -6191,6 +6202,10 @@ diesem Schritt …</translation>
         <translation>Wie der Tisch steht</translation>
     </message>
     <message>
+        <source>Who names another serial</source>
+        <translation>Wer eine andere Seriennummer nennt</translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation>Den Pfad einer Datei in die Antwort schreiben</translation>
     </message>
@@ -6331,6 +6346,37 @@ diesem Schritt …</translation>
     <message>
         <source>Choose a run</source>
         <translation>Messung wählen</translation>
+    </message>
+</context>
+<context>
+    <name>RunNotes</name>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record, and Enter: “lift moved”. History shows it with the run</source>
+        <translation>Eine Bemerkung mit ihrer Zeit in die Aufzeichnung schreiben, dann Enter: „Lift bewegt“. Der Verlauf zeigt sie bei der Messung</translation>
+    </message>
+    <message>
+        <source>Photo …</source>
+        <translation>Foto …</translation>
+    </message>
+    <message>
+        <source>Put a photograph into the record, with the note as its words</source>
+        <translation>Ein Foto in die Aufzeichnung legen, die Notiz als Text</translation>
+    </message>
+    <message>
+        <source>Kept in the run&apos;s record, which History shows: {0}</source>
+        <translation>In der Aufzeichnung der Messung, die der Verlauf zeigt: {0}</translation>
+    </message>
+    <message>
+        <source>A photograph for the record</source>
+        <translation>Ein Foto für die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation>Foto</translation>
     </message>
 </context>
 <context>
@@ -6962,12 +7008,12 @@ diesem Schritt …</translation>
         <translation>Hell</translation>
     </message>
     <message>
-        <source>Smaller F11</source>
-        <translation>Kleiner F11</translation>
+        <source>Smaller   F11</source>
+        <translation>Kleiner   F11</translation>
     </message>
     <message>
-        <source>Larger F11</source>
-        <translation>Größer F11</translation>
+        <source>Larger   F11</source>
+        <translation>Größer   F11</translation>
     </message>
     <message>
         <source>Sound off</source>
@@ -8123,6 +8169,50 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
+    </message>
+    <message>
+        <source>▲ Interrupted once: {0}. Measured again: {1}.</source>
+        <translation>▲ Einmal unterbrochen: {0}. Noch einmal gemessen: {1}.</translation>
+    </message>
+    <message>
+        <source>▲ Interrupted {0} times: {1}. Measured again: {2}.</source>
+        <translation>▲ {0}-mal unterbrochen: {1}. Noch einmal gemessen: {2}.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>at {0}, for {1}</source>
+        <translation>bei {0}, Dauer: {1}</translation>
+    </message>
+    <message>
+        <source>before its first step, for {0}</source>
+        <translation>vor dem ersten Schritt, Dauer: {0}</translation>
+    </message>
+    <message>
+        <source>nobody knows how long</source>
+        <translation>niemand weiß, wie lange</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min</source>
+        <translation>{0} min</translation>
+    </message>
+    <message>
+        <source>{0} h</source>
+        <translation>{0} h</translation>
+    </message>
+    <message>
+        <source>Noted, in the run&apos;s record (History shows it): {0}</source>
+        <translation>Notiert, in der Aufzeichnung der Messung (der Verlauf zeigt es): {0}</translation>
+    </message>
+    <message>
+        <source>(not seen: {0})</source>
+        <translation>(nicht gesehen: {0})</translation>
     </message>
 </context>
 <context>

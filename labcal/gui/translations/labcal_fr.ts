@@ -671,8 +671,12 @@
         <translation>résidu de |b|  nT</translation>
     </message>
     <message>
-        <source>band: the larger of the two noises, k=2</source>
-        <translation>bande : le plus grand des deux bruits, k=2</translation>
+        <source>band: the larger noise that the two fits make of their own residuals, k=2; none is stated</source>
+        <translation>bande : le plus grand bruit que les deux ajustements tirent de leur propre résidu, k=2 ; aucun n&apos;est indiqué</translation>
+    </message>
+    <message>
+        <source>band: the larger of the two runs&apos; stated noises of |b|, k=2, as on the Fit page</source>
+        <translation>bande : le plus grand des bruits de |b| indiqués par les deux mesures, k=2, comme à la page Ajuster</translation>
     </message>
     <message>
         <source>no reference, no residual</source>
@@ -1592,6 +1596,14 @@
     <message>
         <source>no samples came from {0}.</source>
         <translation>aucun échantillon n&apos;est venu de {0}.</translation>
+    </message>
+    <message>
+        <source>{0}: it sent nothing at {1} of this turn.</source>
+        <translation>{0} : il n&apos;a rien envoyé à {1} de ce tour.</translation>
+    </message>
+    <message>
+        <source>{0}: still not seen: {1}.</source>
+        <translation>{0} : toujours pas vu : {1}.</translation>
     </message>
     <message>
         <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
@@ -4098,6 +4110,18 @@
         <translation>{0} : {1} dépasse sa limite de {2}</translation>
     </message>
     <message>
+        <source>{0}: not seen: {1}</source>
+        <translation>{0} : non vu : {1}</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}</source>
+        <translation>{0} se nomme {1}, et cette mesure est de {2}</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and bench.toml states {2}</source>
+        <translation>{0} se nomme {1}, et bench.toml indique {2}</translation>
+    </message>
+    <message>
         <source>{0} skipped: {1}</source>
         <translation>{0} omis : {1}</translation>
     </message>
@@ -5262,16 +5286,8 @@
         <translation>Résidu sur la sphère, par degré (Risbo 2003)</translation>
     </message>
     <message>
-        <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
-        <translation>orange : tel que lu   bleu : étalonné   pâle : derrière la sphère</translation>
-    </message>
-    <message>
-        <source>band: the noise this method states, k=2</source>
-        <translation>bande : le bruit que cette méthode indique, k=2</translation>
-    </message>
-    <message>
-        <source>line: the noise this method states</source>
-        <translation>ligne : le bruit que cette méthode indique</translation>
+        <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
+        <translation>gris : tel que lu   soutenu : étalonné   pâle : derrière la sphère</translation>
     </message>
     <message>
         <source>the ekf, or the filter that is chosen above</source>
@@ -5282,16 +5298,28 @@
         <translation>lignes : ce que donne la dispersion seule   2 : produits de deux composantes   3 : cubique</translation>
     </message>
     <message>
+        <source>band: the noise that this method makes of its own residual, k=2; none is stated</source>
+        <translation>bande : le bruit que cette méthode tire de son propre résidu, k=2 ; aucun n&apos;est indiqué</translation>
+    </message>
+    <message>
+        <source>band: the stated noise of |b|, k=2</source>
+        <translation>bande : le bruit indiqué de |b|, k=2</translation>
+    </message>
+    <message>
+        <source>line: the noise that this method makes of its own residual; none is stated</source>
+        <translation>ligne : le bruit que cette méthode tire de son propre résidu ; aucun n&apos;est indiqué</translation>
+    </message>
+    <message>
+        <source>line: the stated noise of |b|</source>
+        <translation>ligne : le bruit indiqué de |b|</translation>
+    </message>
+    <message>
         <source>as read</source>
         <translation>tel que lu</translation>
     </message>
     <message>
         <source>calibrated</source>
         <translation>étalonné</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>référence</translation>
     </message>
     <message>
         <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
@@ -5571,22 +5599,6 @@
         <translation>À qui est cette mesure</translation>
     </message>
     <message>
-        <source>Note</source>
-        <translation>Note</translation>
-    </message>
-    <message>
-        <source>Put a remark with its time into the record, and Enter: &quot;lift moved&quot;</source>
-        <translation>Une remarque avec son heure dans l&apos;enregistrement, puis Entrée : « ascenseur »</translation>
-    </message>
-    <message>
-        <source>Photo …</source>
-        <translation>Photo …</translation>
-    </message>
-    <message>
-        <source>Put a photograph into the record, with the note as its words</source>
-        <translation>Mettre une photo dans l&apos;enregistrement, la note pour légende</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -5633,14 +5645,6 @@
     <message>
         <source>How much of the turn this segment has seen, in sectors of 15°</source>
         <translation>Part du tour vue par ce segment, en secteurs de 15°</translation>
-    </message>
-    <message>
-        <source>A photograph for the record</source>
-        <translation>Une photo pour l&apos;enregistrement</translation>
-    </message>
-    <message>
-        <source>photograph</source>
-        <translation>photo</translation>
     </message>
     <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
@@ -5902,6 +5906,13 @@ cette étape …</translation>
     <message>
         <source>platform at {0}°</source>
         <translation>plate-forme à {0}°</translation>
+    </message>
+</context>
+<context>
+    <name>NamedSerials</name>
+    <message>
+        <source>names itself {0}, not {1}</source>
+        <translation>se nomme {0}, et non {1}</translation>
     </message>
 </context>
 <context>
@@ -6191,6 +6202,10 @@ cette étape …</translation>
         <translation>État de la plateforme</translation>
     </message>
     <message>
+        <source>Who names another serial</source>
+        <translation>Qui nomme un autre numéro de série</translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation>Écrire le chemin d&apos;un fichier dans la réponse</translation>
     </message>
@@ -6331,6 +6346,37 @@ cette étape …</translation>
     <message>
         <source>Choose a run</source>
         <translation>Choisir une mesure</translation>
+    </message>
+</context>
+<context>
+    <name>RunNotes</name>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record, and Enter: “lift moved”. History shows it with the run</source>
+        <translation>Mettre une remarque avec son heure dans l&apos;enregistrement, puis Entrée : « ascenseur en marche ». L&apos;historique la montre avec la mesure</translation>
+    </message>
+    <message>
+        <source>Photo …</source>
+        <translation>Photo …</translation>
+    </message>
+    <message>
+        <source>Put a photograph into the record, with the note as its words</source>
+        <translation>Mettre une photo dans l&apos;enregistrement, la note pour légende</translation>
+    </message>
+    <message>
+        <source>Kept in the run&apos;s record, which History shows: {0}</source>
+        <translation>Gardé dans l&apos;enregistrement de la mesure, que l&apos;historique montre : {0}</translation>
+    </message>
+    <message>
+        <source>A photograph for the record</source>
+        <translation>Une photo pour l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation>photo</translation>
     </message>
 </context>
 <context>
@@ -6962,12 +7008,12 @@ cette étape …</translation>
         <translation>Clair</translation>
     </message>
     <message>
-        <source>Smaller F11</source>
-        <translation>Petit F11</translation>
+        <source>Smaller   F11</source>
+        <translation>Plus petit   F11</translation>
     </message>
     <message>
-        <source>Larger F11</source>
-        <translation>Grand F11</translation>
+        <source>Larger   F11</source>
+        <translation>Plus grand   F11</translation>
     </message>
     <message>
         <source>Sound off</source>
@@ -8123,6 +8169,50 @@ cette étape …</translation>
     <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0} : pas de réponse de {1}</translation>
+    </message>
+    <message>
+        <source>▲ Interrupted once: {0}. Measured again: {1}.</source>
+        <translation>▲ Interrompue une fois : {0}. Mesuré de nouveau : {1}.</translation>
+    </message>
+    <message>
+        <source>▲ Interrupted {0} times: {1}. Measured again: {2}.</source>
+        <translation>▲ Interrompue {0} fois : {1}. Mesuré de nouveau : {2}.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>at {0}, for {1}</source>
+        <translation>à {0}, durée : {1}</translation>
+    </message>
+    <message>
+        <source>before its first step, for {0}</source>
+        <translation>avant la première étape, durée : {0}</translation>
+    </message>
+    <message>
+        <source>nobody knows how long</source>
+        <translation>personne ne sait combien de temps</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} s</translation>
+    </message>
+    <message>
+        <source>{0} min</source>
+        <translation>{0} min</translation>
+    </message>
+    <message>
+        <source>{0} h</source>
+        <translation>{0} h</translation>
+    </message>
+    <message>
+        <source>Noted, in the run&apos;s record (History shows it): {0}</source>
+        <translation>Noté, dans l&apos;enregistrement de la mesure (l&apos;historique le montre) : {0}</translation>
+    </message>
+    <message>
+        <source>(not seen: {0})</source>
+        <translation>(non vu : {0})</translation>
     </message>
 </context>
 <context>

@@ -32,11 +32,13 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
+from labcal.gui.viewmodels.named_serials import NamedSerials
 from labcal.gui.viewmodels.one_dut import OneDut
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 from labcal.gui.viewmodels.window_settings import window_settings
@@ -77,11 +79,13 @@ class AppState(QObject):
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
+        self.named_serials = NamedSerials(self.lab, self.run, lambda: self.facts)
         self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
-        self._said_of_dut = ""  # below of the serial at the top
+        self._said_of_dut = SaidOfDut(self.lab)
+        self.put_away_said = self._said_of_dut.put_away
         self.kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
         self.warning_shown = False  # the card that says so
@@ -151,15 +155,18 @@ class AppState(QObject):
         """Know nothing of the lab: what was read on another bench says nothing of this."""
         self._taken = self.off.unconfirmed = None
         self.kept = KnownLab()
+        self.named_serials.forget()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
         self.answered = {one.name: one for one in said.instruments}
+        self.named_serials.take(self.answered)
         known, lifted = lab_heard.identified(self.known, said)
         self.take_lab(known, lifted=lifted)
 
     def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
         self.answered |= lab_heard.answers(said)
+        self.named_serials.take(self.answered)
         known = lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
         ambient = self.kept.ambient_nT(self.facts, time.monotonic())
@@ -220,21 +227,11 @@ class AppState(QObject):
         elif self.run.alive:
             self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
         elif said := self.serial_objection(serial):
-            self._say_of_dut(self.tr("✕ Scanned, and not taken: {0}").format(said))
+            self._said_of_dut.say(self.tr("✕ Scanned, and not taken: {0}").format(said))
         elif serial == self.lab.state.dut_serial:
-            self._say_of_dut(self.tr("Scanned {0}: it is the DUT at the top.").format(serial))
+            self._said_of_dut.say(self.tr("Scanned {0}: it is the DUT at the top.").format(serial))
         else:
             self.scan_vm.ask(serial)
-
-    def _say_of_dut(self, words: str) -> None:
-        """In the line below, until it is put away."""
-        self._said_of_dut = words
-        self.lab.update(message=words)
-
-    def put_away_said(self) -> None:
-        """What was said of a scan is past with the next that is accepted, and with another page."""
-        if self._said_of_dut and self.lab.state.message == self._said_of_dut:
-            self._say_of_dut("")
 
     def serial_objection(self, serial: str) -> str:
         """Why this is no serial on this bench; "" where it is one."""

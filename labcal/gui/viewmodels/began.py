@@ -11,7 +11,7 @@ def now() -> str:
 
 
 def began_at(run_id: str) -> str:
-    """When a run of this id began, as its row in the lists says it; "" where the id does not say."""
+    """When a run of this id began by the clock of this place, as its row in the lists says it; "" where it does not."""
     try:
         utc = datetime.strptime(run_id.partition("-")[0], "%Y%m%dT%H%M%S").replace(tzinfo=UTC)
     except ValueError:

@@ -51,7 +51,7 @@ def read(before: state.LabState | None, said: tuple[InstrumentRead, ...]) -> sta
 def answers(said: tuple[InstrumentRead, ...]) -> dict[str, InstrumentAnswer]:
     """Who said who it is, or why it did not, by name."""
     return {
-        one.name: InstrumentAnswer(one.name, one.role, one.link, one.identity, one.fault)
+        one.name: InstrumentAnswer(one.name, one.role, one.link, one.identity, one.fault, one.serial)
         for one in said
         if one.identity or one.fault
     }

@@ -136,13 +136,20 @@ def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:
     return ("✕", "bad") if bad else ("●", "warning")
 
 
-def platform_mark(words: str) -> tuple[str, str]:
-    """Shape and state that go with what is said of the platform: keep off where it turns, or may."""
+def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
+    """Shape and state that go with what is said of the platform: keep off where it turns, or may.
+
+    That it stands is no tick while the coils are on: in a ramp nothing that is ticked may be taken for the field.
+    """
     if not words:
         return "", ""
     if words.startswith(state.MAY_TURN):
         return "✕", "bad"
-    return ("●", "warning") if words.startswith("platform turns") else ("✓", "good" if "," not in words else "old")
+    if words.startswith("platform turns"):
+        return "●", "warning"
+    if "," in words:
+        return "◌", "old"
+    return ("■", "") if coil_words.startswith(state.ON) else ("✓", "good")
 
 
 def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:

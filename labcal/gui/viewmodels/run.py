@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import time
 from typing import Literal
 
@@ -31,28 +30,32 @@ from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import began
+from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
+from labcal.gui.viewmodels.covered import Covered
 from labcal.gui.viewmodels.failed_step import asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.hands import STOP, says_hands_off
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
-from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+from labcal.record.stream import (
+    COVERAGE,
+    NOT_USED,
+    OTHER_SERIAL,
+    Block,
+    Event,
+    Item,
+    Measurement,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
-SECTORS = 24  # of 15 degrees: what coverage counts
-UNSEEN_S = 2.0  # without a reading so long, a DUT has not seen where the platform turned
 SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
-SAID_ELSEWHERE = ("answer", "set-point", "read-back")  # by whoever answered, and by the lab's state
-WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
-AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
-    "coverage": "{axis}[+-].*: missing sectors",
-    "noise": "{axis}[+-].*: noise",
-    "sign": "{axis}[+-].*: wrong signs",
-    "delay": "delay {axis}",
-    "closure": "closure {axis}",
-}
+SAID_ELSEWHERE = ("answer", "set-point", "read-back", OTHER_SERIAL)  # by whoever answered, and by the lab's state
 
 
 class RunViewModel(QObject):
@@ -88,7 +91,7 @@ class RunViewModel(QObject):
         self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
         self._turned = False  # in any segment
-        self.sectors: set[int] = set()
+        self.covered = Covered()
         self._goes_on = self._begins = self._by_off = (
             False  # a run that was interrupted; a new one, of which nothing has come yet
         )
@@ -246,12 +249,7 @@ class RunViewModel(QObject):
 
     def axis_checks(self, axis: str) -> dict[str, str]:
         """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
-        found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
-        return {look: self._worst(pattern) for look, pattern in found.items()}
-
-    def _worst(self, pattern: re.Pattern[str]) -> str:
-        about = [m.verdict for name, m in self.measurements.items() if pattern.fullmatch(name)]
-        return max(about, key=WORST.index, default="")
+        return axis_checks(axis, self.measurements)
 
     def turns(self) -> bool:
         """Whether a turn was recorded, or is to come: else circle and axes have nothing to say."""
@@ -259,7 +257,7 @@ class RunViewModel(QObject):
 
     def coverage(self) -> float:
         """The part of the circle that this segment has seen, 0 to 1."""
-        return len(self.sectors) / SECTORS
+        return self.covered.part()
 
     def field_rows(self) -> NDArray[np.float64]:
         """All DUT readings of all segments (n, 3) [nominal nT], thinned."""
@@ -286,19 +284,21 @@ class RunViewModel(QObject):
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
-                self._waited_s, self._waits_since_s, self.sectors = 0.0, None, set()
+                self._waited_s, self._waits_since_s = 0.0, None
+                self.covered.begin()
                 self._running(step_title(item.name))
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
                 if item.key.startswith("failed-"):  # what was seen of this turn counts no more
-                    self.sectors = set()
+                    self.covered.begin()
                     self._forget_turn(item.key.removeprefix("failed-"))
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
-                self.segment, self.sectors = item.segment.id, set()
+                self.segment = item.segment.id
+                self.covered.begin()
                 self._forget_turn(item.segment.id)  # as it was before, where it is begun again
                 self._turned = self._turned or item.segment.kind == "rotation"
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
@@ -325,6 +325,9 @@ class RunViewModel(QObject):
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
         elif event.kind == "skip":
             self.skipped.add(str(event.data.get("step", "")))
+        elif event.kind == COVERAGE:
+            self.covered.missed(event)
+            self.message = said_of(event, self.links)
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
@@ -333,11 +336,13 @@ class RunViewModel(QObject):
     def _forget_turn(self, segment: str) -> None:
         """Nothing that was seen or measured of it counts any more."""
         self.locus.pop(segment, None)
+        self.covered.forget((segment,))
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(f"{segment}:")}
 
     def _not_used(self, segments: list[str]) -> None:
         """What was measured of these says nothing any more: their axis is redone."""
         looks = [f"{look} {axis}" for look in ("delay", "closure") for axis in {segment[:1] for segment in segments}]
+        self.covered.forget(segments)
         gone = (*(f"{segment}:" for segment in segments), *looks)
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
         self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
@@ -360,8 +365,7 @@ class RunViewModel(QObject):
         elif block.stream == "reference" and block.values.shape[1] == 3:
             self.reference.push(block.t_s, block.values)
         elif block.stream == "angle" and self.segment is not None:
-            seen = block.t_s < (self._dut_s or np.inf) + UNSEEN_S
-            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[seen, 0]}
+            self.covered.turned(block.t_s, block.values[:, 0], self._dut_s)
 
     def _be(self, state: State) -> None:
         self.state = state

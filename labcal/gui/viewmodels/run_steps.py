@@ -37,11 +37,13 @@ def _is_missing(step: str, measured: Collection[str]) -> bool:
 
 
 def _is_kept(step: str, names: Sequence[str], measured: Collection[str]) -> bool:
-    """Turns are not repeated, nor what mounts and closes an axis of which every turn is kept."""
+    """Turns are not repeated, nor what mounts and closes an axis with its turns, unless that closure is made up."""
     kind, _, axis = step.partition("-")
     if axis and kind == "closure":
         return not _is_missing(step, measured)
     if axis and kind == "mount":
         turns = [name for name in names if name.startswith((f"{axis}+", f"{axis}-"))]
-        return bool(turns) and all(_is_kept(name, names, measured) for name in turns)
+        to_close = f"closure-{axis}" in names and _is_missing(f"closure-{axis}", measured)
+        made_up = to_close and any(name.startswith(f"{step}: ") for name in measured)  # with what it began with
+        return not made_up and bool(turns) and all(_is_kept(name, names, measured) for name in turns)
     return any(name.startswith(f"{step}:") for name in measured)

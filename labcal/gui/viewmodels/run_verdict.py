@@ -9,8 +9,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.axis_checks import WORST
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
-from labcal.gui.viewmodels.run import WORST, RunViewModel
+from labcal.gui.viewmodels.run import RunViewModel
 from labcal.record.stream import Measurement
 
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}

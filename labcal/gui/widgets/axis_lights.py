@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
@@ -11,6 +11,7 @@ from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import Surface, label, set_state
 
 NOT_YET = ("○", "")
+NOT_SEEN = QT_TRANSLATE_NOOP("Words", "(not seen: {0})")
 
 
 class AxisLights(Surface):
@@ -47,6 +48,8 @@ class AxisLights(Surface):
             worst.setText(f"{axis.upper()}  {shape} {words}".strip())
             set_state(worst, state)
             said = [self._look(translated(look), found) for look, found in looks.items()]
+            if unseen := run.covered.about(axis):  # where the turn is to be mended
+                said[list(looks).index("coverage")] += f"&nbsp;{translated(str(NOT_SEEN)).format(unseen)}"
             self.looks[axis].setText("<br>".join("&nbsp; ".join(said[n : n + 2]) for n in range(0, len(said), 2)))
 
     def _look(self, look: str, verdict: str) -> str:

@@ -22,6 +22,7 @@ Corner = tuple[float, float, float]
 FLAT = (("from above", (0.0, 90.0)), ("from the side", (0.0, 0.0)))  # turn and tilt of the eye [deg]
 SPACE_SHARE = 0.5  # of the width
 STEP_DEG = 5.0  # a key turns the cage by
+REACH = 1.36  # of the names of the axes, in half sides
 NAMED_PX, LEAST_PX = 26.0, 6.0  # an axis shorter than these has no name, an arrow is not drawn
 HALF_GAP = 0.54  # of a square coil pair's half side: Helmholtz spacing 0.5445 of the side
 
@@ -46,9 +47,14 @@ def coils() -> list[tuple[int, list[Corner]]]:
     return found
 
 
+def half_px(width: float, height: float, share: float, name_px: float) -> float:
+    """Half a side of the cage in a place of this size: no name of an axis reaches out of it, in letters of any size."""
+    return max(0.0, min(share * min(width, height), (min(width, height) - name_px) / 2 / REACH))
+
+
 def vector_colours(theme: Theme) -> tuple[str, str, str]:
-    """Of the applied, the ambient and the reference field."""
-    return theme.accent, theme.muted, theme.axis_x
+    """Of the applied, the ambient and the reference field; the last is dashed as well."""
+    return theme.text, theme.muted, theme.text
 
 
 class CageView(QWidget):
@@ -58,6 +64,7 @@ class CageView(QWidget):
         super().__init__()
         self._theme = theme
         self.vectors: list[tuple[str, Triple]] = []
+        self.dashed: Triple | None = None  # of them: that of the reference, which may lie on another
         self.eye = [-28.0, 22.0]
         self._dragged_from: QPointF | None = None
         self.setMinimumHeight(220)
@@ -75,6 +82,7 @@ class CageView(QWidget):
         """Fields [nT] in the cage's frame."""
         known = zip(vector_colours(self._theme), (applied, ambient, reference), strict=True)
         self.vectors = [(colour, vector) for colour, vector in known if vector is not None]
+        self.dashed = reference
         self.update()
 
     def turn(self, by_deg: float, tilt_deg: float) -> None:
@@ -115,10 +123,12 @@ class CageView(QWidget):
                 painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
 
     def _view(self, painter: QPainter, area: QRectF, title: str, eye: Array, share: float) -> None:
-        centre = QPointF(area.center().x(), area.center().y() + (10 if title else 0))
-        half = share * min(area.width(), area.height() - (24 if title else 0))
+        letters = painter.fontMetrics()
+        above = float(letters.height()) if title else 0.0
+        centre = QPointF(area.center().x(), area.center().y() + above / 2)
+        half = half_px(area.width(), area.height() - above, share, letters.height())
         painter.setPen(QColor(self._theme.muted))
-        painter.drawText(QRectF(area.x(), 0, area.width(), 20), Qt.AlignmentFlag.AlignCenter, title)
+        painter.drawText(QRectF(area.x(), 0, area.width(), above), Qt.AlignmentFlag.AlignCenter, title)
 
         def at(point: Array | Corner) -> QPointF:
             x, y = eye @ np.asarray(point)
@@ -128,7 +138,8 @@ class CageView(QWidget):
         self._paint_axes(painter, at)
         longest = max((hypot(*vector) for _, vector in self.vectors), default=0.0) or 1.0
         for colour, vector in self.vectors:
-            self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour)
+            style = Qt.PenStyle.DotLine if vector is self.dashed else Qt.PenStyle.SolidLine
+            self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour, style)
 
     def _paint_coils(self, painter: QPainter, at: object, eye: Array) -> None:
         assert callable(at)
@@ -141,20 +152,23 @@ class CageView(QWidget):
     def _paint_axes(self, painter: QPainter, at: object) -> None:
         assert callable(at)
         for name, colour, end in zip("XYZ", self._theme.axes, np.eye(3), strict=True):
-            start, tip, beyond = at((0.0, 0.0, 0.0)), at(1.2 * end), at(1.36 * end)
+            start, tip, beyond = at((0.0, 0.0, 0.0)), at(1.2 * end), at(REACH * end)
             if hypot(tip.x() - start.x(), tip.y() - start.y()) < NAMED_PX:
                 continue
             painter.setPen(QPen(QColor(colour), 1, Qt.PenStyle.DashLine))
             painter.drawLine(start, tip)
             painter.setPen(QColor(colour))
-            painter.drawText(QRectF(beyond.x() - 10, beyond.y() - 10, 20, 20), Qt.AlignmentFlag.AlignCenter, name)
+            high = painter.fontMetrics().height()
+            place = QRectF(beyond.x() - high / 2, beyond.y() - high / 2, high, high)
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, name)
 
-    def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str) -> None:
+    def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str, style: Qt.PenStyle) -> None:
         if hypot(tip.x() - start.x(), tip.y() - start.y()) < LEAST_PX:
             return
-        painter.setPen(QPen(QColor(colour), 2.4))
+        painter.setPen(QPen(QColor(colour), 2.4, style))
         painter.setBrush(QColor(colour))
         painter.drawLine(start, tip)
+        painter.setPen(QPen(QColor(colour), 2.4))
         angle = atan2(tip.y() - start.y(), tip.x() - start.x())
         wings = [QPointF(tip.x() - 10 * cos(angle + s), tip.y() - 10 * sin(angle + s)) for s in (0.4, -0.4)]
         painter.drawPolygon([tip, *wings])

@@ -149,16 +149,19 @@ class ComparisonView(QWidget):
     def _named(self, found: Comparison) -> list[tuple[str, str, Compared]]:
         """Name and colour of either run, the later one in front."""
         earlier, later = self.tr("Earlier"), self.tr("Later")
-        return [(earlier, self._theme.axis_x, found.older), (later, self._theme.accent, found.newer)]
+        return [(earlier, self._theme.before, found.older), (later, self._theme.after, found.newer)]
 
     def _draw_residuals(self, found: Comparison) -> None:
         against = self.against.currentData()
         named = [(n, c, one, one.residual) for n, c, one in self._named(found)]
         clouds = [(n, c, one.against[against], left) for n, c, one, left in named if left is not None]
-        noise = [one.noise_nT for _, _, one, _ in named if one.noise_nT is not None]
+        stated = [one.noise_nT for _, _, one, _ in named if one.noise_nT is not None and one.noise_stated]
+        noise = stated or [one.noise_nT for _, _, one, _ in named if one.noise_nT is not None]
         self.residuals.show_clouds(against, clouds, max(noise, default=None))
         rms = [f"{n}: {self._rms(left)}" for n, _, _, left in named]
-        self.words.setText("   ".join((*rms, self.tr("band: the larger of the two noises, k=2") if noise else "")))
+        own = self.tr("band: the larger noise that the two fits make of their own residuals, k=2; none is stated")
+        means = self.tr("band: the larger of the two runs' stated noises of |b|, k=2, as on the Fit page")
+        self.words.setText("   ".join((*rms, (means if stated else own) if noise else "")))
 
     def _rms(self, left: np.ndarray | None) -> str:
         good = np.empty(0) if left is None else left[np.isfinite(left)]

@@ -14,7 +14,7 @@ from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
+from labcal.gui.widgets.plots import DASHED, Loci, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.shell_plot import draw_degrees
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
 
@@ -23,6 +23,11 @@ FACES = ("loci", "residual", "magnitude", "histogram", "growth", "degrees")  # p
 BINS = 60
 LEAST_PX = 220  # of a picture
 SIGMAS = 3.0  # the papers' bounds
+
+
+def band_of(said: Fitted) -> float | None:
+    """The noise of |b| [nT] that is drawn: what the run states, as the verdict has it; else the method's own."""
+    return said.noise_nT if said.stated_nT is None else said.stated_nT
 
 
 class FitViews(Card):
@@ -155,18 +160,30 @@ class FitViews(Card):
         """What belongs to the picture that is looked at: a second choice where there is one, and its legend."""
         self.against.setVisible(self.shown() == "residual")
         words = (
-            self.tr("orange: as read   blue: calibrated   faint: behind the sphere"),
-            self.tr("band: the noise this method states, k=2"),
+            self.tr("grey: as read   strong: calibrated   faint: behind the sphere"),
+            self._band_words(),
             "",
-            self.tr("line: the noise this method states"),
+            self._line_words(),
             self.tr("the ekf, or the filter that is chosen above"),
             self.tr("lines: what scatter alone gives   2: products of two components   3: a cubic"),
         )
         self.words.setText(words[self.view.currentIndex()])
 
+    def _band_words(self) -> str:
+        """What the verdict above goes by; the method's own noise alone where none is stated."""
+        if self._said is not None and self._said.stated_nT is None:
+            return self.tr("band: the noise that this method makes of its own residual, k=2; none is stated")
+        return self.tr("band: the stated noise of |b|, k=2")
+
+    def _line_words(self) -> str:
+        if self._said is not None and self._said.stated_nT is None:
+            return self.tr("line: the noise that this method makes of its own residual; none is stated")
+        return self.tr("line: the stated noise of |b|")
+
     def _draw(self) -> None:
         """The picture that is looked at."""
         look, said = self._look, self._said
+        self._name_view()
         if self.shown() == "degrees":
             draw_degrees(self.degrees, self._theme, () if said is None else said.shells)
         if look is None or self.shown() in ("growth", "degrees"):
@@ -185,24 +202,24 @@ class FitViews(Card):
         if said is None or said.residual is None:
             return self.residual.clear()
         against = self.against.currentData()
-        cloud = (self._method, self._theme.accent, said.residual)
-        return self.residual.show_residual(against, look.against[against], [cloud], said.noise_nT)
+        cloud = (self._method, self._theme.after, said.residual)
+        return self.residual.show_residual(against, look.against[against], [cloud], band_of(said))
 
     def _draw_magnitude(self, look: Look, said: Fitted | None) -> None:
         self.magnitude.clear()
         against = {name.split("  ")[0]: values for name, values in look.against.items()}
-        curves = [(self.tr("as read"), self._theme.axis_x, np.linalg.norm(look.before, axis=1))]
+        curves = [(self.tr("as read"), self._theme.before, np.linalg.norm(look.before, axis=1))]
         if said is not None and said.after is not None:
-            curves.append((self.tr("calibrated"), self._theme.accent, np.linalg.norm(said.after, axis=1)))
+            curves.append((self.tr("calibrated"), self._theme.after, np.linalg.norm(said.after, axis=1)))
         if "field" in against:
-            curves.append((self.tr("reference"), self._theme.text, against["field"]))
+            curves.append((f"{DASHED} {self.tr('reference')}", self._theme.before, against["field"]))
         named_curves(self.magnitude, against["time"], curves)
 
     def _draw_histogram(self, said: Fitted | None) -> None:
         self.histogram.clear()
         if said is None or said.residual is None:
             return
-        residual, noise_nT = said.residual[np.isfinite(said.residual)], said.noise_nT
+        residual, noise_nT = said.residual[np.isfinite(said.residual)], band_of(said)
         if not len(residual):
             return
         counts, edges = np.histogram(residual, BINS)
@@ -212,7 +229,7 @@ class FitViews(Card):
             y0=0,
             height=counts,
             pen=None,
-            brush=with_alpha(self._theme.accent, 160),
+            brush=with_alpha(self._theme.before, 160),
         )
         self.histogram.addItem(bars)
         if noise_nT:

@@ -144,9 +144,9 @@ class Mounting(QWidget):
             return
         path = 1.14 * rotate(axis, np.radians(np.arange(-38, 39, 2.0)), unit(toward))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(QColor(self._theme.accent), 2.4))
+        painter.setPen(QPen(QColor(self._theme.text), 2.4))
         painter.drawPolyline(QPolygonF([self._at(p) for p in path]))
-        self._arrow(painter, path[-3], path[-1] + 1.5 * (path[-1] - path[-2]), self._theme.accent, "", 2.4)
+        self._arrow(painter, path[-3], path[-1] + 1.5 * (path[-1] - path[-2]), self._theme.text, "", 2.4)
 
     def _arrow(self, painter: QPainter, start: Array, end: Array, colour: str, name: str, width: float) -> None:
         a, b = self._at(start), self._at(end)
@@ -182,7 +182,7 @@ class Mounting(QWidget):
         painter.drawEllipse(centre, radius, radius)
         hand = radians(angle_deg)
         tip = QPointF(centre.x() + radius * cos(hand), centre.y() - radius * sin(hand))
-        painter.setPen(QPen(QColor(self._theme.accent), 4))
+        painter.setPen(QPen(QColor(self._theme.text), 4))
         painter.drawLine(centre, tip)
         painter.drawText(QRectF(0, 0, self.width(), 24), Qt.AlignmentFlag.AlignCenter, f"{degrees(hand):.0f}°")
 

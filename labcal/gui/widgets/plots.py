@@ -24,6 +24,8 @@ REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
+BEFORE_ALPHA = 130  # of 255: what was before lies behind
+DASHED = "┄"  # before the name of a curve that is
 NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
@@ -216,12 +218,17 @@ class Loci(QWidget):
 
     def _colour(self, theme: Theme) -> None:
         for circle, clouds in zip(self._circles, self._views, strict=True):
-            circle.setPen(pg.mkPen(theme.muted))
-            for colour, (front, behind) in zip((theme.accent, theme.axis_x), clouds, strict=False):
-                with_alpha = QColor(colour)
-                with_alpha.setAlpha(90)
-                front.setPen(pg.mkPen(colour, width=2))
-                behind.setPen(pg.mkPen(with_alpha))
+            circle.setPen(pg.mkPen(theme.line, width=2))
+            for (colour, front_alpha), (front, behind) in zip(
+                ((theme.after, 255), (theme.before, BEFORE_ALPHA)), clouds, strict=False
+            ):
+                front.setPen(pg.mkPen(with_alpha(colour, front_alpha), width=2))
+                behind.setPen(pg.mkPen(with_alpha(colour, front_alpha // 3)))
+        for widget in self.plots:  # directions need no axes
+            for side in ("bottom", "left"):
+                axis = widget.getPlotItem().getAxis(side)
+                axis.setPen(pg.mkPen(theme.surface))
+                axis.setLabel(axis.labelText, color=theme.muted)
 
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
@@ -232,6 +239,13 @@ class Loci(QWidget):
             x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
             front.setData(x, np.where(toward, y, np.nan), connect="finite")
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+
+
+def with_alpha(colour: str, alpha: int) -> QColor:
+    """`colour` with some transparency."""
+    made = QColor(colour)
+    made.setAlpha(alpha)
+    return made
 
 
 def spread(values: Array, least: float) -> list[float]:
@@ -250,9 +264,10 @@ def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> Non
 
 
 def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
-    """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
-    for _, colour, values in curves:
-        widget.plot(t_s, values, pen=pg.mkPen(colour), connect="finite")
+    """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour; those named ┄ are dashed."""
+    for name, colour, values in curves:
+        style = Qt.PenStyle.DashLine if name.startswith(DASHED) else Qt.PenStyle.SolidLine
+        widget.plot(t_s, values, pen=pg.mkPen(colour, style=style), connect="finite")
     legend_above(widget, [(name, colour) for name, colour, _ in curves])
     widget.autoRange()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPaintEvent, QShowEvent
@@ -115,7 +116,10 @@ class PromptCard(Card):
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
         self.stands.setAccessibleName(self.tr("How the platform is"))
-        for said in (self.hands, self.lab, self.stands):
+        self.serials = label("", wrap=True)
+        self.serials.setAccessibleName(self.tr("Who names another serial"))
+        set_state(self.serials, "warning")
+        for said in (self.serials, self.hands, self.lab, self.stands):
             words.addWidget(said)
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
@@ -164,6 +168,7 @@ class PromptCard(Card):
         self.details.setText(below(prompt, translated(WORDS[RETRY])))
         self.details.setVisible(bool(self.details.text()))
         self.drawing.show_drawing(prompt.drawing)
+        self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
         self._row.setStretch(1, int(pictured))  # else Qt keeps half of the card for what is hidden
         self.hint.setMinimumHeight(0)
@@ -219,7 +224,7 @@ class PromptCard(Card):
         self.drawing.show_platform(platform_deg)
         for place, words, (shape, mark) in (
             (self.lab, coil_words, mark_of(coil_words)),
-            (self.stands, platform_words, platform_mark(platform_words)),
+            (self.stands, platform_words, platform_mark(platform_words, coil_words)),
         ):
             place.setText(f"{shape} {in_words(words)}".strip())
             place.setVisible(bool(words))
@@ -228,6 +233,14 @@ class PromptCard(Card):
         self.hands.setText(words)
         self.hands.setVisible(bool(coil_words) and self._reached_into)
         set_state(self.hands, mark)
+
+    def say_serials(self, others: Sequence[tuple[str, str]]) -> None:
+        """Who names another serial than is stated, where something is mounted or a serial is asked for."""
+        self.serials.setText("\n".join(f"▲ {name} {words}" for name, words in others))
+        self.serials.setVisible(bool(others) and self._is_of_mounting())
+
+    def _is_of_mounting(self) -> bool:
+        return self._prompt is not None and (MOUNTING in self._prompt.drawing or SERIAL in self._prompt.drawing)
 
     def say_lost(self, lost: list[str]) -> None:
         """Who does not answer, below a question that energises or turns: its answer is not taken until it does.

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pyqtgraph as pg
+from PySide6.QtCore import Qt
 
 from labcal.gui.ipc.answers import ShellLeft
 from labcal.gui.theming.theme import Theme
@@ -19,7 +20,7 @@ WIDTH = 0.8  # of all bars of a degree together
 def draw_degrees(widget: pg.PlotWidget, theme: Theme, shells: Sequence[ShellLeft]) -> None:
     """A bar for each degree and shell; where no shell goes all round, what would show one."""
     widget.clear()
-    colours = (theme.accent, *theme.axes)
+    colours = (theme.after, theme.before)
     names = list[tuple[str, str]]()
     for number, shell in enumerate(shells):
         colour, wide = colours[number % len(colours)], WIDTH / len(shells)
@@ -27,7 +28,7 @@ def draw_degrees(widget: pg.PlotWidget, theme: Theme, shells: Sequence[ShellLeft
         brush = with_alpha(colour, 180)
         widget.addItem(pg.BarGraphItem(x=x, height=np.array(shell.rms_nT), width=0.9 * wide, pen=None, brush=brush))
         ends = np.column_stack([x - 0.45 * wide, x + 0.45 * wide]).ravel()
-        pen = pg.mkPen(theme.text, width=2)
+        pen = pg.mkPen(theme.text, width=2, style=Qt.PenStyle.DotLine)
         widget.plot(ends, np.repeat(shell.noise_nT, 2), connect="pairs", pen=pen)
         names.append((f"{shell.magnitude_nT / 1000:.3g} µT", colour))
     legend_above(widget, names or [(translated("no fields all round at one magnitude: see field-sphere"), theme.muted)])

@@ -5,23 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.plots import apply_theme, legend_above, plot
+from labcal.gui.widgets.plots import with_alpha as with_alpha
 
 ROOM_ABOVE = 1.1  # bars: for the words of the line
 BAR_PX, AXIS_PX = 26, 52  # how high a bar and the axis below are
 Array = NDArray[np.float64]
-
-
-def with_alpha(colour: str, alpha: int) -> QColor:
-    """`colour` with some transparency."""
-    made = QColor(colour)
-    made.setAlpha(alpha)
-    return made
 
 
 class Residuals(QWidget):
@@ -74,7 +67,8 @@ class Residuals(QWidget):
     def _add(self, colour: str, x: Array, values: Array) -> None:
         xs, ys = np.repeat(x, values.shape[1]), values.ravel()
         good = np.isfinite(xs) & np.isfinite(ys)
-        cloud = pg.ScatterPlotItem(xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(with_alpha(colour, 130)))
+        alpha = 70 if colour == self._theme.before else 130  # what was before lies behind
+        cloud = pg.ScatterPlotItem(xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(with_alpha(colour, alpha)))
         self.plot.addItem(cloud)
         self.clouds.append(cloud)
 

@@ -163,8 +163,8 @@ class Trend(Card):
         self.drawn.emit()
 
     def _limit(self, y: float, words: str) -> pg.InfiniteLine:
-        pen = pg.mkPen(self._theme.bad, width=1.5, dash=(6, 4))
-        options = {"position": 0.04, "color": self._theme.bad, "anchors": [(0, 0), (0, 0)]}
+        pen = pg.mkPen(self._theme.text, width=1.5, dash=(6, 4))
+        options = {"position": 0.04, "color": self._theme.text, "anchors": [(0, 0), (0, 0)]}
         return pg.InfiniteLine(y, 0, pen=pen, label=words or None, labelOpts=options)
 
     def _reach(self, found: Sequence[Course], limit: float) -> tuple[float, float]:

@@ -6,8 +6,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_verdict import RunVerdict
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, set_state
+from labcal.gui.widgets.record_words import RecordWords
 
 HUGE_PT = 150
 NO_BREAK = "\N{NO-BREAK SPACE}"
@@ -18,9 +20,10 @@ class VerdictCard(Card):
 
     details_wanted = Signal()
 
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
         self._theme, self._state = theme, ""
+        self.told = RecordWords(app_state, centred=True)
         self.serial, self.word = AutoSizeLabel(HUGE_PT), AutoSizeLabel(HUGE_PT)
         self.serial.setAccessibleName(self.tr("DUT"))
         self.word.setAccessibleName(self.tr("Verdict"))
@@ -28,13 +31,14 @@ class VerdictCard(Card):
         self.reason = label("", "title", wrap=True)  # where the card that says it gives way to another
         self.details = button(self.tr("What was measured"), self.tr("The pictures and every value with its limit"))
         self.details.clicked.connect(self.details_wanted)
-        for part, share in ((self.serial, 2), (self.word, 3)):
+        for part, share in ((self.serial, 1), (self.word, 3)):
             part.setAlignment(Qt.AlignmentFlag.AlignCenter)
             part.setMinimumHeight(6 * GRID)
             self.body.addWidget(part, share)
         for words in (self.reason, self.rule, self.next):
             words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            self.body.addWidget(words)
+        for below in (self.reason, self.rule, self.told, self.next):
+            self.body.addWidget(below)
         self.body.addWidget(self.details, 0, Qt.AlignmentFlag.AlignHCenter)
 
     def show_verdict(self, serial: str, verdict: RunVerdict) -> None:

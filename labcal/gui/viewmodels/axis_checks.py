@@ -1,0 +1,28 @@
+"""What was measured about one body axis, as the light of that axis looks at it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from labcal.record.stream import Measurement
+
+WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
+AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
+    "coverage": "{axis}[+-].*: missing sectors",
+    "noise": "{axis}[+-].*: noise",
+    "sign": "{axis}[+-].*: wrong signs",
+    "delay": "delay {axis}",
+    "closure": "closure {axis}",
+}
+
+
+def axis_checks(axis: str, measured: Mapping[str, Measurement]) -> dict[str, str]:
+    """The worst verdict of each of `AXIS_CHECKS` for one body axis; "" where nothing was measured yet."""
+    found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
+    return {look: _worst(pattern, measured) for look, pattern in found.items()}
+
+
+def _worst(pattern: re.Pattern[str], measured: Mapping[str, Measurement]) -> str:
+    about = [one.verdict for name, one in measured.items() if pattern.fullmatch(name)]
+    return max(about, key=WORST.index, default="")

@@ -1,0 +1,48 @@
+"""What a run's record tells beside its rows: each interruption with what was measured again, and what people noted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from datetime import datetime
+from itertools import pairwise
+
+from labcal.record.stream import RESUMED, Event, Item, Step
+from labcal.record.told import Interruption, Told
+from labcal.store import Store
+
+
+def told(run_id: str) -> Told:
+    """Of a run in the local store; nothing of an imported one. Raises InputError where there is no such run."""
+    with Store.open() as store:
+        items, statuses = list(store.items(run_id, but="block", raw=False)), store.statuses(run_id)
+    return Told(tuple(interruptions(items, statuses)), tuple(_notes(items)))
+
+
+def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:
+    """One for each time that the run was gone on with, by its steps; how long each lasted, by its `statuses`."""
+    stretches: list[list[str]] = [[]]
+    for item in items:
+        if isinstance(item, Event) and item.kind == RESUMED:
+            stretches.append([])
+        elif isinstance(item, Step):
+            stretches[-1].append(item.name)
+    gone, found, before = _gone_s(statuses), list[Interruption](), set[str]()
+    for number, (broken, after) in enumerate(pairwise(stretches)):
+        before |= set(broken)
+        again = tuple(dict.fromkeys(name for name in after if name in before))
+        found.append(Interruption(broken[-1] if broken else "", gone[number] if number < len(gone) else None, again))
+    return found
+
+
+def _gone_s(statuses: Sequence[tuple[str, str]]) -> list[float | None]:
+    """From each status before a "running" that is not the first to that one; None after one that was killed."""
+    found: list[float | None] = []
+    for (before, ended), (now, again) in pairwise(statuses):
+        if now == "running":
+            apart = (datetime.fromisoformat(again) - datetime.fromisoformat(ended)).total_seconds()
+            found.append(None if before == "running" else max(0.0, apart))
+    return found
+
+
+def _notes(items: Iterable[Item]) -> list[str]:
+    return [item.text for item in items if isinstance(item, Event) and item.kind == "note"]

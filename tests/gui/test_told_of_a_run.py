@@ -1,0 +1,72 @@
+"""What a run's record tells beside its rows: interruptions and notes, on the run's last page and in the History."""
+
+from dataclasses import replace
+
+from test_path import RUN
+
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import ListRuns, RunProcedure
+from labcal.gui.ipc.record_messages import TellRecord
+from labcal.record.stream import RESUMED, Event, Step
+from labcal.record.told import Interruption, Told
+from labcal.session.told import interruptions
+
+BROKEN = Interruption("x+20uT-nominal", 240.0, ("zero", "x+20uT-nominal"))
+TOLD = Told((BROKEN, Interruption("closure-x", None, ("zero",))), ("lift moved",))
+
+
+def test_the_last_page_says_what_was_interrupted_how_long_what_again_and_where_notes_are(still):
+    still.open_page("Run")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    worker, told = still.app_state.quick_worker, still.page("Run").live.verdict.told
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    worker.answer(TellRecord, TOLD)
+    words = told.interrupted.text()
+    assert told.interrupted.isVisible()
+    assert words.startswith("▲ Interrupted 2 times: at x +20 µT nominal, for 4 min; at closure-x, for nobody knows")
+    assert words.endswith("Measured again: offset and first position, x +20 µT nominal.")
+    assert told.noted.text() == "Noted, in the run's record (History shows it): lift moved"
+
+
+def test_nothing_is_said_of_a_run_without_either(still):
+    still.open_page("Run")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r2", "finished"))
+    still.app_state.quick_worker.answer(TellRecord, Told())
+    told = still.page("Run").live.verdict.told
+    assert not told.interrupted.isVisible()
+    assert not told.noted.isVisible()
+
+
+def test_the_history_shows_both_of_the_run_that_is_chosen(still):
+    still.open_page("History")
+    worker, page = still.app_state.quick_worker, still.page("History")
+    worker.answer(ListRuns, (replace(RUN, run_id="r1"),))
+    page.table.selectRow(0)
+    worker.answer(TellRecord, TOLD)
+    assert page.told.noted.text().endswith("lift moved")
+    page.table.clearSelection()
+    assert page.told.noted.text() == ""
+
+
+def test_a_note_is_said_to_be_kept_and_where(still, qtbot):
+    still.open_page("Run")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    live = still.page("Run").live
+    live.note.setText("lift moved")
+    live.note.returnPressed.emit()
+    assert still.app_state.lab.state.message == "Kept in the run's record, which History shows: lift moved"
+    assert live.note.text() == ""
+
+
+def test_interruptions_are_counted_from_the_record_with_their_length_and_what_was_measured_again():
+    def steps(*names):
+        return [Step(float(n), n + 1, 9, name, 0.0) for n, name in enumerate(names)]
+
+    again = Event(10.0, RESUMED, "")
+    items = [*steps("zero", "x", "y"), again, *steps("zero", "y", "z"), again, *steps("zero", "z")]
+    at = "2026-11-29T0{}:00:00Z".format
+    statuses = [("running", at(1)), ("interrupted", at(2)), ("running", at(4)), ("running", at(5)), ("finished", at(6))]
+    first, second = interruptions(items, statuses)
+    assert (first.at, first.gone_s, first.again) == ("y", 7200.0, ("zero", "y"))
+    assert (second.at, second.gone_s, second.again) == ("z", None, ("zero", "z"))  # it was killed: nobody wrote when
