@@ -43,7 +43,7 @@ def chain_jsonl(connection: sqlite3.Connection, run: int) -> bytes:
     for table, row, made in parts(connection, run):
         values = values_of(connection, run, table, row) or ()
         stated = [(name, value) for name, value in zip(COLUMNS[table], values, strict=False) if value is not None]
-        record = ('"%s":%s' % (name, _text(value)) for name, value in (("of", table), *stated, ("sha256", made)))
+        record = (f'"{name}":{_text(value)}' for name, value in (("of", table), *stated, ("sha256", made)))
         lines += f"{{{','.join(record)}}}\n".encode()
     return bytes(lines)
 

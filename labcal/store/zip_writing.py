@@ -10,6 +10,7 @@ import stat
 import struct
 import zlib
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from importlib import import_module
 from typing import Any
 
@@ -23,10 +24,8 @@ FOR_ALL_TO_READ = (stat.S_IFREG | 0o644) << 16
 
 def deflaters() -> Iterator[Any]:
     """Modules that deflate as zlib does, each to other bytes: the quickest that is installed first."""
-    try:
+    with suppress(ImportError):
         yield import_module(QUICKEST)
-    except ImportError:
-        pass
     yield zlib
 
 
