@@ -16,7 +16,7 @@ from typing import TypeVar
 from labcal.system.workers import cores, end_with_parent, environment_of_workers, stand_back
 
 FEW = 24  # for so many runs a process is not worth its start, some 0.3 s
-MOST = 8  # processes: what is done here, one run after the other, then is what takes longest
+MOST = 6  # processes: what is done here, one run after the other, takes a fifth of a process's time
 WAITING = 2  # runs a process: made ready, or begun
 T = TypeVar("T")
 Work = Callable[[str], T]

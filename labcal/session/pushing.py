@@ -43,7 +43,7 @@ from labcal.store.listing import FILE as STORE
 
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
-LARGE = 2**25  # bytes in the store, eight times 20 000 samples with their lines: to make it ready takes ten times that
+LARGE = 2**25  # bytes in the store, 250 000 samples with their lines: to make it ready takes 250 MB
 
 
 @dataclass(frozen=True, slots=True)
