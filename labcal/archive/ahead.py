@@ -32,6 +32,7 @@ def ahead(
 ) -> Generator[tuple[str, Future[T]], None, None]:
     """Each name with its work, in order; the next are worked on meanwhile, by 0 processes one and no more.
 
+    What a process returns is short (a few kB): one that is killed inside a longer answer is waited for for ever.
     What is `large` has the computer's memory to itself: nothing else is begun before it is done.
     """
     left = deque(names)

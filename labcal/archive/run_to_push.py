@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import mkstemp
 
 from labcal.archive.rows import Row, instruments_of_run, run_row
 from labcal.errors import InputError
@@ -57,6 +59,22 @@ def of_bundle(
 def of_store(run_id: str) -> RunToPush:
     """A run of this user's store. Raises InputError where it has not finished, or does not fit its chain."""
     return of_bundle(*read(run_id))
+
+
+def of_store_into(folder: str, run_id: str) -> tuple[RunToPush, Path]:
+    """The same, its zip in a file of `folder`: a process that is killed inside a long answer is waited for for ever."""
+    one = of_store(run_id)
+    number, path = mkstemp(dir=folder)
+    with open(number, "wb") as file:
+        file.write(one.zipped)
+    return replace(one, zipped=b""), Path(path)
+
+
+def taken(one: RunToPush, path: Path) -> RunToPush:
+    """What `of_store_into` made, its file gone."""
+    content = path.read_bytes()
+    path.unlink()
+    return replace(one, zipped=content)
 
 
 def read(run_id: str) -> tuple[Bundle, Run, str, str, Iterable[Mapping[str, str]], str | None]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Self
 
 from labcal import audit, certificate
@@ -26,7 +27,7 @@ from labcal.archive.push import (
     push_run,
     run_there,
 )
-from labcal.archive.run_to_push import FINISHED, RunToPush, of_bundle, of_store, read
+from labcal.archive.run_to_push import FINISHED, RunToPush, of_bundle, of_store_into, read, taken
 from labcal.archive.server import Archive, AwayError
 from labcal.certificate.calibration_file import LARGEST_BYTES
 from labcal.errors import InputError, InstrumentError
@@ -128,12 +129,14 @@ class Pusher:
         with closing(Store.read_only(home() / STORE)) as store:
             found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
             new = [run_id for run_id, head in found if head is None or head not in self.there.heads]
-            with closing(ahead(of_store, new, worth_it(len(new)), partial(_is_large, store))) as ready:
-                for run_id, run in ready:
-                    self._one(run_id, partial(self._when_ready, run))
+            with TemporaryDirectory(prefix="labcal-push-", ignore_cleanup_errors=True) as folder:
+                work, large = partial(of_store_into, folder), partial(_is_large, store)
+                with closing(ahead(work, new, worth_it(len(new)), large)) as ready:
+                    for run_id, run in ready:
+                        self._one(run_id, partial(self._when_ready, run))
 
-    def _when_ready(self, run: Future[RunToPush], _: str) -> None:
-        self._run(run.result())
+    def _when_ready(self, run: Future[tuple[RunToPush, Path]], _: str) -> None:
+        self._run(taken(*run.result()))
 
     def _of_path(self, path: str) -> str:
         bundle = run_bundle(path)

@@ -99,7 +99,7 @@ def test_a_push_that_is_cut_leaves_no_process_and_nothing_half(
     told = push.communicate(timeout=WITHIN_S)[1]
     wait_until_gone(processes)
     assert "Traceback" not in told
-    assert push.returncode == (130 if how == signal.SIGINT else -9)
+    assert push.returncode == (130 if how == signal.SIGINT else -9), told
     there = rows_of(postgres, database)["run"]
     assert len(there) < RUNS
     assert {f"{row[15]}.zip" for row in there} <= {path.name for path in bundles.rglob("*.zip")}
