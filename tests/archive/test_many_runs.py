@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from made_lab import stored_runs
 from postgres import Server, children_of
 
 from labcal.archive.ahead import FEW
+from labcal.archive.run_to_push import of_store, of_store_into, taken
 from labcal.session import archiving
 from labcal.system.workers import cores
 
@@ -106,3 +108,12 @@ def test_a_push_that_is_cut_leaves_no_process_and_nothing_half(
     assert archiving.push(url).runs == RUNS - len(there)
     assert len(rows_of(postgres, database)["run"]) == RUNS
     assert archiving.check_archive(url, None) == []
+
+
+def test_what_a_process_says_of_a_run_goes_into_a_pipe_at_one_go(tmp_path: Path) -> None:
+    """One that is killed inside a longer answer, at Ctrl-C, leaves half of it, and who reads it waits for ever."""
+    stored_runs([0], 20_000)
+    said = of_store_into(str(tmp_path), "size-0")
+    assert len(pickle.dumps(said)) < 4096  # PIPE_BUF of Linux
+    assert taken(*said) == of_store("size-0")
+    assert not said[1].exists()
