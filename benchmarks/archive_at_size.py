@@ -58,12 +58,14 @@ def push_runs(running: Server, url: str, bundles: Path, runs: int, samples: int)
             assert archiving.push(url).runs == len(batch)
         busy, served, wall = took()
         size, n = sum(path.stat().st_size for path in bundles.rglob("*.zip")), len(batch) * samples
-        disk, each = disk_pace(bundles.parent), size / (batch[-1] + 1) / samples
+        each, one = size / (batch[-1] + 1) / samples, size // (batch[-1] + 1)
+        disk, by_file = disk_pace(bundles.parent, 2**28), disk_pace(bundles.parent, one, 2**27 // one)
         print(
             f"runs {batch[0]}–{batch[-1]} of {samples} samples: {1e3 * busy / len(batch):.1f} ms a run, "
             f"{n / busy:.0f} samples/s of a processor; server {1e3 * served / len(batch):.1f} ms a run; "
             f"{n / wall:.0f} samples/s by the clock; {each:.0f} bytes a sample: {n * each / busy / 1e6:.1f} MB/s of a "
-            f"processor, {n * each / wall / 1e6:.1f} by the clock, the disk {disk / 1e6:.0f}",
+            f"processor, {n * each / wall / 1e6:.1f} by the clock, the disk {disk / 1e6:.0f} at one go, "
+            f"{by_file / 1e6:.0f} in files of this size",
             flush=True,
         )
     again(running, url)
@@ -90,24 +92,30 @@ def again(running: Server, url: str) -> None:
 
 @contextmanager
 def timed(running: Server) -> Iterator[Callable[[], tuple[float, float, float]]]:
-    """Processor time of this process and of the server, and wall time, in seconds."""
+    """Processor time of this process with those that it began, and of the server, and wall time, in seconds."""
     taken = [0.0, 0.0, 0.0]
-    begun = [time.process_time(), running.busy_s(), time.perf_counter()]
+    begun = [own_s(), running.busy_s(), time.perf_counter()]
     yield lambda: (taken[0], taken[1], taken[2])
-    busy, wall = time.process_time(), time.perf_counter()
+    busy, wall = own_s(), time.perf_counter()
     taken[:] = [busy - begun[0], running.busy_s() - begun[1], wall - begun[2]]
 
 
-def disk_pace(folder: Path, size: int = 2**28) -> float:
-    """Bytes a second, written at one go and flushed."""
+def own_s() -> float:
+    """Of this process, and of those that it began and that have ended."""
+    return sum(os.times()[:4])
+
+
+def disk_pace(folder: Path, size: int, files: int = 1) -> float:
+    """Bytes a second, in files of this size, each written at one go and flushed."""
     content, path = os.urandom(2**20), folder / "pace"
     begun = time.perf_counter()
-    with path.open("wb") as file:
-        for _ in range(size // len(content)):
-            file.write(content)
-        file.flush()
-        os.fsync(file.fileno())
-    pace = size / (time.perf_counter() - begun)
+    for _ in range(files):
+        with path.open("wb") as file:
+            for at in range(0, size, len(content)):
+                file.write(content[: size - at])
+            file.flush()
+            os.fsync(file.fileno())
+    pace = files * size / (time.perf_counter() - begun)
     path.unlink()
     return pace
 

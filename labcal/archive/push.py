@@ -15,23 +15,9 @@ from sqlalchemy.dialects.postgresql import insert
 
 from labcal.archive import rows, tables
 from labcal.archive.bundles import put
+from labcal.archive.run_to_push import RunToPush
 from labcal.archive.server import Archive
 from labcal.model import Calibration
-from labcal.record import Run
-
-
-@dataclass(frozen=True, slots=True)
-class RunToPush:
-    """A finished run: what it says, and its bundle as a zip. `kept_head` is its chain's in the store it came from."""
-
-    run: Run
-    sha256: str
-    zipped: bytes
-    status: str
-    procedure: str = ""
-    instruments: tuple[Any, ...] = ()
-    chain_head: str | None = None
-    kept_head: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +92,7 @@ def note_head(archive: Archive, site: str, head: str | None, digest: str) -> Non
 def push_run(archive: Archive, site: str, one: RunToPush, place: str) -> bool:
     """Add a run: its bundle at `place`, then its rows. Returns whether it is new here."""
     bundle = put(place, one.zipped)
-    row = rows.run_row(one.run, one.status, one.procedure) | {
+    row = one.row | {
         "sha256": one.sha256,
         "chain_head": one.chain_head,
         "bundle_sha256": bundle,
@@ -115,8 +101,7 @@ def push_run(archive: Archive, site: str, one: RunToPush, place: str) -> bool:
     with archive.transaction() as connection:
         new = _add(connection, tables.RUN, site, [row]) > 0
         if new:
-            found = rows.instruments_of_run(one.run, one.instruments)
-            _add(connection, tables.INSTRUMENT, site, [{"of": one.sha256, **each} for each in found])
+            _add(connection, tables.INSTRUMENT, site, [{"of": one.sha256, **each} for each in one.instruments])
         _add_head(connection, site, one.kept_head, one.sha256)
     return new
 

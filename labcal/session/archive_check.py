@@ -16,7 +16,6 @@ from labcal.archive.bundles import get
 from labcal.archive.contents import OfCalibration, calibrations, runs
 from labcal.archive.server import Archive
 from labcal.errors import InputError
-from labcal.record import Run
 from labcal.store import Bundle, load_bundle
 
 Row = Mapping[str, Any]
@@ -28,7 +27,7 @@ def faults(archive: Archive, place: str, on_remark: Callable[[str], None]) -> It
     for row in runs(archive):
         on_remark(f"run {row['run_id']} of {row['site']}")
         try:
-            refuse_other_row(bundle_of_row(place, row).run(), row)
+            refuse_other_row(rows.run_row(bundle_of_row(place, row).run(), "", ""), row)
         except InputError as fault:
             yield f"{row['site']}: run {row['run_id']}: {fault} (pushed by {row['pushed_by']})"
     for made in calibrations(archive):
@@ -52,9 +51,12 @@ def bundle_of_row(place: str, row: Row) -> Bundle:
     return bundle
 
 
-def refuse_other_row(run: Run, row: Row) -> None:
-    """Raise InputError where the catalogue says something else of a run than its bundle does."""
-    _refuse(rows.run_row(run, row["status"], row["procedure"]), row)
+def refuse_other_row(said: Row, row: Row) -> None:
+    """Raise InputError where the catalogue says something else of a run than its bundle does.
+
+    Status and procedure are not compared: a bundle does not say them.
+    """
+    _refuse({**said, "status": row["status"], "procedure": row["procedure"]}, row)
 
 
 def _refuse_other_rows(made: OfCalibration) -> None:

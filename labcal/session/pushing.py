@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future
 from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import datetime
 from functools import partial
 from pathlib import Path
-from typing import Self, TypeVar
+from tempfile import TemporaryDirectory
+from typing import Self
 
 from labcal import audit, certificate
+from labcal.archive.ahead import ahead, worth_it
 from labcal.archive.bundles import put
 from labcal.archive.push import (
     AuditRow,
     Document,
     Known,
-    RunToPush,
     known,
     last_entry,
     note_head,
@@ -27,26 +27,24 @@ from labcal.archive.push import (
     push_run,
     run_there,
 )
+from labcal.archive.run_to_push import FINISHED, RunToPush, of_bundle, of_store_into, read, taken
 from labcal.archive.server import Archive, AwayError
 from labcal.certificate.calibration_file import LARGEST_BYTES
 from labcal.errors import InputError, InstrumentError
 from labcal.files.home import home
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
-from labcal.record import Run
 from labcal.session.archive_check import refuse_other_row
 from labcal.session.audited import note, noted_signatures
 from labcal.session.opened_archive import own_site, place_of_bundles
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING, signatures
 from labcal.session.sources import is_path, run_bundle
-from labcal.store import Bundle, Store, zipped
+from labcal.store import Bundle, Store, zipped_as
 from labcal.store.listing import FILE as STORE
 
-FINISHED = ("finished", "imported")
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
-Read = tuple[Bundle, Run, str, str, Sequence[object], str | None]
-T = TypeVar("T")
+LARGE = 2**25  # bytes in the store, 250 000 samples with their lines: to make it ready takes 250 MB
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +91,7 @@ class Pusher:
         for name in names:
             self._one(name, self._named)
         if not names:
-            for run, read in ahead(_read, self._new_runs()):
-                self._one(run, partial(self._when_read, read))
+            self._new_runs()
             for path in _signed_calibrations():
                 self._one(str(path), self._named)
         self._one("the audit log", lambda _: self._audit_log())
@@ -113,7 +110,7 @@ class Pusher:
         if certificate.looks_like_calibration(Path(name)):
             self._calibration(Path(name))
         else:
-            digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name)
+            digest = self._of_path(name) if is_path(name) else self._of_store(name)
             for path in self._calibrations_of(digest):
                 self._calibration(path)
 
@@ -125,44 +122,46 @@ class Pusher:
                 self._made_from.setdefault(certificate.read_calibration(path).run_sha256, []).append(path)
         return self._made_from.get(digest, [])
 
-    def _new_runs(self) -> Iterator[str]:
+    def _new_runs(self) -> None:
         """Finished runs of the store whose chains the archive does not know."""
         if not (home() / STORE).is_file():
             return
         with closing(Store.read_only(home() / STORE)) as store:
             found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
-        yield from (run_id for run_id, head in found if head is None or head not in self.there.heads)
+            new = [run_id for run_id, head in found if head is None or head not in self.there.heads]
+            with TemporaryDirectory(prefix="labcal-push-", ignore_cleanup_errors=True) as folder:
+                work, large = partial(of_store_into, folder), partial(_is_large, store)
+                with closing(ahead(work, new, worth_it(len(new)), large)) as ready:
+                    for run_id, run in ready:
+                        self._one(run_id, partial(self._when_ready, run))
 
-    def _when_read(self, read: Future[Read], _: str) -> str:
-        return self._bundle(*read.result())
+    def _when_ready(self, run: Future[tuple[RunToPush, Path]], _: str) -> None:
+        self._run(taken(*run.result()))
+
+    def _of_path(self, path: str) -> str:
+        bundle = run_bundle(path)
+        return self._run(of_bundle(bundle), bundle)
 
     def _of_store(self, run_id: str) -> str:
         """Push a run of the store, looking at it though its chain may be known; returns its SHA-256."""
-        return self._bundle(*_read(run_id))
+        found = read(run_id)
+        return self._run(of_bundle(*found), found[0])
 
-    def _bundle(
-        self,
-        bundle: Bundle,
-        run: Run | None = None,
-        status: str = "imported",
-        procedure: str = "",
-        instruments: Sequence[object] = (),
-        head: str | None = None,
-    ) -> str:
-        digest, chain, content = bundle.sha256, bundle.stated_chain, zipped(bundle)
-        run = bundle.run() if run is None else run
-        if there := run_there(self.archive, self.site, digest):
-            refuse_other_row(run, there)
-            if there["bundle_sha256"] == audit.link_of(content):
-                put(self.place, content)  # made whole again, where its file was lost or damaged
-            note_head(self.archive, self.site, head, digest)
-            return digest
-        chain_head = str(chain["head"]) if chain else None
-        pushed = RunToPush(run, digest, content, status, procedure, tuple(instruments), chain_head, head)
-        if push_run(self.archive, self.site, pushed, self.place):
+    def _run(self, one: RunToPush, bundle: Bundle | None = None) -> str:
+        if there := run_there(self.archive, self.site, one.sha256):
+            refuse_other_row(one.row, there)
+            self._make_whole(one, bundle, there["bundle_sha256"])
+            note_head(self.archive, self.site, one.kept_head, one.sha256)
+        elif push_run(self.archive, self.site, one, self.place):
             self.runs += 1
-            self._say("run", run.run_id, digest)
-        return digest
+            self._say("run", one.run_id, one.sha256)
+        return one.sha256
+
+    def _make_whole(self, one: RunToPush, bundle: Bundle | None, digest: str) -> None:
+        """Put the bundle that is there once more, where its file was lost or damaged, by the deflate that made it."""
+        same = one.zipped if audit.link_of(one.zipped) == digest else None
+        if content := same or (zipped_as(bundle, digest) if bundle else None):
+            put(self.place, content)
 
     def _calibration(self, path: Path) -> None:
         content, reports = read_limited(path, LARGEST_BYTES), list(_reports(path))
@@ -227,29 +226,8 @@ class Pusher:
         self.entries = push_audit(self.archive, self.site, log, [_entry(*pair) for pair in pairs])
 
 
-def ahead(work: Callable[[str], T], names: Iterable[str]) -> Iterator[tuple[str, Future[T]]]:
-    """Each name with its work, in order; while one is in use the next is done, and no more than that."""
-    with ThreadPoolExecutor(1) as one_more:
-        begun = deque[tuple[str, Future[T]]]()
-        for name in names:
-            begun.append((name, one_more.submit(work, name)))
-            if len(begun) > 1:
-                yield begun.popleft()
-        yield from begun
-
-
-def _read(run_id: str) -> Read:
-    """A finished run of the store as `Pusher` takes it: bundle, rows, status, procedure, instruments, its chain's head.
-
-    Raises InputError where it has not finished, or does not fit its chain.
-    """
-    with closing(Store.read_only(home() / STORE)) as store:
-        summary, head = store.summary(run_id), store.head_of(run_id)
-        if summary.status not in FINISHED:
-            raise InputError(f"run {run_id} is {summary.status}: only a finished run goes into the archive")
-        bundle, run = store.bundle_and_run(run_id)
-        instruments = () if summary.status == "imported" else store.header(run_id).instruments
-    return bundle, run, summary.status, summary.procedure, instruments, head
+def _is_large(store: Store, run_id: str) -> bool:
+    return store.stored_bytes(run_id) > LARGE
 
 
 def _signed_calibrations() -> Iterator[Path]:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         save_bundle,
         write_bundle,
         zipped,
+        zipped_as,
     )
     from labcal.store.check import StoreCheck, check_store
     from labcal.store.listing import RunSummary, list_runs
@@ -43,6 +44,7 @@ __all__ = [
     "save_bundle",
     "write_bundle",
     "zipped",
+    "zipped_as",
 ]
 _OF_OTHERS = {
     **dict.fromkeys(("StoreCheck", "check_store"), "check"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import stat
 import zipfile
@@ -21,9 +20,7 @@ from labcal.store.origin import shown
 from labcal.store.run_json import read_run_json, write_run_json
 from labcal.store.samples_csv import read_samples, write_samples
 from labcal.store.zip_directory import refuse_a_long_directory
-
-ZIP_DATE = (1980, 1, 1, 0, 0, 0)
-ZIP_LEVEL = 1  # an eighth larger than at level 6, in a fifth of the time: what is pushed goes at the disk's pace
+from labcal.store.zip_writing import deflaters, zip_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,16 +154,19 @@ def _limited(source: IO[bytes], most: int, path: Path) -> bytes:
 
 
 def zipped(bundle: Bundle) -> bytes:
-    """The bundle as a zip: the same bytes whenever it is made by the same zlib."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w") as archive:
-        for name, content in zip(LARGEST, (bundle.run_json, bundle.samples_csv, bundle.chain), strict=True):
-            if not content and name == CHAIN_JSONL:
-                continue
-            member = zipfile.ZipInfo(name, ZIP_DATE)
-            member.create_system, member.external_attr = 3, (stat.S_IFREG | 0o644) << 16
-            archive.writestr(member, content, zipfile.ZIP_DEFLATED, ZIP_LEVEL)
-    return buffer.getvalue()
+    """The bundle as a zip: the same bytes whenever it is made by the same deflate (see `zip_writing`)."""
+    return zip_of(_members_of(bundle))
+
+
+def zipped_as(bundle: Bundle, digest: str) -> bytes | None:
+    """The bundle as the zip of this SHA-256, whichever deflate made it; None where none that is here does."""
+    made = (zip_of(_members_of(bundle), deflater) for deflater in deflaters())
+    return next((content for content in made if sha256(content).hexdigest() == digest), None)
+
+
+def _members_of(bundle: Bundle) -> list[tuple[str, bytes]]:
+    found = zip(LARGEST, (bundle.run_json, bundle.samples_csv, bundle.chain), strict=True)
+    return [(name, content) for name, content in found if content or name != CHAIN_JSONL]
 
 
 def _from_zip(path: Path) -> Bundle:

@@ -213,6 +213,14 @@ class Store:
             for row in self._connection.execute(query, (number, but, skip)):
                 yield from_row(ItemRow(*row))
 
+    def stored_bytes(self, run_id: str) -> int:
+        """About how much the store keeps of a run: stamps, samples and raw frames, or the files that came in."""
+        number, parts = self._number(run_id), ("stamps", "samples", "raw")
+        lengths = " + ".join(f"coalesce(sum(length({part})), 0)" for part in parts)
+        [(recorded,)] = self._all(f"SELECT {lengths} FROM item WHERE run = ?", number)
+        came = self._all("SELECT length(samples_csv) FROM bundle WHERE run = ?", number)
+        return int(recorded + sum(size for (size,) in came))
+
     def end_s(self, run_id: str) -> float:
         """The last stamp of a recorded run: where the clock of one that is resumed must go on, not begin again."""
         rows = self._all("SELECT t_s, substr(stamps, -8) FROM item WHERE run = ?", self._number(run_id))

@@ -6,22 +6,16 @@ A worker that is killed is replaced and its job done again; a job at hand when t
 from __future__ import annotations
 
 import multiprocessing
-import os
-import signal
-import threading
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
-from multiprocessing.connection import wait as wait_for
 
 from labcal.errors import InputError
-from labcal.files.home import SECRETS
 from labcal.study.job import Job, Row
 from labcal.study.work import work
+from labcal.system.workers import end_with_parent, environment_of_workers
 
-THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 DEATHS = 3  # of workers at one job
 AHEAD = 2  # jobs a worker that wait for it
 Done = Iterator[tuple[Job, Row]]
@@ -69,31 +63,3 @@ def _refuse_deadly(left: dict[str, Job], deaths: Counter[str]) -> None:
         names = "; ".join(job.name for job in deadly)
         text = f"{DEATHS} workers ended while these jobs were at hand (too little memory?): {names}"
         raise InputError(f"{text}; what was done is kept, the same command goes on with it")
-
-
-@contextmanager
-def environment_of_workers() -> Iterator[None]:
-    """Processes that begin inside have one thread of linear algebra, whatever was said of it before, and no secret."""
-    before = dict(os.environ)
-    os.environ.update(dict.fromkeys(THREADS, "1"))
-    for name in before.keys() & SECRETS:
-        del os.environ[name]
-    try:
-        yield
-    finally:
-        for name in {*THREADS} - before.keys():
-            del os.environ[name]
-        os.environ.update({name: before[name] for name in before.keys() & {*THREADS, *SECRETS}})
-
-
-def end_with_parent() -> None:
-    """A worker ends at Ctrl-C without a word, and at once when the process that it works for is gone."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-    parent = multiprocessing.parent_process()
-    assert parent is not None
-    threading.Thread(target=_end_after, args=(parent.sentinel,), daemon=True).start()
-
-
-def _end_after(sentinel: int) -> None:
-    wait_for([sentinel])
-    os._exit(1)

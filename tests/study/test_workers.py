@@ -13,8 +13,8 @@ from dask_cluster import WITHIN_S, cluster_of
 
 from labcal.files.home import SECRETS
 from labcal.study.cluster import on_worker
-from labcal.study.engine import environment_of_workers
 from labcal.study.job import Cell, Job
+from labcal.system.workers import environment_of_workers
 
 CANARY = "c4nary"
 
