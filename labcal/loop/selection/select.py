@@ -30,6 +30,7 @@ from labcal.loop.selection.equivalents import (
 from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
+from labcal.loop.selection.time_or_channel import done_by_readings
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
@@ -210,7 +211,8 @@ def prefer_computable(
     """Of equivalent causes, on held-out data too, the one that can be computed from readings alone.
 
     A channel without a physical mechanism goes last; what extends a cause goes after it. Equivalent is as well what is
-    the same here: a few rows between the levels of a load do not make it the load's square.
+    the same here: a few rows between the levels of a load do not make it the load's square; nor do rounded readings of a
+    channel make a drift of what follows it.
     """
     for place, one in enumerate(accepted):
         if not (any(_preference(one)) or one.family.extends):
@@ -218,6 +220,7 @@ def prefer_computable(
         others = [c for c in accepted if c is not one]
         equals = [w.candidate for w in equally_likely(pool, accepted, one)]
         equals += [c for c in best_relatives(pool, others, one) if is_the_same_here(pool, others, one, c)]
+        equals += done_by_readings(pool, others, one)
         before = (c for c in equals if c.cause not in refused and _goes_before(c, one))
         for other in sorted(before, key=_preference):
             swapped = [*accepted[:place], refined(pool, other, others), *accepted[place + 1 :]]

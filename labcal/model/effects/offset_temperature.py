@@ -16,6 +16,8 @@ from labcal.model.effects.following import (
     BEHIND,
     LATE,
     OFF,
+    WITHIN,
+    begun_anew,
     begun_elsewhere,
     delayed_terms,
     first_order,
@@ -113,7 +115,8 @@ def candidates(run: Run) -> list[Term]:
         straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
         found += [straight[0], first_order(c, kernel, either), *multi_tau(c, kernel, run, SEVERAL_S)]
         found += map(_curved, straight)
-        found += [begun_elsewhere(straight[1], c), *_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
+        found += [begun_elsewhere(straight[1], c), *begun_anew(straight[1], c, run)]
+        found += [*_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
     return found
 
 
@@ -143,7 +146,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BEHIND, LATE, TURNS, OFF),
+    shapes=(BEHIND, LATE, TURNS, OFF, WITHIN),
     adds_up=True,
     time_constants=time_constants,
     experiment="hold the attitude and warm the sensor, then let it cool",
