@@ -56,21 +56,21 @@ def _first_of_its_cause(accepted: Sequence[Candidate], place: int) -> int:
     return next(i for i in range(place, -1, -1) if i == 0 or accepted[i - 1].cause != accepted[place].cause)
 
 
-def first_doubtful(
+def is_sure_first(
     pool: CandidateSet,
     blocks: BlockFolds,
     accepted: Sequence[Candidate],
     steps: Sequence[HeldOutErrors],
     level: NoiseFloor,
-) -> int | None:
-    """The place of the first cause where its lead over another family is smaller than what its own form misses.
+) -> bool:
+    """Whether the first cause leads every other family by more than what its own form misses; true where none is.
 
     Where no form reaches the noise, the nearest one may be so by coincidence; not where it leads beside a discrepancy.
-    What later causes leave is the first one's misfit as well: who leads them by less is their rival.
+    What later causes leave is the first one's misfit as well: who is led by less than that is their rival.
     """
     if not steps or not alternatives_within_misfit(pool, blocks, accepted, accepted[0], steps[-1].after, level):
-        return None
-    return None if stands_beside_discrepancy(pool, accepted, accepted[0]) else 0
+        return True
+    return stands_beside_discrepancy(pool, accepted, accepted[0])
 
 
 def alternatives_within_misfit(

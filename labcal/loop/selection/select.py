@@ -27,14 +27,14 @@ from labcal.loop.selection.equivalents import (
     leads_over_relatives,
     not_worse,
 )
-from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
+from labcal.loop.selection.heldout_rules import first_unsupported, improves, is_sure_first
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
 from labcal.loop.selection.time_or_channel import done_by_readings
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
-RoundOutcome = Literal["supported", "displaced", "broken", "unsupported", "one too many"]  # of one round
+RoundOutcome = Literal["supported", "displaced", "broken", "not first", "unsupported", "one too many"]  # of one round
 SelectionEnding = Literal["supported", "rounds exhausted"]
 
 
@@ -78,8 +78,8 @@ def select(
 
     Each round has an outcome: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
     the next round; of a cause that is there already `one too many` is cut off; a set that came first and is `broken` by
-    held-out blocks may come again, but beside another cause. When the rounds are exhausted, what the last one left
-    stands.
+    held-out blocks may come again, but beside another cause; so may a first cause that another could take the place of,
+    `not first`: beside that one it may have another form. When the rounds are exhausted, what the last one left stands.
     """
     refused, unsupported, later = set(barred), dict[Cause, HeldOutErrors](), set[Cause]()
     ending: SelectionEnding = "rounds exhausted"
@@ -96,6 +96,8 @@ def select(
             most = place
         elif outcome == "broken":
             later |= last.broken
+        elif outcome == "not first":
+            later.add(last.accepted[0].cause)
         else:
             refused.add(last.accepted[place].cause)
             unsupported[last.accepted[place].cause] = last.contributions[place]
@@ -135,8 +137,10 @@ def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor, later: Collectio
     """What a round comes to, and the place of the effect that it fails at."""
     accepted, contributions = last.accepted, last.contributions
     place = first_unsupported(pool, accepted, contributions, level)
-    if place is None:
-        place = first_doubtful(pool, last.blocks, accepted, contributions, level)
+    if place is None and not is_sure_first(pool, last.blocks, accepted, contributions, level):
+        if accepted[0].cause not in later:
+            return "not first", 0
+        place = 0
     if last.broken.difference(later) and not place:
         return "broken", 0
     if place is None:
