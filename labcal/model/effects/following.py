@@ -65,15 +65,20 @@ def begun_anew(response: Term, channel: Channel, run: Run) -> list[Term]:
     return [replace(response, parameters=parameters, shape=shape, of_beginnings=len(begun))]
 
 
-def _beginnings(term: Term, scene: Scene) -> list[Array]:
-    """What is left of each segment's beginning (n, 3, 3), as far off as the channel's half range."""
+def carried_off(term: Term) -> float:
+    """How far off a state may be that is carried over a gap, as a standard deviation in units of the drive."""
+    return next((shape.value for shape in term.shape if shape.name == WITHIN.name), 0.0)
+
+
+def beginnings(term: Term, scene: Scene) -> list[Array]:
+    """What is left of each segment's beginning (n,), as far off as the channel's half range; zero in other segments."""
     if not term.of_beginnings:
         return []
     left, within = np.zeros(len(scene)), term.at(WITHIN.name)
     for rows in stretches(scene.segment):
         left[rows] = within * np.exp(-(scene.t_s[rows] - scene.t_s[rows][0]) / time_constants(term)[0])
     numbers = (int(name.removeprefix("b").partition("_")[0]) for name, _ in term.parameters[term.lasting :: len(AXES)])
-    return [on_each_axis(left * (scene.of_the_fit & (scene.segment == number))) for number in numbers]
+    return [left * (scene.of_the_fit & (scene.segment == number)) for number in numbers]
 
 
 def begins_off(term: Term, scene: Scene) -> float | None:
@@ -124,8 +129,9 @@ def responses(term: Term, scene: Scene) -> Array:
     if (late := term.of(DELAY)) is not None:
         return on_each_axis(delayed(scene.t_s, scene.segment, drive, late.value))
     ends, off = term.ends_of_drive(scene), begins_off(term, scene)
-    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends, off) for tau in time_constants(term)]
-    return np.concatenate([*(on_each_axis(one) for one in behind), *_beginnings(term, scene)], axis=2)
+    unsure, taus = carried_off(term), time_constants(term)
+    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends, off, unsure) for tau in taus]
+    return np.concatenate([on_each_axis(one) for one in (*behind, *beginnings(term, scene))], axis=2)
 
 
 def time_constants(term: Term) -> list[float]:
