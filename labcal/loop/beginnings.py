@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit
-from labcal.model.effects import BEGINNING, BEGINNING_ON, Term
-from labcal.model.effects.following import WITHIN
+from labcal.model.effects import BEGINNING, BEGINNING_ON, CARRIED_OFF, Term
 from labcal.model.effects.past import Past
 from labcal.model.effects.regressors import stretches
 
@@ -27,7 +26,7 @@ ANYWHERE_TOO = 0.5  # the chance, before the run is seen, that segments begin an
 
 
 def with_beginnings(found: JointFit) -> JointFit:
-    """The same, each loop with where the run's segments began on the whole, and how far from there; so slow responses."""
+    """The same, each loop and slow response with where the segments of the run began, and how far from there."""
     for place in range(len(found.terms)):
         found = _carried(_spread(_on_the_whole(found, place), place), place)
     return found
@@ -36,8 +35,7 @@ def with_beginnings(found: JointFit) -> JointFit:
 def _carried(found: JointFit, place: int) -> JointFit:
     """How far a slow response was off where a segment began: the root of the mean square, along its own direction."""
     term, beta = found.terms[place], found.beta[place]
-    within = next((shape for shape in term.shape if shape.name == WITHIN.name), None)
-    if within is None or not term.of_beginnings:
+    if (within := term.of(CARRIED_OFF)) is None or not term.of_beginnings:
         return found
     own, begun = beta[: term.lasting], beta[term.lasting :].reshape(-1, term.lasting)
     part = float(np.sqrt(np.mean((begun @ own) ** 2))) / max(float(own @ own), 1e-300)

@@ -86,7 +86,8 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     apart = [
         w
         for w in near[1:]
-        if not merely_contains(pool, others, chosen, w.candidate) or gives_another_map(pool, others, chosen, w.candidate)
+        if not merely_contains(pool, others, chosen, w.candidate)
+        or gives_another_map(pool, others, chosen, w.candidate)
     ]
     earning = [w for w in apart if earns_its_extension(pool, others, w)]
     known = {w.candidate.cause for w in earning}

@@ -89,9 +89,7 @@ def alternatives_within_misfit(
         return []
     near, missed = list[Equivalent](), after_nT**2 - level.nT**2
     for other in _other_explanations(pool, accepted, chosen):
-        swapped = [
-            other.candidate if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause
-        ]
+        swapped = [other.candidate if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause]
         left_nT = cross_validate(pool, blocks, fixed_choice(swapped)).after
         if left_nT**2 - after_nT**2 < missed:
             near.append(Equivalent(other, left_nT))

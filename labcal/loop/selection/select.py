@@ -215,8 +215,8 @@ def prefer_computable(
     """Of equivalent causes, on held-out data too, the one that can be computed from readings alone.
 
     A channel without a physical mechanism goes last; what extends a cause goes after it. Equivalent is as well what is
-    the same here: a few rows between the levels of a load do not make it the load's square; nor do rounded readings of a
-    channel make a drift of what follows it.
+    the same here: a few rows between the levels of a load do not make it the load's square, nor do rounded readings of
+    a channel make a drift of what follows it.
     """
     for place, one in enumerate(accepted):
         if not (any(_preference(one)) or one.family.extends):

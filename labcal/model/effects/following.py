@@ -11,7 +11,7 @@ import numpy as np
 from labcal.model.effects import memory
 from labcal.model.effects.regressors import AXES, delayed, low_passed, middle, on_each_axis, per_axis, stretches
 from labcal.model.effects.scene import Array, Scene
-from labcal.model.effects.shape import DELAY, GIVEN, LEVEL, TIME_CONSTANT, Shape
+from labcal.model.effects.shape import CARRIED_OFF, DELAY, LEVEL, TIME_CONSTANT, Shape
 from labcal.model.effects.term import Kernel, Term
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
@@ -22,7 +22,7 @@ POINTS = 20  # of the grid on either side
 BEHIND = Shape("tau_s", 100.0, "s", kind=TIME_CONSTANT)
 LATE = Shape("delay_s", 0.0, "s", kind=DELAY)
 OFF = Shape("begins_off", 0.0, "1", kind=LEVEL)  # in units of the drive
-WITHIN = Shape("begins_within", 0.0, "1", kind=GIVEN)  # in units of the drive: half of what the channel was seen to do
+WITHIN = Shape("begins_within", 0.0, "1", kind=CARRIED_OFF)  # in units of the drive; half its range, until it is fitted
 MOST_BEGINNINGS = 12  # segments: how more began is not fitted
 OF_THE_RANGE = (-0.5, -0.25, 0.0, 0.25, 0.5)  # of what the channel was seen to do: how far off a response may begin
 
@@ -67,7 +67,8 @@ def begun_anew(response: Term, channel: Channel, run: Run) -> list[Term]:
 
 def carried_off(term: Term) -> float:
     """How far off a state may be that is carried over a gap, as a standard deviation in units of the drive."""
-    return next((shape.value for shape in term.shape if shape.name == WITHIN.name), 0.0)
+    within = term.of(CARRIED_OFF)
+    return 0.0 if within is None else within.value
 
 
 def beginnings(term: Term, scene: Scene) -> list[Array]:

@@ -108,7 +108,10 @@ def in_c(term: Term) -> CForm:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each temperature that moves: prompt, behind, begun anew, with several time constants, curved, branched, delayed."""
+    """Each temperature that moves: prompt, behind, with several time constants, curved, branched, delayed.
+
+    What is behind may have begun anywhere in each segment.
+    """
     tau, either = replace(BEHIND, grid=TAU_S), replace(BEHIND, grid=(*LEADS_S, *TAU_S))
     found = []
     for c in moving(run, ("temperature",)):
