@@ -13,22 +13,34 @@ from numpy.typing import NDArray
 
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit
-from labcal.model.effects import BEGINNING, BEGINNING_ON, Term
+from labcal.model.effects import BEGINNING, BEGINNING_ON, CARRIED_OFF, Term
 from labcal.model.effects.past import Past
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 SPREADS = np.linspace(0.0, 1.0, 201)  # in deviations of anywhere
 SEEN = 100.0  # reciprocal variance of a direction, from which on it is looked at
+SMALLEST = 1e-6  # of the channel's half range: a response that began nowhere else
 MOST_SEGMENTS = 40  # that are looked at: they tell enough
 ANYWHERE_TOO = 0.5  # the chance, before the run is seen, that segments begin anywhere; else each spread is as likely
 
 
 def with_beginnings(found: JointFit) -> JointFit:
-    """The same, each loop with where the run's segments began on the whole, and how far from there."""
+    """The same, each loop and slow response with where the segments of the run began, and how far from there."""
     for place in range(len(found.terms)):
-        found = _spread(_on_the_whole(found, place), place)
+        found = _carried(_spread(_on_the_whole(found, place), place), place)
     return found
+
+
+def _carried(found: JointFit, place: int) -> JointFit:
+    """How far a slow response was off where a segment began: the root of the mean square, along its own direction."""
+    term, beta = found.terms[place], found.beta[place]
+    if (within := term.of(CARRIED_OFF)) is None or not term.of_beginnings:
+        return found
+    own, begun = beta[: term.lasting], beta[term.lasting :].reshape(-1, term.lasting)
+    part = float(np.sqrt(np.mean((begun @ own) ** 2))) / max(float(own @ own), 1e-300)
+    moved = np.r_[own, begun.ravel() / max(part, SMALLEST)]
+    return _changed(found, place, term.with_values(**{within.name: within.value * max(part, SMALLEST)}), moved)
 
 
 def _spread(found: JointFit, place: int) -> JointFit:

@@ -95,4 +95,4 @@ def test_the_simplest_form_that_is_no_worse_is_not_far_worse_than_the_next(tmp_p
     for fold in np.unique(blocks.fold[blocks.fold != NEVER]).tolist():
         part = pool.on(blocks.training(problem.scene.t_s, fold))
         (chosen,) = select.select(part, level, blocks.restricted_to(part.rows), most=1).accepted
-        assert [shape.name for shape in chosen.term.shape] == ["tau_s"], fold
+        assert "tau_s" in [shape.name for shape in chosen.term.shape], fold

@@ -11,8 +11,11 @@ import pytest
 
 from labcal import session
 from labcal.loop import close_loop
-from labcal.model.effects import offset_current
+from labcal.model.effects import Scene, gain_temperature, offset_current, offset_temperature
+from labcal.model.effects.past import Past
 from labcal.model.effects.regressors import low_passed
+from labcal.model.effects.term import Term
+from labcal.record import Run
 
 TAU_S, OFF_C = 18.0, 4.0
 DIRECTIONS = np.array([60.0, -40.0, 30.0])  # nT/degC
@@ -60,6 +63,48 @@ def test_a_course_that_goes_on_as_a_line_is_followed_as_a_line() -> None:
     t = np.arange(0.0, 20 * TAU_S, 0.5)
     begun = low_passed(t, np.zeros(len(t), dtype=np.intp), 0.3 * t, TAU_S)[0]
     assert begun == pytest.approx(-0.3 * TAU_S)
+
+
+def begun_anew(run: Run, family: ModuleType) -> Term:
+    """Its form that may begin anywhere in each segment."""
+    found: list[Term] = family.candidates(run)
+    return next(term for term in found if term.of_beginnings)
+
+
+@pytest.mark.parametrize("family", [offset_temperature, gain_temperature])
+def test_what_was_left_of_a_beginning_fades_and_is_the_fits_own(
+    family: ModuleType, making: ModuleType, tmp_path: Path
+) -> None:
+    rows, segments = making.recorded()
+    rows["temp"] = 20 + np.sin(rows["t_s"] / 30.0)
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    term = begun_anew(run, family)
+    field = np.full((len(run), 3), 2e4)
+    fit, other = (
+        term.columns(
+            Scene(run.t_s, run.segment_index, field, {"temp": rows["temp"]}, run.mode, np.eye(3), None, of_the_fit=own)
+        )
+        for own in (True, False)
+    )
+    assert fit[:, :, : term.lasting] == pytest.approx(other[:, :, : term.lasting])
+    assert not other[:, :, term.lasting :].any()
+    second = run.segment_index == 1
+    begun = fit[:, :, term.lasting + 3]
+    assert not begun[~second].any()
+    fades = np.exp(-(run.t_s[second] - run.t_s[second][0]) / term.at("tau_s"))
+    assert begun[second, 0] == pytest.approx(begun[second, 0][0] * fades)
+
+
+def test_a_state_that_is_carried_over_a_gap_may_be_off_by_as_much_as_the_runs_own_were() -> None:
+    t = np.r_[np.arange(0.0, 60.0), np.arange(70.0, 130.0)]
+    segment, drive = np.repeat([0, 1], 60), np.sin(t / 20.0)
+    rest, astray = (
+        low_passed(t, segment, drive, TAU_S, Past(len(t), astray=off), (-1.0, 1.0), None, 0.4) for off in (0.0, 1.0)
+    )
+    first = astray[60] - rest[60]
+    kept = np.exp(-(t[60] - t[59]) / TAU_S) * (astray[59] - rest[59])
+    assert first - kept == pytest.approx(0.4)
+    assert (astray - rest)[60:] == pytest.approx(first * np.exp(-(t[60:] - t[60]) / TAU_S))
 
 
 def test_no_sum_of_responses_holds_one_that_is_slower_than_the_run_is_long(making: ModuleType, tmp_path: Path) -> None:

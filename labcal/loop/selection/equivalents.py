@@ -83,7 +83,12 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, inseparable)
     if pool.problem.whole is not None and len(near) > 1:
         near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, inseparable)
-    apart = [w for w in near[1:] if not merely_contains(pool, others, chosen, w.candidate)]
+    apart = [
+        w
+        for w in near[1:]
+        if not merely_contains(pool, others, chosen, w.candidate)
+        or gives_another_map(pool, others, chosen, w.candidate)
+    ]
     earning = [w for w in apart if earns_its_extension(pool, others, w)]
     known = {w.candidate.cause for w in earning}
     extensions = [w for w in plausible_extensions(pool, accepted, chosen) if w.candidate.cause not in known]
@@ -131,6 +136,18 @@ def merely_contains(pool: CandidateSet, others: Sequence[Candidate], chosen: Can
         return False
     more = pool.score(larger, pool.null_model([*others, chosen]))
     return more.rank > 0 and more.evidence < policy.POLICY.min_evidence
+
+
+def gives_another_map(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, other: Candidate) -> bool:
+    """Whether the sensor's map beside `other` is off from that beside `chosen` by what no longer counts as noise.
+
+    Then it matters which of the two it is, however little a run tells them apart.
+    """
+    of_the_map = pool.problem.T[:, :, : pool.problem.T.shape[2] - len(pool.problem.phase_groups)]
+    either = (pool.coefficients([*others, c])[: of_the_map.shape[2]] for c in (chosen, other))
+    one, two = (of_the_map[pool.rows] @ x for x in either)
+    left = pool.residual([*others, chosen])[pool.rows]
+    return bool(np.mean((one - two) ** 2) > (policy.POLICY.floor_ratio**2 - 1) * np.mean(left**2))
 
 
 def plausible_extensions(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:

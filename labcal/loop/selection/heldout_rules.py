@@ -10,7 +10,7 @@ import numpy as np
 from labcal.loop import policy
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.selection.crossval import (
     BlockFolds,
@@ -56,31 +56,47 @@ def _first_of_its_cause(accepted: Sequence[Candidate], place: int) -> int:
     return next(i for i in range(place, -1, -1) if i == 0 or accepted[i - 1].cause != accepted[place].cause)
 
 
-def first_doubtful(
+def is_sure_first(
     pool: CandidateSet,
     blocks: BlockFolds,
     accepted: Sequence[Candidate],
     steps: Sequence[HeldOutErrors],
     level: NoiseFloor,
-) -> int | None:
-    """The first accepted effect whose lead over other families is smaller than what its own form misses; else None.
+) -> bool:
+    """Whether the first cause leads every other family by more than what its own form misses; true where none is.
 
     Where no form reaches the noise, the nearest one may be so by coincidence; not where it leads beside a discrepancy.
+    What later causes leave is the first one's misfit as well: who is led by less than that is their rival.
     """
-    missed = steps[-1].after ** 2 - level.nT**2 if steps else 0.0
-    if not steps or level.source == "differences" or steps[-1].after <= policy.POLICY.floor_ratio * level.nT:
-        return None
-    for i, chosen in enumerate(accepted):
-        for other in _other_explanations(pool, accepted, chosen) if _first_of_its_cause(accepted, i) == i else ():
-            swapped = [other if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause]
-            if cross_validate(pool, blocks, fixed_choice(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
-                if not stands_beside_discrepancy(pool, accepted, chosen):
-                    return i
-                break
-    return None
+    if not steps or not alternatives_within_misfit(pool, blocks, accepted, accepted[0], steps[-1].after, level):
+        return True
+    return stands_beside_discrepancy(pool, accepted, accepted[0])
 
 
-def _other_explanations(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+def alternatives_within_misfit(
+    pool: CandidateSet,
+    blocks: BlockFolds,
+    accepted: Sequence[Candidate],
+    chosen: Candidate,
+    after_nT: float,
+    level: NoiseFloor,
+) -> list[Equivalent]:
+    """Causes of other families that in the place of `chosen` leave little more of held-out rows.
+
+    By less than what all leave above the noise; none where they reach it.
+    """
+    if level.source == "differences" or after_nT <= policy.POLICY.floor_ratio * level.nT:
+        return []
+    near, missed = list[Equivalent](), after_nT**2 - level.nT**2
+    for other in _other_explanations(pool, accepted, chosen):
+        swapped = [other.candidate if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause]
+        left_nT = cross_validate(pool, blocks, fixed_choice(swapped)).after
+        if left_nT**2 - after_nT**2 < missed:
+            near.append(Equivalent(other, left_nT))
+    return near
+
+
+def _other_explanations(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:
     """The causes of other families that would take most off the residual in the place of `chosen`.
 
     Its equivalents are not among them: they are named beside it; nor a larger form that contains it and needs no more.
@@ -93,8 +109,9 @@ def _other_explanations(pool: CandidateSet, accepted: Sequence[Candidate], chose
         for c in all_candidates(pool, others)
         if c.family.id not in related and chosen.family.id not in c.family.extends and c.cause not in named
     ]
-    nearest = (w.candidate for w in sorted(pool.rank(unrelated, others), key=lambda w: -w.drop))
-    return list(itertools.islice((c for c in nearest if not merely_contains(pool, others, chosen, c)), ALTERNATIVES))
+    nearest = sorted(pool.rank(unrelated, others), key=lambda w: -w.drop)
+    apart = (w for w in nearest if not merely_contains(pool, others, chosen, w.candidate))
+    return list(itertools.islice(apart, ALTERNATIVES))
 
 
 def is_time_bound(pool: CandidateSet, chosen: Candidate) -> bool:

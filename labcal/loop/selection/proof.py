@@ -15,7 +15,7 @@ from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.data.outliers import hampel_outliers, outlier_distance
 from labcal.loop.selection.crossval import NEVER, BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models
-from labcal.loop.selection.heldout_rules import n_reportable
+from labcal.loop.selection.heldout_rules import alternatives_within_misfit, n_reportable
 from labcal.loop.selection.joint_fit import information, joint_fit
 from labcal.loop.selection.select import Selection, SelectionEnding, select, stepwise
 from labcal.loop.selection.stepwise import MAX_EFFECTS
@@ -66,8 +66,10 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
             return _of_the_base_alone(base_set, pool, selection, level)
         pool.tell(pool, accepted, "what does as well")
         every = (equivalent_models(pool, blocks, accepted, one) for one in accepted)
+        beside = _led_by_little(pool, blocks, accepted, level)
         equivalents = tuple(
-            tuple(e for e in some if e.scored.candidate.cause not in selection.barred) for some in every
+            tuple(e for e in _each_once([*some, *more]) if e.scored.candidate.cause not in selection.barred)
+            for some, more in zip(every, beside, strict=True)
         )
         judged = _of_this_choice(pool, blocks, accepted, cv_error, choose)
         reportable = n_reportable(pool, judged, level, accepted, equivalents)
@@ -90,6 +92,24 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         outlier_distance=outlier_distance(pool.residual_everywhere(accepted)[0], pool.valid),
         ending=selection.ending,
     )
+
+
+def _led_by_little(
+    pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], level: NoiseFloor
+) -> list[list[Equivalent]]:
+    """For each effect of a later cause who is led by less than what all of them leave above the noise.
+
+    That may be the misfit of the first cause: it does not refuse a later one, but does not make it sure either.
+    """
+    after_nT = cross_validate(pool, blocks, fixed_choice(accepted)).after
+    return [
+        alternatives_within_misfit(pool, blocks, accepted, one, after_nT, level) if one.cause != first.cause else []
+        for first, one in ((accepted[0], one) for one in accepted)
+    ]
+
+
+def _each_once(models: Sequence[Equivalent]) -> list[Equivalent]:
+    return list({e.scored.candidate.cause: e for e in reversed(models)}.values())[::-1]
 
 
 def _of_the_base_alone(base_set: CandidateSet, pool: CandidateSet, selection: Selection, level: NoiseFloor) -> Evidence:

@@ -58,13 +58,21 @@ def beginnings(pool: CandidateSet, chosen: Candidate) -> list[Span]:
 
 def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:
     """The span of all candidates of these families on the channels of `chosen`; empty where there is none."""
-    related = [c for c in pool.candidates if c.family.id in ids and c.term.channels == chosen.term.channels]
+    related = [
+        c
+        for c in pool.candidates
+        if c.family.id in ids and c.term.channels == chosen.term.channels and _may_be_missed(chosen, c)
+    ]
 
     def made() -> Span:
         distinct = pool.store.memo.get("distinct", related, lambda: _distinct_columns(pool, related))
         return Span(_span(pool, distinct))
 
     return [pool.cached("span", related, made)] if related else []
+
+
+def _may_be_missed(chosen: Candidate, other: Candidate) -> bool:
+    return other.family.id != chosen.family.id or chosen.family.may_be_missed(chosen.term, other.term)
 
 
 def _span(pool: CandidateSet, distinct: Sequence[Distinct]) -> Array:

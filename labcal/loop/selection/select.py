@@ -27,13 +27,14 @@ from labcal.loop.selection.equivalents import (
     leads_over_relatives,
     not_worse,
 )
-from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
+from labcal.loop.selection.heldout_rules import first_unsupported, improves, is_sure_first
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
+from labcal.loop.selection.time_or_channel import done_by_readings
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
-RoundOutcome = Literal["supported", "displaced", "broken", "unsupported", "one too many"]  # of one round
+RoundOutcome = Literal["supported", "displaced", "broken", "not first", "unsupported", "one too many"]  # of one round
 SelectionEnding = Literal["supported", "rounds exhausted"]
 
 
@@ -77,8 +78,8 @@ def select(
 
     Each round has an outcome: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
     the next round; of a cause that is there already `one too many` is cut off; a set that came first and is `broken` by
-    held-out blocks may come again, but beside another cause. When the rounds are exhausted, what the last one left
-    stands.
+    held-out blocks may come again, but beside another cause; so may a first cause that another could take the place of,
+    `not first`: beside that one it may have another form. When the rounds are exhausted, what the last one left stands.
     """
     refused, unsupported, later = set(barred), dict[Cause, HeldOutErrors](), set[Cause]()
     ending: SelectionEnding = "rounds exhausted"
@@ -95,6 +96,8 @@ def select(
             most = place
         elif outcome == "broken":
             later |= last.broken
+        elif outcome == "not first":
+            later.add(last.accepted[0].cause)
         else:
             refused.add(last.accepted[place].cause)
             unsupported[last.accepted[place].cause] = last.contributions[place]
@@ -134,8 +137,10 @@ def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor, later: Collectio
     """What a round comes to, and the place of the effect that it fails at."""
     accepted, contributions = last.accepted, last.contributions
     place = first_unsupported(pool, accepted, contributions, level)
-    if place is None:
-        place = first_doubtful(pool, last.blocks, accepted, contributions, level)
+    if place is None and not is_sure_first(pool, last.blocks, accepted, contributions, level):
+        if accepted[0].cause not in later:
+            return "not first", 0
+        place = 0
     if last.broken.difference(later) and not place:
         return "broken", 0
     if place is None:
@@ -210,7 +215,8 @@ def prefer_computable(
     """Of equivalent causes, on held-out data too, the one that can be computed from readings alone.
 
     A channel without a physical mechanism goes last; what extends a cause goes after it. Equivalent is as well what is
-    the same here: a few rows between the levels of a load do not make it the load's square.
+    the same here: a few rows between the levels of a load do not make it the load's square, nor do rounded readings of
+    a channel make a drift of what follows it.
     """
     for place, one in enumerate(accepted):
         if not (any(_preference(one)) or one.family.extends):
@@ -218,6 +224,7 @@ def prefer_computable(
         others = [c for c in accepted if c is not one]
         equals = [w.candidate for w in equally_likely(pool, accepted, one)]
         equals += [c for c in best_relatives(pool, others, one) if is_the_same_here(pool, others, one, c)]
+        equals += done_by_readings(pool, others, one)
         before = (c for c in equals if c.cause not in refused and _goes_before(c, one))
         for other in sorted(before, key=_preference):
             swapped = [*accepted[:place], refined(pool, other, others), *accepted[place + 1 :]]

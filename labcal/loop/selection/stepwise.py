@@ -38,7 +38,7 @@ def stepwise_forward(
 ) -> tuple[list[Candidate], list[list[Scored]]]:
     """The causes accepted, in order, and the ranking at each step.
 
-    Those `refused` are not taken, and sets `later` not as the first.
+    Those `refused` are not taken, and those `later` not as the first.
     """
     accepted: list[Candidate] = []
     rankings: list[list[Scored]] = []
@@ -51,8 +51,9 @@ def stepwise_forward(
             break
         ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
         rankings.append(ranking)
-        best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play])
-        whole = best_set(pool, accepted, out_of_play if accepted else {*out_of_play, *later})
+        barred = out_of_play if accepted else {*out_of_play, *later}
+        best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in barred])
+        whole = best_set(pool, accepted, barred)
         if whole is not None and whole.evidence > max(best.evidence if best else 0.0, policy.POLICY.min_evidence):
             best, rankings[-1] = whole, [whole, *ranking]
         if best is None:

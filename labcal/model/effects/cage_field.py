@@ -147,6 +147,12 @@ def _from_a_moment(run: Run) -> Term:
     return Term(kernel, _of("step"), shape=(some_moment(run),))
 
 
+def _may_be_missed(chosen: Term, other: Term) -> bool:
+    """Iron that turns with the table does not lack iron that stands beside the cage: those are two causes."""
+    irons = iron.kinds([name for name, _ in chosen.parameters])
+    return not irons or iron.kinds([name for name, _ in other.parameters]) <= irons
+
+
 CAGE_OR_ZERO = Confounded("a constant field of the cage", "a zero error of the reference", "turn the reference by 180°")
 IRON_OR_LEAN = Confounded(
     "iron beside the cage",
@@ -164,4 +170,5 @@ FAMILY = Family(
     sums_to_zero=lambda term: iron.diagonal([name for name, _ in term.parameters]),
     confounded=(CAGE_OR_ZERO, IRON_OR_LEAN),
     drawn_against="angle",
+    may_be_missed=_may_be_missed,
 )

@@ -9,9 +9,9 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects import memory
-from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
+from labcal.model.effects.regressors import AXES, delayed, low_passed, middle, on_each_axis, per_axis, stretches
 from labcal.model.effects.scene import Array, Scene
-from labcal.model.effects.shape import DELAY, LEVEL, TIME_CONSTANT, Shape
+from labcal.model.effects.shape import CARRIED_OFF, DELAY, LEVEL, TIME_CONSTANT, Shape
 from labcal.model.effects.term import Kernel, Term
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
@@ -22,6 +22,8 @@ POINTS = 20  # of the grid on either side
 BEHIND = Shape("tau_s", 100.0, "s", kind=TIME_CONSTANT)
 LATE = Shape("delay_s", 0.0, "s", kind=DELAY)
 OFF = Shape("begins_off", 0.0, "1", kind=LEVEL)  # in units of the drive
+WITHIN = Shape("begins_within", 0.0, "1", kind=CARRIED_OFF)  # in units of the drive; half its range, until it is fitted
+MOST_BEGINNINGS = 12  # segments: how more began is not fitted
 OF_THE_RANGE = (-0.5, -0.25, 0.0, 0.25, 0.5)  # of what the channel was seen to do: how far off a response may begin
 
 
@@ -45,6 +47,39 @@ def begun_elsewhere(response: Term, channel: Channel) -> Term:
     known = channel.values[np.isfinite(channel.values)]
     grid = tuple(part * float(np.ptp(known)) for part in OF_THE_RANGE)
     return replace(response, shape=(*response.shape, replace(OFF, unit=channel.unit, grid=grid)))
+
+
+def begun_anew(response: Term, channel: Channel, run: Run) -> list[Term]:
+    """The same response, begun anywhere in each segment: what the channel did between two of them nobody recorded.
+
+    How far off, on each axis, in deviations of half of what the channel was seen to do; it holds in the run of the fit
+    alone. None for one segment, or very many.
+    """
+    numbers = np.unique(run.segment_index).tolist()
+    if not 1 < len(numbers) <= MOST_BEGINNINGS:
+        return []
+    known = channel.values[np.isfinite(channel.values)]
+    begun = tuple(p for number in numbers for p in per_axis(f"b{number}", response.parameters[0][1]))
+    within = replace(WITHIN, value=float(np.ptp(known)) / 2, unit=channel.unit)
+    shape, parameters = (*response.shape, within), (*response.parameters, *begun)
+    return [replace(response, parameters=parameters, shape=shape, of_beginnings=len(begun))]
+
+
+def carried_off(term: Term) -> float:
+    """How far off a state may be that is carried over a gap, as a standard deviation in units of the drive."""
+    within = term.of(CARRIED_OFF)
+    return 0.0 if within is None else within.value
+
+
+def beginnings(term: Term, scene: Scene) -> list[Array]:
+    """What is left of each segment's beginning (n,), as far off as the channel's half range; zero in other segments."""
+    if not term.of_beginnings:
+        return []
+    left, within = np.zeros(len(scene)), term.at(WITHIN.name)
+    for rows in stretches(scene.segment):
+        left[rows] = within * np.exp(-(scene.t_s[rows] - scene.t_s[rows][0]) / time_constants(term)[0])
+    numbers = (int(name.removeprefix("b").partition("_")[0]) for name, _ in term.parameters[term.lasting :: len(AXES)])
+    return [left * (scene.of_the_fit & (scene.segment == number)) for number in numbers]
 
 
 def begins_off(term: Term, scene: Scene) -> float | None:
@@ -95,8 +130,9 @@ def responses(term: Term, scene: Scene) -> Array:
     if (late := term.of(DELAY)) is not None:
         return on_each_axis(delayed(scene.t_s, scene.segment, drive, late.value))
     ends, off = term.ends_of_drive(scene), begins_off(term, scene)
-    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends, off) for tau in time_constants(term)]
-    return np.concatenate([on_each_axis(one) for one in behind], axis=2)
+    unsure, taus = carried_off(term), time_constants(term)
+    behind = [low_passed(scene.t_s, scene.segment, drive, tau, scene.past, ends, off, unsure) for tau in taus]
+    return np.concatenate([on_each_axis(one) for one in (*behind, *beginnings(term, scene))], axis=2)
 
 
 def time_constants(term: Term) -> list[float]:

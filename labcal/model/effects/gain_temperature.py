@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from labcal.model.effects.c_form import CForm
-from labcal.model.effects.following import BEHIND
+from labcal.model.effects.following import BEHIND, WITHIN, begun_anew
 from labcal.model.effects.gains import followed_by_gains, gains, gains_in_c, whole_matrix
 from labcal.model.effects.offset_temperature import RISES
 from labcal.model.effects.protocol import Array, Family
@@ -31,13 +31,17 @@ def in_c(term: Term) -> CForm:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each temperature that moves: gains alone, at once and behind, straight and curved, and the whole matrix."""
+    """Each temperature that moves: gains alone, at once and behind, straight and curved, and the whole matrix.
+
+    What is behind may have begun anywhere in each segment.
+    """
     return [
         term
         for c in moving(run, ("temperature",))
         for term in (
             gains(c, kernel),
             gains(c, kernel, TAU),
+            *begun_anew(gains(c, kernel, TAU), c, run),
             whole_matrix(c, kernel),
             gains(c, kernel, curved=True),
             gains(c, kernel, TAU, curved=True),
@@ -50,7 +54,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BEHIND,),
+    shapes=(BEHIND, WITHIN),
     of_field=True,
     experiment="warm the sensor in a large field and again in a small one",
     responds={"heat": 1.0},

@@ -6,7 +6,7 @@ import numpy as np
 
 from labcal.model.effects.c_form import CForm
 from labcal.model.effects.c_responses import Driven, filtered
-from labcal.model.effects.following import BEHIND
+from labcal.model.effects.following import BEHIND, beginnings, carried_off
 from labcal.model.effects.protocol import Array
 from labcal.model.effects.regressors import AXES, low_passed, middle, per_axis
 from labcal.model.effects.scene import Scene
@@ -18,14 +18,17 @@ from labcal.record.run import Channel
 def followed_by_gains(term: Term, scene: Scene) -> Array:
     """The columns (n, 3, p) of all forms: q s_i along sensor axis i, with nine parameters along every axis j.
 
-    q is the drive, behind by `tau_s` if at all. A curved form has q² s_i beside it.
+    q is the drive, behind by `tau_s` if at all. A curved form has q² s_i beside it; one that may begin anywhere in each
+    segment what is left of that.
     """
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
-    followed = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past, term.ends_of_drive(scene))
+    drive, ends = term.drive(scene), term.ends_of_drive(scene)
+    followed = low_passed(scene.t_s, scene.segment, drive, tau_s, scene.past, ends, carried_off=carried_off(term))
     s, q = scene.along_axes_nT, followed[:, None]
     if not _is_whole(term):
         powers = (q, q**2) if _is_curved(term) else (q,)
-        return np.concatenate([(power * s)[:, None, :] * scene.axes for power in powers], axis=2)
+        each = (*powers, *(left[:, None] for left in beginnings(term, scene)))
+        return np.concatenate([(one * s)[:, None, :] * scene.axes for one in each], axis=2)
     return np.asarray(np.einsum("ji,nk->njik", scene.axes, q * s).reshape(len(scene), 3, 9))
 
 
@@ -34,7 +37,7 @@ def _is_curved(term: Term) -> bool:
 
 
 def _is_whole(term: Term) -> bool:
-    return len(term.parameters) == 9
+    return term.lasting == 9
 
 
 def gains_in_c(term: Term) -> CForm:

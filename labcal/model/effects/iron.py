@@ -23,6 +23,11 @@ BESIDE: Names = tuple((f"b{driven}_{a}", "1") for driven, a in product(AXES, AXE
 ON_TABLE: Names = (*REMANENT, *((f"t{driven}_{a}", "1") for driven, a in product(TABLE, TABLE)))
 
 
+def kinds(names: Sequence[str]) -> set[str]:
+    """Which iron these parameters tell of: b of what stands beside the cage, t of what turns with the table."""
+    return {name[0] for name in names} & {"b", "t"}
+
+
 def diagonal(names: Sequence[str]) -> tuple[str, ...]:
     """The diagonal of the tensor that these parameters are; none where they are no whole one.
 

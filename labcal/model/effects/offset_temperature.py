@@ -16,6 +16,8 @@ from labcal.model.effects.following import (
     BEHIND,
     LATE,
     OFF,
+    WITHIN,
+    begun_anew,
     begun_elsewhere,
     delayed_terms,
     first_order,
@@ -106,14 +108,18 @@ def in_c(term: Term) -> CForm:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each temperature that moves: prompt, behind, with several time constants, curved, branched, delayed."""
+    """Each temperature that moves: prompt, behind, with several time constants, curved, branched, delayed.
+
+    What is behind may have begun anywhere in each segment.
+    """
     tau, either = replace(BEHIND, grid=TAU_S), replace(BEHIND, grid=(*LEADS_S, *TAU_S))
     found = []
     for c in moving(run, ("temperature",)):
         straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
         found += [straight[0], first_order(c, kernel, either), *multi_tau(c, kernel, run, SEVERAL_S)]
         found += map(_curved, straight)
-        found += [begun_elsewhere(straight[1], c), *_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
+        found += [begun_elsewhere(straight[1], c), *begun_anew(straight[1], c, run)]
+        found += [*_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
     return found
 
 
@@ -143,7 +149,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BEHIND, LATE, TURNS, OFF),
+    shapes=(BEHIND, LATE, TURNS, OFF, WITHIN),
     adds_up=True,
     time_constants=time_constants,
     experiment="hold the attitude and warm the sensor, then let it cool",

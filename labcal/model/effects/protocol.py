@@ -38,6 +38,11 @@ def no_form(term: Term) -> bool:
     return False
 
 
+def of_one_family(chosen: Term, other: Term) -> bool:
+    """Any two forms of a family."""
+    return True
+
+
 def no_parameters(term: Term) -> Sequence[str]:
     """None of a term's parameters."""
     return ()
@@ -82,6 +87,7 @@ class Family:
     second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
     extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
+    may_be_missed: Callable[[Term, Term], bool] = of_one_family  # whether the second is what the first may lack of it
     sums_to_zero: Callable[[Term], Sequence[str]] = no_parameters  # linear parameters whose sum is, where no run tells
     time_constants: Callable[[Term], Sequence[float]] = memory.time_constants  # of its responses [s]: each settles
 

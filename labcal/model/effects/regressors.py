@@ -142,6 +142,7 @@ def low_passed(
     past: Past | None = None,
     ends: Ends | None = None,
     off: float | None = None,
+    carried_off: float = 0.0,
 ) -> Array:
     """First-order response (n,) to `drive` with time constant `tau_s`, exact for a drive that is linear between rows.
 
@@ -152,7 +153,7 @@ def low_passed(
     moved as it does over the next tau_s where that is a line, as far as it does so elsewhere, and to have stood where
     it is not; or the first row begins `off` from its drive. With `past` the first row may go on from one before; where
     none went before, the state begins astray by so many standard deviations as the past says, `ends` being those
-    between which the drive was seen.
+    between which the drive was seen; one that is carried over a gap is as many times `carried_off` astray.
     """
     if tau_s == 0 or len(t_s) == 0:
         return drive
@@ -167,6 +168,8 @@ def low_passed(
     keep = np.exp(-steps)
     ramp = np.where(steps > 0, (1 - keep) / np.where(steps > 0, steps, 1.0), 1.0)
     add = (ramp - keep) * np.concatenate([[driven], drive[:-1]]) + (1 - ramp) * drive
+    over_a_gap = (np.diff(segment, prepend=within) != 0) & ~anew & (steps > 0)
+    add[over_a_gap] += past.astray * carried_off
     for start, stop in pairwise([*np.flatnonzero(anew).tolist(), len(t_s)]):
         rows = slice(start, start + int(np.sum(t_s[start:stop] <= t_s[start] + LEARNED * tau_s)))
         add[start] = _begun(t_s[rows], drive[rows], tau_s, np.zeros(1, dtype=np.intp))[0]

@@ -107,6 +107,7 @@ MOMENT = Kind("moment", _scale, _of_its_value, "changepoints", _between_two_rows
 SECANT = Kind("secant", _scale, _of_its_value, "own secant")  # the interval that a derivative in time is taken over
 BEGINNING = Kind("beginning", _scale, _of_its_value)  # how far off its rest a state begins, in its deviations
 BEGINNING_ON = Kind("beginning on", _scale, _of_its_value)  # where a state begins on the whole, by the run's segments
+CARRIED_OFF = Kind("carried off", _scale, _of_its_value)  # how far off a state may be that is carried over a gap
 LESS_ITSELF = Kind("less itself", _scale, _of_its_value)  # 1: the field without the effect drives it
 GIVEN = Kind("given", _scale, _of_its_value)  # by the run, the device or the author: it has no grid
 
