@@ -59,6 +59,6 @@ def test_a_slow_temperature_that_moved_between_recordings_leaves_room_for_a_seco
 
 @pytest.mark.slow
 def test_who_leads_by_less_than_what_is_missed_states_its_rival(tmp_path: Path) -> None:
-    """A hall's temperature beside a bus whose telemetry is slow: what that misses is more than the lead over a drift."""
+    """A hall's temperature beside a bus whose telemetry is slow: that misses more than the lead over a drift is."""
     closed = answer("spacecraft.py", 103, tmp_path)
     assert named(closed) == [("offset-channel", []), ("reference-temperature", ["reference-drift"])]
