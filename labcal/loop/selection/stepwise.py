@@ -110,9 +110,23 @@ def _material_pair(
 def best_admissible(pool: CandidateSet, accepted: Sequence[Candidate], ranking: list[Scored]) -> Scored | None:
     """The best that is material and earns its place."""
     least = min_material_drop(pool, accepted)
-    fit = [w for w in ranking if w.drop >= least and w.evidence >= policy.POLICY.min_evidence]
-    own = (w for w in fit if earns_its_extension(pool, accepted, w) and is_its_own(pool, accepted, w))
+    fit = (w for w in ranking if w.drop >= least and w.evidence >= policy.POLICY.min_evidence)
+    earning = (w if earns_its_extension(pool, accepted, w) else _begun_where_it_is(pool, accepted, w) for w in fit)
+    own = (w for w in earning if w is not None and w.drop >= least and is_its_own(pool, accepted, w))
     return next((w for w in own if is_of_time(pool, accepted, w.candidate)), None)
+
+
+def _begun_where_it_is(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> Scored | None:
+    """The best form of the same cause that may not begin anywhere in each segment; None where that is no name.
+
+    A cause is not refused because a form of it explains what only differs from segment to segment.
+    """
+    if not found.candidate.term.of_beginnings:
+        return None
+    alike = [c for c in pool.candidates if c.cause == found.candidate.cause and not c.term.of_beginnings]
+    best = pool.rank(alike, accepted, related_columns(pool, accepted))[:1]
+    sure = (w for w in best if w.evidence >= policy.POLICY.min_evidence and earns_its_extension(pool, accepted, w))
+    return next(sure, None)
 
 
 def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:

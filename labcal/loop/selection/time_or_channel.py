@@ -44,7 +44,8 @@ def is_of_time(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candid
 def done_by_readings(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
     """The sensor's causes that follow a channel and take all that one bound to the run's time does, but for a detail.
 
-    A detail is what the noise would not be declared more closely for, and no material share of what is taken.
+    By no more parameters: with enough of them anything does what a step does. A detail is what the noise would not be
+    declared more closely for, and no material share of what is taken.
     """
     if not chosen.family.bound_to_run:
         return []
@@ -56,7 +57,7 @@ def done_by_readings(pool: CandidateSet, others: Sequence[Candidate], chosen: Ca
         found = pool.score(one, null)
         return found.likelihood.rss <= at_most and found.drop >= (1 - law.material_share) * own.drop
 
-    channels = [c for c in all_candidates(pool, others) if _is_of_readings(c)]
+    channels = [c for c in all_candidates(pool, others) if _is_of_readings(c) and c.size <= chosen.size]
     ranked = sorted(pool.rank(channels, others), key=lambda w: -w.drop)[:MAX_TRIED]
     return [c for c in (refined(pool, w.candidate, others) for w in ranked) if does(c)]
 

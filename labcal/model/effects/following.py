@@ -23,6 +23,7 @@ BEHIND = Shape("tau_s", 100.0, "s", kind=TIME_CONSTANT)
 LATE = Shape("delay_s", 0.0, "s", kind=DELAY)
 OFF = Shape("begins_off", 0.0, "1", kind=LEVEL)  # in units of the drive
 WITHIN = Shape("begins_within", 0.0, "1", kind=CARRIED_OFF)  # in units of the drive; half its range, until it is fitted
+MOVES = 0.1  # of its range, within a segment: a channel that moves less there stands still
 MOST_BEGINNINGS = 12  # segments: how more began is not fitted
 OF_THE_RANGE = (-0.5, -0.25, 0.0, 0.25, 0.5)  # of what the channel was seen to do: how far off a response may begin
 
@@ -53,16 +54,26 @@ def begun_anew(response: Term, channel: Channel, run: Run) -> list[Term]:
     """The same response, begun anywhere in each segment: what the channel did between two of them nobody recorded.
 
     How far off, on each axis, in deviations of half of what the channel was seen to do; it holds in the run of the fit
-    alone. None for one segment, or very many.
+    alone. Only in segments in which the channel moves, for where it stands still it had stood; at least two, and not
+    very many. Nor slower than the longest lasts: what fades in none is a constant of its own in each.
     """
-    numbers = np.unique(run.segment_index).tolist()
-    if not 1 < len(numbers) <= MOST_BEGINNINGS:
-        return []
     known = channel.values[np.isfinite(channel.values)]
+    pieces = [(int(run.segment_index[rows.start]), rows) for rows in stretches(run.segment_index)]
+    moved = {number for number, rows in pieces if _range(channel.values[rows]) >= MOVES * np.ptp(known)}
+    longest_s, numbers = max(float(np.ptp(run.t_s[rows])) for _, rows in pieces), sorted(moved)
+    (tau,) = response.shape
+    seen = tuple(tau_s for tau_s in tau.grid if tau_s <= longest_s)
+    if not seen or not 1 < len(numbers) <= MOST_BEGINNINGS:
+        return []
     begun = tuple(p for number in numbers for p in per_axis(f"b{number}", response.parameters[0][1]))
     within = replace(WITHIN, value=float(np.ptp(known)) / 2, unit=channel.unit)
-    shape, parameters = (*response.shape, within), (*response.parameters, *begun)
+    shape, parameters = (replace(tau, grid=seen), within), (*response.parameters, *begun)
     return [replace(response, parameters=parameters, shape=shape, of_beginnings=len(begun))]
+
+
+def _range(values: Array) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.ptp(known)) if len(known) else 0.0
 
 
 def carried_off(term: Term) -> float:
