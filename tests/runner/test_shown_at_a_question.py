@@ -72,8 +72,8 @@ def test_a_field_of_the_ramp_is_not_shown_beside_coils_at_zero(
 
     with closing(open_bench(bench_file(), clock=clock, seed=2)) as lab, Store.open() as store:
         run_procedure(
-            lab, find("preflight"), {"axes": "x,y", "magnitudes_nT": "20000"}, store=store, answer=first_choice, control=control,
-            on_item=pause, show=shown,
+            lab, find("preflight"), {"axes": "x,y", "magnitudes_nT": "20000"}, store=store, answer=first_choice,
+            control=control, on_item=pause, show=shown,
         )  # fmt: skip
         ambient = float(np.linalg.norm(lab.cage.ambient_nT))
     seen = [float(np.linalg.norm(one.field.seen_nT)) for one in paused if one.field.seen_nT is not None]

@@ -31,6 +31,7 @@ from labcal.record.stream import Prompt
 CALLS_EVERY_MS = 20_000  # while nobody answers
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
+STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
     MOUNTING: "Mounted",
@@ -66,8 +67,8 @@ def unbroken(text: str) -> str:
 
 
 def acting(prompt: Prompt, choice: str) -> bool:
-    """Whether this answer mounts, energises, moves or switches something."""
-    return choice != "no" and (prompt.acts or choice == RETRY)
+    """Whether this answer mounts, energises, moves or switches something, or sends somebody to do so."""
+    return prompt.acts or choice == RETRY
 
 
 def moves_by_itself(prompt: Prompt, choice: str) -> bool:
@@ -297,8 +298,16 @@ class PromptCard(Card):
                 "Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell."
             )
             by_key = f"{by_key} {cost}".strip()
+        if prompt.key == STANDS:
+            by_key = f"{self._what_no_means()} {by_key}".strip()
         self.hint.setText(
             self.tr("A scan answers by itself; what is typed is sent by Enter.") if SERIAL in prompt.drawing else by_key
+        )
+
+    def _what_no_means(self) -> str:
+        return self.tr(
+            "Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they "
+            "are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured."
         )
 
     def _make_senders(self, prompt: Prompt) -> None:
