@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 
-from labcal.gui.ipc.messages import RunProcedure
+from labcal.bench.coils.state import LabState, PlatformReading, unread
+from labcal.gui.ipc import bench_commands
+from labcal.gui.ipc.messages import ResumeRun, RunProcedure
+from labcal.gui.ipc.run_began import began_at
 from labcal.gui.widgets.hold_button import HoldButton
 from labcal.record.stream import Prompt
 
@@ -26,3 +31,22 @@ def test_beside_still_mounted_it_is_said_what_no_means_and_each_answer_has_a_key
     assert "turns that were finished stay" in card.hint.text()
     assert [made.text() for made in card.choices.values()] == ["Yes   F8", "No   F7"]
     assert all(isinstance(made, HoldButton) for made in card.choices.values())
+
+
+def test_a_simulated_bench_that_begins_anew_says_so_beside_the_first_question_alone(still):
+    still.app_state.run.virtual_time = True
+    still.open_page("Run")
+    still.app_state.run.resume("r1", RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    worker, card = still.app_state.bench_worker, still.page("Run").live.prompt
+    worker.items.emit((STANDS,))
+    worker.states.emit(LabState(unread(), platform=PlatformReading(0.0, False, time.monotonic())))
+    assert card.anew.isVisible()
+    still.app_state.run.answer("yes")
+    worker.items.emit((Prompt(2.0, "ready", "Hands off?", acts=True),))
+    assert not card.anew.isVisible()
+
+
+def test_a_window_that_comes_back_to_a_run_that_was_gone_on_with_says_when_the_run_began(monkeypatch):
+    monkeypatch.setattr(bench_commands, "read_bench", lambda channel, asked: None)
+    order = ResumeRun("20261128T060000-3f9c", "bench.toml", "EM-07", "20 times", None, "preflight", "J. Doe")
+    assert bench_commands._going(None, order).began == began_at(order.run) != ""

@@ -95,6 +95,7 @@ class RunViewModel(QObject):
         self._goes_on = self._begins = self._by_off = (
             False  # a run that was interrupted; a new one, of which nothing has come yet
         )
+        self.anew = False  # a simulated bench began anew, and nothing was answered since
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -129,7 +130,7 @@ class RunViewModel(QObject):
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
         self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words), run_id)
-        self._goes_on = True
+        self._goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -155,7 +156,8 @@ class RunViewModel(QObject):
         self._worker.send(Answer(self.prompt.key, text))
         self.hands_off = says_hands_off(self.prompt.key, text)
         goes_on = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
-        self.prompt, self.message = None, self.tr("Stopping …") if text == STOP else goes_on
+        self.anew, self.prompt = False, None
+        self.message = self.tr("Stopping …") if text == STOP else goes_on
         self._be("running")  # whatever was answered: it may ask something else on its way out
 
     def pause(self) -> None:

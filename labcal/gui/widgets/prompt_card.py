@@ -120,7 +120,10 @@ class PromptCard(Card):
         self.serials = label("", wrap=True)
         self.serials.setAccessibleName(self.tr("Who names another serial"))
         set_state(self.serials, "warning")
-        for said in (self.serials, self.hands, self.lab, self.stands):
+        self.anew = label(
+            self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
+        )
+        for said in (self.serials, self.hands, self.lab, self.stands, self.anew):
             words.addWidget(said)
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
@@ -234,6 +237,10 @@ class PromptCard(Card):
         self.hands.setText(words)
         self.hands.setVisible(bool(coil_words) and self._reached_into)
         set_state(self.hands, mark)
+
+    def say_anew(self, *, anew: bool) -> None:
+        """That where the platform stood before an interruption is forgotten: beside the first question after it."""
+        self.anew.setVisible(anew and bool(self.stands.text()))
 
     def say_serials(self, others: Sequence[tuple[str, str]]) -> None:
         """Who names another serial than is stated, where something is mounted or a serial is asked for."""
