@@ -6,7 +6,7 @@ import time
 
 import numpy as np
 
-from labcal.bench.coils.state import LabState, PlatformReading, unread
+from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, unread
 from labcal.gui.ipc import bench_commands
 from labcal.gui.ipc.messages import ResumeRun, RunProcedure
 from labcal.gui.ipc.run_began import began_at
@@ -50,3 +50,23 @@ def test_a_window_that_comes_back_to_a_run_that_was_gone_on_with_says_when_the_r
     monkeypatch.setattr(bench_commands, "read_bench", lambda channel, asked: None)
     order = ResumeRun("20261128T060000-3f9c", "bench.toml", "EM-07", "20 times", None, "preflight", "J. Doe")
     assert bench_commands._going(None, order).began == began_at(order.run) != ""
+
+
+def lab_with(current_A, angle_deg):
+    """A state read just now, with this current in each coil."""
+    now = time.monotonic()
+    zero = abs(current_A) < 0.001
+    coils = tuple(CoilReading(axis, None, current_A, zero, None, now) for axis in "xyz")
+    return LabState(coils, platform=PlatformReading(angle_deg, not zero, now))
+
+
+def test_the_table_of_bench_is_never_of_another_moment_than_the_panel(still):
+    still.open_page("Bench")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    page, worker = still.page("Bench"), still.app_state.bench_worker
+    for current_A, angle_deg, words in ((0.161, 15.0, "+0.161 A"), (0.0, 0.0, "+0.000 A")):
+        worker.states.emit(lab_with(current_A, angle_deg))
+        table = {page.table.text(row, 0): page.table.text(row, 4) for row in range(page.table.rowCount())}
+        assert table["coil-x"] == words
+        assert table["platform"].startswith(f"+{angle_deg:.1f}°")
+        assert f"{angle_deg:.0f}°" in still.side.platform.text()
