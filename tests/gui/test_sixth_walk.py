@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 
 import numpy as np
 
-from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, unread
+from labcal.bench.coils.agreement import NO_AMBIENT
+from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, Witness, unread
 from labcal.gui.ipc import bench_commands
 from labcal.gui.ipc.messages import ResumeRun, RunProcedure
 from labcal.gui.ipc.run_began import began_at
@@ -70,3 +72,17 @@ def test_the_table_of_bench_is_never_of_another_moment_than_the_panel(still):
         assert table["coil-x"] == words
         assert table["platform"].startswith(f"+{angle_deg:.1f}°")
         assert f"{angle_deg:.0f}°" in still.side.platform.text()
+
+
+def test_that_hands_may_go_in_is_one_sentence_with_its_reason_and_nothing_is_amber_beside_it(still):
+    card = asked(still, Prompt(1.0, "mount-x", "Mount it.", ("done",), True, UP))
+    lab = lab_with(0.0, 0.0)
+    still.app_state.bench_worker.states.emit(replace(lab, reference=Witness(why=NO_AMBIENT)))
+    said = "✓ Hands may go in: coils read back at zero by their supplies; "
+    assert card.hands.text() == f"{said}the reference has no ambient field to compare with yet"
+    assert not card.lab.isVisible()
+    assert still.side.zero_words.text().startswith("■ zero by the supply's word only")
+    assert still.side.zero_words.property("state") == ""
+    asked_again = Prompt(2.0, "ready", "Hands off?", acts=True)
+    still.app_state.bench_worker.items.emit((asked_again,))
+    assert card.lab.isVisible(), "who stands back is told the whole of it"

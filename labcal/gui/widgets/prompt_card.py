@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from labcal.bench.coils import state
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -102,6 +103,7 @@ class PromptCard(Card):
         self._prompt: Prompt | None = None
         self._reached_into = False  # what is asked brings hands to the lab
         self._lost = False  # somebody, since it was asked
+        self._said_once = False  # how the coils are is said whole where hands are told that they may go in
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -166,7 +168,7 @@ class PromptCard(Card):
         self._call()
         self.call.start()
         self._reached_into = prompt.acts and prompt.key != "ready"
-        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
+        self._show_hands()
         self.text.set_text(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self.details.setText(below(prompt, translated(WORDS[RETRY])))
@@ -235,8 +237,14 @@ class PromptCard(Card):
             set_state(place, mark)
         words, mark = hands_words(coil_words, platform_words)
         self.hands.setText(words)
-        self.hands.setVisible(bool(coil_words) and self._reached_into)
         set_state(self.hands, mark)
+        self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
+        self._show_hands()
+
+    def _show_hands(self) -> None:
+        known = bool(self.lab.text())
+        self.hands.setVisible(known and self._reached_into)
+        self.lab.setVisible(known and not (self._reached_into and self._said_once))
 
     def say_anew(self, *, anew: bool) -> None:
         """That where the platform stood before an interruption is forgotten: beside the first question after it."""
@@ -264,7 +272,7 @@ class PromptCard(Card):
             self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
         self._lost = bool(lost)
         self._reached_into = reached_into(self._prompt, lost=self._lost)
-        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
+        self._show_hands()
         if self._prompt.key != READY:
             return
         said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
