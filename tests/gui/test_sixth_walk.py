@@ -10,8 +10,11 @@ import numpy as np
 from labcal.bench.coils.agreement import NO_AMBIENT
 from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, Witness, unread
 from labcal.gui.ipc import bench_commands
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.lab_messages import ReadLab
 from labcal.gui.ipc.messages import ResumeRun, RunProcedure
 from labcal.gui.ipc.run_began import began_at
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.widgets.hold_button import HoldButton
 from labcal.record.stream import Prompt
 
@@ -86,3 +89,24 @@ def test_that_hands_may_go_in_is_one_sentence_with_its_reason_and_nothing_is_amb
     asked_again = Prompt(2.0, "ready", "Hands off?", acts=True)
     still.app_state.bench_worker.items.emit((asked_again,))
     assert card.lab.isVisible(), "who stands back is told the whole of it"
+
+
+def test_after_coils_off_what_it_has_reached_is_read_first_and_watched(still):
+    asked(still, Prompt(1.0, "mount-x", "Mount it.", ("done",), True, UP))
+    worker, live, state = still.app_state.bench_worker, still.page("Run").live, still.app_state
+    state.coils_off()
+    at_zero = lab_with(0.0, 258.0)
+    worker.states.emit(replace(at_zero, reference=Witness("agrees", "", read_s=time.monotonic())))
+    fault = Fault("stopped", "aborted by the operator")
+    worker.answer(RunProcedure, Ended("r1", "failed: aborted by the operator", fault))
+    word = live.verdict.word.text().replace("\N{NO-BREAK SPACE}", " ")
+    assert word == "✓ COILS OFF: coils at zero, platform stands"
+    assert not live.verdict.serial.isVisible(), "it stands at the top"
+    assert live.verdict.rule.text().startswith("■ STOPPED.")
+    assert state.lab.state.message == "Run r1: ended by COILS OFF"
+    supplies = {name for name, one in state.facts.instruments.items() if one.role.startswith("coil-")}
+    state.watch.look()
+    (looked,) = state.watch_worker.commands(ReadLab)
+    assert supplies <= set(looked.names)
+    state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert not state._to_be_read(), "the next run has the lab"

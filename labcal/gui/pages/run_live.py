@@ -20,6 +20,7 @@ from labcal.gui.translations.translate import procedure_title
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
+from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.viewmodels.what_happens import what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
@@ -245,13 +246,19 @@ class Live(QWidget):
         self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
         if ended:
-            verdict = run_verdict(run, self._app_state.resumable)
-            self.verdict.show_verdict(run.order.dut if run.order else "", verdict)
+            self._show_verdict()
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
         self._show_fault(run.fault)
         self._ask()
         self.frame_timer.start() if run.alive else self._draw_last()
+
+    def _show_verdict(self) -> None:
+        run = self._run
+        self.verdict.show_verdict(run.order.dut if run.order else "", run_verdict(run, self._app_state.resumable))
+        words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
+        if words:
+            self.verdict.say_off(words, state)
 
     def _show_details(self) -> None:
         self._details = True  # what was measured, in place of the verdict, until the next run
@@ -295,6 +302,8 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         self._say_lab()
+        if self._run.state == "ended" and self._run.by_off:
+            self._show_verdict()
         if self._run.fault is not None:
             self._say_coils_left()
 
