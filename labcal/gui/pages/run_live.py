@@ -245,8 +245,7 @@ class Live(QWidget):
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
-        if ended:
-            self._show_verdict()
+        self._show_verdict()
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
         self._show_fault(run.fault)
@@ -255,10 +254,11 @@ class Live(QWidget):
 
     def _show_verdict(self) -> None:
         run = self._run
+        if run.state != "ended":
+            return self.verdict.word.set_text("")  # of the run before
         self.verdict.show_verdict(run.order.dut if run.order else "", run_verdict(run, self._app_state.resumable))
         words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
-        if words:
-            self.verdict.say_off(words, state)
+        return self.verdict.say_off(words, state) if words else None
 
     def _show_details(self) -> None:
         self._details = True  # what was measured, in place of the verdict, until the next run
@@ -302,8 +302,7 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         self._say_lab()
-        if self._run.state == "ended" and self._run.by_off:
-            self._show_verdict()
+        self._show_verdict()
         if self._run.fault is not None:
             self._say_coils_left()
 
