@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from labcal.bench.coils import state
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark
 
 OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
-ZERO = QT_TRANSLATE_NOOP("Words", "coils at zero")
 STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
 
 
@@ -18,7 +18,7 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     shape, mark = mark_of(now.coil_words)
     if now.coils_at_zero is False or not now.coil_words:
         return "", ""
-    coils = translated(str(ZERO)) if now.coils_at_zero else in_words(now.coil_words.partition(";")[0])
+    coils = in_words(state.AT_ZERO if now.coils_at_zero else now.coil_words.partition(";")[0])
     turns = platform_mark(now.platform_words)[1]
     stands = translated(str(STANDS)) if turns == "good" else in_words(now.platform_words)
     if turns not in ("", "good"):
