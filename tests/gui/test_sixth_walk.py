@@ -54,7 +54,7 @@ def test_a_simulated_bench_that_begins_anew_says_so_beside_the_first_question_al
 def test_a_window_that_comes_back_to_a_run_that_was_gone_on_with_says_when_the_run_began(monkeypatch):
     monkeypatch.setattr(bench_commands, "read_bench", lambda channel, asked: None)
     order = ResumeRun("20261128T060000-3f9c", "bench.toml", "EM-07", "20 times", None, "preflight", "J. Doe")
-    assert bench_commands._going(None, order).began == began_at(order.run) != ""
+    assert bench_commands.going(None, order).began == began_at(order.run) != ""
 
 
 def lab_with(current_A, angle_deg):
@@ -109,4 +109,5 @@ def test_after_coils_off_what_it_has_reached_is_read_first_and_watched(still):
     (looked,) = state.watch_worker.commands(ReadLab)
     assert supplies <= set(looked.names)
     state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
-    assert not state._to_be_read(), "the next run has the lab"
+    state.watch.look()
+    assert len(state.watch_worker.commands(ReadLab)) == 1, "the next run has the lab"

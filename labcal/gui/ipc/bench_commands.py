@@ -201,7 +201,7 @@ def _on_bench(
     from labcal.bench.config import read_config
 
     simulated = read_config(Path(asked.bench)).simulated
-    channel.run_begins(simulated, _going(channel, asked))
+    channel.run_begins(simulated, going(channel, asked))
     try:
         clock = simulated_clock(asked.pace, *_from(after)) if simulated else None
         ended = work(
@@ -220,7 +220,7 @@ def _on_bench(
     return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.ending)
 
 
-def _going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
+def going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
     """What a window that comes back to this run needs to know first."""
     order, began = asked, f"{datetime.now():%Y-%m-%d %H:%M}"
     if isinstance(order, ResumeRun):
