@@ -244,7 +244,7 @@ def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]
         if mode != mode_now:
             yield from switch_mode(bench, mode_now := mode)
             yield from _all_hands_off(bench, setting)
-        work = partial(_one_turn, bench, setting, axis, f"{axis}.again" if done else axis, name, mode, field_nT)
+        work = partial(_one_turn, bench, setting, axis, setting.mounting(axis, done), name, mode, field_nT)
         blocks = yield from attempt(bench, name, work)
         seen += [look_at_turn(bench, AXES[axis], blocks)] if blocks else []
         if blocks and mode == setting.modes[0]:  # another mode may have another offset

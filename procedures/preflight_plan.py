@@ -34,6 +34,7 @@ class PreflightPlan:
     u_mounting_deg: float
     estimate: RunningEstimate
     finished: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
+    times: int = 0  # that it was gone on with: what is turned then has a mounting, thus a phase, of its own
     unclosed: frozenset[str] = frozenset()  # axes of which every turn is kept, and only the closure is to be made up
 
     def at_rate_of(self, bench: Bench) -> PreflightPlan:
@@ -57,10 +58,16 @@ class PreflightPlan:
         """The same where what `resume` tells is kept: its turns, and of each axis the first position to close with."""
         if resume is None:
             return self
-        kept = replace(self, finished=resume.done)
+        kept = replace(self, finished=resume.done, times=resume.times)
         turned = [axis for axis in self.axes if not kept.left(axis, resume.done)]
         begun = {axis for axis in turned if first_of(axis) in resume.measured}
         return replace(kept, unclosed=frozenset(a for a in begun if f"closure {a}" not in resume.measured))
+
+    def mounting(self, axis: str, done: frozenset[str]) -> str:
+        """As what a turn about `axis` is mounted: nobody can prove that a DUT stands as before an interruption."""
+        if not done or not self.times:
+            return axis
+        return f"{axis}.again" if self.times == 1 else f"{axis}.again{self.times}"
 
     def turned(self, done: frozenset[str]) -> bool:
         """Whether any turn is done."""

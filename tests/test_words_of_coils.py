@@ -68,6 +68,8 @@ NO_CLAIM = {
     "Instruments: find, check, serve emulated ones, coils off; approve a cage.": HELP,
     "COILS OFF   F12": HELP,
     "COILS OFF done {0}: {1}": READ,
+    "{0} COILS OFF: {1}": READ,
+    "ended by COILS OFF": HELP,
     "■ Ended by COILS OFF (F12)": HELP,
     "Take every coil to zero now (F12). Works in every state and asks nothing.": HELP,
     "coils off, at any moment": HELP,

@@ -109,7 +109,8 @@ class Listening:
         for block in readings[1]:
             if block.values.shape[1] == 3:
                 self._cage.check.see(block.t_s, block.values)
-                self.field = self.field.seen(block.t_s, block.values)
+                still = block.t_s >= self._cage.settled_s
+                self.field = self.field.seen(block.t_s[still], block.values[still])
         left_s = self._dut_missed_s(), self._reference_missed_s()
         for stream, watch, blocks, left in zip(self._streams, self._watches, readings, left_s, strict=True):
             try:

@@ -71,11 +71,13 @@ class Plan:
 class Resume:
     """What an interrupted run had finished, given to a procedure that declares the keyword `resume`.
 
-    `done`: names of finished steps. `measured`: the first value of each measurement by name.
+    `done`: names of finished steps. `measured`: the first value of each measurement by name. `times`: how often it was
+    gone on with, this time included.
     """
 
     done: frozenset[str]
     measured: dict[str, float]
+    times: int = 1
 
 
 def record(bench: Bench, seconds: float, *, from_s: float | None = None) -> Work[Blocks]:

@@ -9,12 +9,13 @@ from dataclasses import dataclass
 class Interruption:
     """`at`: the step that was broken off, "" where none had begun. `gone_s` is None where nobody wrote when it ended.
 
-    `again`: the steps that were begun before it and after it.
+    `again`: the steps that were begun before it and after it. `timed` is False on a simulated bench: its clock stood.
     """
 
     at: str
     gone_s: float | None
     again: tuple[str, ...]
+    timed: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from labcal.bench.named_serials import other_serials
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.runner.awaited import Awaited
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 from labcal.runner.said_of_faults import in_a_sentence, what_else
@@ -178,13 +179,7 @@ class Drive:
         asking = threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True)
         asking.start()
         with self._person_awaited():
-            while answers.empty():
-                self._check()
-                if isinstance(self.bench.clock, VirtualClock):
-                    asking.join(LISTEN_S)
-                    self._show()  # no time passes in the lab: what was read grows no older
-                else:
-                    self._listen()
+            self._listen_while(answers.empty, asking.join)
         given = answers.get()
         if isinstance(given, BaseException):
             raise given
@@ -198,14 +193,19 @@ class Drive:
         self._keep(read_back(self.bench, "pause", "paused, ", current_A=currents))
         self.bench.hands_near = True
         with self._person_awaited():
-            while self.control.paused():
-                self._check()
-                if isinstance(self.bench.clock, VirtualClock):
-                    self.control.wait_for_resume(LISTEN_S)
-                    self._show()
-                else:
-                    self._listen()
+            self._listen_while(self.control.paused, self.control.wait_for_resume)
         self._keep(self._event("pause", "goes on"))
+
+    def _listen_while(self, awaited: Callable[[], bool], wait: Callable[[float], object]) -> None:
+        """Streams are written down and shown; where the bench's clock stands, what can be read is read anew."""
+        stands = Awaited(self.bench) if isinstance(self.bench.clock, VirtualClock) else None
+        while awaited():
+            self._check()
+            if stands is None or stands.lets_pass():
+                self._listen()
+            else:
+                wait(LISTEN_S)
+                self.show(stands.state())
 
     @property
     def _rests(self) -> bool:

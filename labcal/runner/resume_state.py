@@ -14,18 +14,18 @@ def resume_state(items: Iterable[Item]) -> Resume:
     A step is finished where another followed it before the run broke off, or broke off again. What was marked as not
     used is not. A step that its procedure began anew counts as it was at last, and what followed it before as little.
     """
-    earlier, measured, stretch = set[str](), dict[str, float](), _Stretch()
+    earlier, measured, stretch, times = set[str](), dict[str, float](), _Stretch(), 1
     for item in items:
         if isinstance(item, Event) and item.kind == RESUMED:
             earlier, measured = stretch.after(earlier, measured)
-            stretch = _Stretch()
+            stretch, times = _Stretch(), times + 1
         elif isinstance(item, Event) and item.kind == NOT_USED:
             earlier -= set(item.data["segments"])
             stretch.done -= set(item.data["segments"])
         else:
             stretch.take(item)
     done, measured = stretch.after(earlier, measured)
-    return Resume(frozenset(done), measured)
+    return Resume(frozenset(done), measured, times)
 
 
 class _Stretch:

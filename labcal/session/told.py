@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from datetime import datetime
 from itertools import pairwise
 
@@ -15,7 +16,11 @@ def told(run_id: str) -> Told:
     """Of a run in the local store; nothing of an imported one. Raises InputError where there is no such run."""
     with Store.open() as store:
         items, statuses = list(store.items(run_id, but="block", raw=False)), store.statuses(run_id)
-    return Told(tuple(interruptions(items, statuses)), tuple(_notes(items)))
+        found = interruptions(items, statuses)
+        simulated = bool(found) and store.header(run_id).simulated
+    if simulated:  # stamped by its own clock, which runs ahead of the wall's and stands between two stretches
+        found = [replace(one, gone_s=None, timed=False) for one in found]
+    return Told(tuple(found), tuple(_notes(items)))
 
 
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:

@@ -210,7 +210,7 @@ def test_an_ambient_field_older_than_the_mounting_is_no_witness(bench: Bench) ->
     assert bench.sentence() == AT_ZERO
     bench.handled(asked)
     bench.cage.zero()
-    assert bench.sentence() == f"{BY_WORD}: no ambient field was measured since the mounting"
+    assert bench.sentence() == f"{BY_WORD}: the reference has no ambient field to compare with yet"
     bench.clock.wait_until(bench.clock.now() + 0.1)
     bench.cage.set_currents([0.5, 0.0, 0.0])  # the sign behind the contacts is seen from zero: that is its ambient
     lies_from_now(bench)

@@ -218,7 +218,7 @@ def read(window, field_nT):
     [
         (AMBIENT, f"✓ {AT_ZERO}"),
         ((20_400.0, 1_150.0, 30_000.0), "✕ NOT at zero by the reference"),
-        (None, "● zero by the supply's word only: the reference does not answer"),
+        (None, "■ zero by the supply's word only: the reference does not answer"),
     ],
 )
 def test_after_coils_off_in_a_run_the_reference_is_asked_again(real, running, sees, words):
@@ -335,8 +335,8 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     words = "z+20uT: lost" if key != "ready" else "Still lost: reference (silent). Put that right first."
     send(running, Prompt(3.0, key, words, ("stop", "retry"), drawing=lost if key != "ready" else {}))
     says(running, platform=stands(), faulty=("reference",))
-    assert card.hands.text() == "✓ Hands may go in: coils read back at zero by their supplies"
-    assert card.lab.text().startswith("● zero by the supply's word only")
+    assert card.hands.text().startswith("✓ Hands may go in: coils read back at zero by their supplies; ")
+    assert not card.lab.isVisibleTo(card), "the same, said once"
     assert card.stands.text() == "✓ platform stands at 40°"
     says(running, (0.0, 0.0, None), platform=stands(), faulty=("supply_z",))
     assert card.hands.text() == "▲ Hands out: coils NOT confirmed at zero"

@@ -59,7 +59,7 @@ def test_after_a_lost_run_the_lab_is_read_until_it_is_at_zero(still):
     assert still.side.coils.values[2].text() == "+1.100"
     app_state.watch.look()
     read(still)
-    assert still.side.zero_words.text().startswith("● zero by the supply's word only")
+    assert still.side.zero_words.text().startswith("■ zero by the supply's word only")
     assert not still.fault.isVisible()
     app_state.watch.look()
     assert app_state.watch_worker.commands(ReadLab) == []  # nothing is wrong: the lines are left alone

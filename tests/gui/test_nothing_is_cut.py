@@ -297,7 +297,7 @@ def by_word(window, *items):
     begun(window)
     told(window, (0.0, 0.0, 0.0), verdict="not known")
     lab = window.app_state.run.lab
-    why = "no ambient field was measured since the mounting"
+    why = "the reference has no ambient field to compare with yet"
     lab = replace(
         lab, reference=replace(lab.reference, why=why), platform=PlatformReading(0.0, False, time.monotonic())
     )

@@ -28,6 +28,16 @@ def test_the_last_page_says_what_was_interrupted_how_long_what_again_and_where_n
     assert told.noted.text() == "Noted, in the run's record (History shows it): lift moved"
 
 
+def test_no_length_is_said_where_the_clock_of_a_simulated_bench_stood(still):
+    still.open_page("Run")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    worker, told = still.app_state.quick_worker, still.page("Run").live.verdict.told
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    worker.answer(TellRecord, Told((Interruption("x+50uT-nominal", None, ("zero",), timed=False),)))
+    said = "▲ Interrupted once: at x +50 µT nominal. Measured again: offset and first position."
+    assert told.interrupted.text() == said
+
+
 def test_nothing_is_said_of_a_run_without_either(still):
     still.open_page("Run")
     still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))

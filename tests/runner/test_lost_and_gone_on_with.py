@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from types import SimpleNamespace
@@ -19,7 +20,8 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coverage import refuse_unseen
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import FAULT, Block, Event, Item, Measurement, Prompt, Step
-from labcal.runner import Outcome, find, run_procedure, yes_to_all
+from labcal.runner import Outcome, find, run, run_procedure, yes_to_all
+from labcal.runner.resume_state import resume_state
 from labcal.session.told import told
 from labcal.store import Store
 
@@ -111,6 +113,18 @@ def test_the_turn_that_lost_an_instrument_is_repeated_and_the_others_are_kept(be
     assert last.id.startswith(SECOND)
 
 
+def test_gone_on_with_twice_each_stretch_has_a_mounting_of_its_own(
+    bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bench = bench_file()
+    begun(bench, "preflight", pulled("dut"), TWO_FIELDS, SECOND)
+    monkeypatch.setattr(run, "resume_state", lambda items: replace(resume_state(items), times=2))
+    session.resume("R", bench, seed=2)
+    recorded = session.load_run("R")
+    turned = [one.mounting for n, one in enumerate(recorded.segments) if len(recorded.rows(n)) > 150]
+    assert turned == ["z", "z.again2"]
+
+
 @pytest.mark.parametrize("at", ["closure-x", "mount-z"])
 def test_a_closure_that_an_interruption_kept_from_being_measured_is_made_up(bench_file: BenchFile, at: str) -> None:
     bench, steps = bench_file(), list[Step]()
@@ -129,7 +143,7 @@ def test_a_closure_that_an_interruption_kept_from_being_measured_is_made_up(benc
     (broken,) = told("R").interruptions
     again = {"closure-x": ("mount-x", "closure-x"), "mount-z": ("mount-z",)}[at]
     assert (broken.at, broken.again) == (at, ("zero", "axes-check", "sync-check", *again))
-    assert broken.gone_s is not None
+    assert (broken.gone_s, broken.timed) == (None, False)  # a simulated bench: its clock stood meanwhile
 
 
 def test_a_turn_in_which_the_dut_was_lost_is_asked_about_with_the_coils_at_zero_and_begun_again(

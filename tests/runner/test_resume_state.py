@@ -40,7 +40,7 @@ def test_begun_anew_after_an_interruption_it_changes_nothing_that_was_finished_b
     first, wrong = (Measurement(t, "zero: ref_x", t, 0.0, "nT") for t in (1.0, 2.0))
     run = [*steps("zero"), first, *steps("axes-check", "x", "y"), Event(10.0, RESUMED, "")]
     again = [*run, *steps("zero"), wrong, *steps("axes-check", "zero")]
-    assert resume_state(again) == Resume(frozenset({"zero", "axes-check", "x"}), {"zero: ref_x": 1.0})
+    assert resume_state(again) == Resume(frozenset({"zero", "axes-check", "x"}), {"zero: ref_x": 1.0}, times=2)
 
 
 def test_an_opening_that_led_to_no_turn_is_forgotten_with_its_values() -> None:

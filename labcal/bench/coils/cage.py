@@ -73,6 +73,7 @@ class Cage:
         self.on = False  # outputs closed
         self.over: Exception | None = None  # why no current is set any more, whoever asks for it
         self.asked_nT: Array | None = None  # the field (3,) that the coils are held at; None where none was asked for
+        self.settled_s = -math.inf  # on the bench's clock: what a reference saw earlier belongs to other currents
         self.to_zero_since_s: float | None = None  # when zero was wanted (monotonic clock), until that has ended
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
@@ -115,7 +116,7 @@ class Cage:
             self._confirm_signs(target)
         self._ramp(target)
         self._wait(self._clock.now() + self._settle_s)
-        self._held_A = target
+        self._held_A, self.settled_s = target, self._clock.now()
         if confirm_signs:  # else they are what the caller measures
             self.check.expect(target, self._clock.now(), self._clock.now())
         self.currents_A()
@@ -169,6 +170,8 @@ class Cage:
         if was_on:
             self.check.expect(None, begun, begun)
         ended = self._all_to_zero()
+        if was_on:
+            self.settled_s = self._clock.now() + self._settle_s
         self.abrupt |= {end.axis for end in ended if end.abrupt}
         self._note(ended, begun)
         self._ask_the_reference(begun, was_on)

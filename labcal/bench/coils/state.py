@@ -102,6 +102,10 @@ class FieldReading:
         x, y, z = (sum(float(v) for v in column) / len(column) for column in zip(*field_nT[-MEAN_OF:], strict=True))
         return FieldReading(self.set_nT, (x, y, z), float(t_s[-1]))
 
+    def since(self, t_s: float) -> FieldReading:
+        """Without what was seen before `t_s`: on a ramp, of currents that flow no more."""
+        return replace(self, seen_nT=None, read_s=None) if self.read_s is not None and self.read_s < t_s else self
+
     def asked(self, field_nT: Any) -> FieldReading:
         """With what was asked for (3,), or None."""
         if field_nT is None:

@@ -42,6 +42,7 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
     SwitchOff,
 )
+from labcal.gui.ipc.run_began import began_at
 from labcal.gui.ipc.simulated_clock import simulated_clock
 from labcal.gui.ipc.wire import fault_of
 from labcal.record import Dut
@@ -200,7 +201,7 @@ def _on_bench(
     from labcal.bench.config import read_config
 
     simulated = read_config(Path(asked.bench)).simulated
-    channel.run_begins(simulated, _going(channel, asked))
+    channel.run_begins(simulated, going(channel, asked))
     try:
         clock = simulated_clock(asked.pace, *_from(after)) if simulated else None
         ended = work(
@@ -219,13 +220,14 @@ def _on_bench(
     return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed), ended.ending)
 
 
-def _going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
+def going(channel: Channel, asked: RunProcedure | ResumeRun) -> GoesOn:
     """What a window that comes back to this run needs to know first."""
-    order = asked
+    order, began = asked, f"{datetime.now():%Y-%m-%d %H:%M}"
     if isinstance(order, ResumeRun):
+        began = began_at(order.run) or began
         order = RunProcedure(order.procedure, order.bench, {}, order.dut, order.operator, order.pace, order.seed)
     order = replace(order, answered_for=None)  # its passphrase has been used
-    return GoesOn(order, f"{datetime.now():%Y-%m-%d %H:%M}", read_bench(channel, ReadBench(asked.bench)))
+    return GoesOn(order, began, read_bench(channel, ReadBench(asked.bench)))
 
 
 def _from(after: str) -> tuple[datetime, float]:

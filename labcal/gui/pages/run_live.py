@@ -20,6 +20,7 @@ from labcal.gui.translations.translate import procedure_title
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
+from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.viewmodels.what_happens import what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
@@ -244,14 +245,20 @@ class Live(QWidget):
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
-        if ended:
-            verdict = run_verdict(run, self._app_state.resumable)
-            self.verdict.show_verdict(run.order.dut if run.order else "", verdict)
+        self._show_verdict()
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
         self._show_fault(run.fault)
         self._ask()
         self.frame_timer.start() if run.alive else self._draw_last()
+
+    def _show_verdict(self) -> None:
+        run = self._run
+        if run.state != "ended":
+            return self.verdict.word.set_text("")  # of the run before
+        self.verdict.show_verdict(run.order.dut if run.order else "", run_verdict(run, self._app_state.resumable))
+        words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
+        return self.verdict.say_off(words, state) if words else None
 
     def _show_details(self) -> None:
         self._details = True  # what was measured, in place of the verdict, until the next run
@@ -295,12 +302,14 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         self._say_lab()
+        self._show_verdict()
         if self._run.fault is not None:
             self._say_coils_left()
 
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed)
         self.prompt.say_serials(self._app_state.lab.state.other_serials)
 

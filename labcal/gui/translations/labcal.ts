@@ -758,6 +758,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the reference has no ambient field to compare with yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -791,10 +795,6 @@
     </message>
     <message>
         <source>the reference does not answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no ambient field was measured since the mounting</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6205,6 +6205,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The simulated bench began anew: its platform is at its zero, nothing has turned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6234,6 +6238,10 @@ after this step …</source>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6418,6 +6426,10 @@ after this step …</source>
     </message>
     <message>
         <source>Goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended by COILS OFF</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8190,6 +8202,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>at {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before its first step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody knows how long</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8211,6 +8231,14 @@ after this step …</source>
     </message>
     <message>
         <source>(not seen: {0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} COILS OFF: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform stands</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

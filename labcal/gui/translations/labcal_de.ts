@@ -758,6 +758,10 @@
         <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}; seitdem nicht beobachtet</translation>
     </message>
     <message>
+        <source>the reference has no ambient field to compare with yet</source>
+        <translation>die Referenz hat noch kein Umgebungsfeld zum Vergleich</translation>
+    </message>
+    <message>
         <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
         <translation>Noch verloren: {0}. Erst beheben: ein jetzt begonnener Schritt scheitert wieder.</translation>
     </message>
@@ -792,10 +796,6 @@
     <message>
         <source>the reference does not answer</source>
         <translation>die Referenz antwortet nicht</translation>
-    </message>
-    <message>
-        <source>no ambient field was measured since the mounting</source>
-        <translation>seit dem Einbau wurde kein Umgebungsfeld gemessen</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -6206,6 +6206,10 @@ diesem Schritt …</translation>
         <translation>Wer eine andere Seriennummer nennt</translation>
     </message>
     <message>
+        <source>The simulated bench began anew: its platform is at its zero, nothing has turned.</source>
+        <translation>Der simulierte Prüfstand hat neu begonnen: Sein Tisch steht auf null, nichts hat sich gedreht.</translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation>Den Pfad einer Datei in die Antwort schreiben</translation>
     </message>
@@ -6236,6 +6240,10 @@ diesem Schritt …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
+        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Gemessen wird nur, was fehlt.</translation>
     </message>
     <message>
         <source>None</source>
@@ -6420,6 +6428,10 @@ diesem Schritt …</translation>
     <message>
         <source>Goes on</source>
         <translation>Geht weiter</translation>
+    </message>
+    <message>
+        <source>ended by COILS OFF</source>
+        <translation>durch SPULEN AUS beendet</translation>
     </message>
     <message>
         <source>Run {0}: {1}</source>
@@ -8191,6 +8203,14 @@ diesem Schritt …</translation>
         <translation>vor dem ersten Schritt, Dauer: {0}</translation>
     </message>
     <message>
+        <source>at {0}</source>
+        <translation>bei {0}</translation>
+    </message>
+    <message>
+        <source>before its first step</source>
+        <translation>vor dem ersten Schritt</translation>
+    </message>
+    <message>
         <source>nobody knows how long</source>
         <translation>niemand weiß, wie lange</translation>
     </message>
@@ -8213,6 +8233,14 @@ diesem Schritt …</translation>
     <message>
         <source>(not seen: {0})</source>
         <translation>(nicht gesehen: {0})</translation>
+    </message>
+    <message>
+        <source>{0} COILS OFF: {1}</source>
+        <translation>{0} SPULEN AUS: {1}</translation>
+    </message>
+    <message>
+        <source>platform stands</source>
+        <translation>Tisch steht</translation>
     </message>
 </context>
 <context>

@@ -758,6 +758,10 @@
         <translation>bobines relues à zéro d&apos;après les alimentations {0} ; non surveillées depuis</translation>
     </message>
     <message>
+        <source>the reference has no ambient field to compare with yet</source>
+        <translation>la référence n&apos;a pas encore de champ ambiant à comparer</translation>
+    </message>
+    <message>
         <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
         <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
     </message>
@@ -792,10 +796,6 @@
     <message>
         <source>the reference does not answer</source>
         <translation>la référence ne répond pas</translation>
-    </message>
-    <message>
-        <source>no ambient field was measured since the mounting</source>
-        <translation>aucun champ ambiant mesuré depuis le montage</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -6206,6 +6206,10 @@ cette étape …</translation>
         <translation>Qui nomme un autre numéro de série</translation>
     </message>
     <message>
+        <source>The simulated bench began anew: its platform is at its zero, nothing has turned.</source>
+        <translation>Le banc simulé a recommencé : sa plate-forme est à zéro, rien n&apos;a tourné.</translation>
+    </message>
+    <message>
         <source>Write the path of a file into the answer</source>
         <translation>Écrire le chemin d&apos;un fichier dans la réponse</translation>
     </message>
@@ -6236,6 +6240,10 @@ cette étape …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
+        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. Seul ce qui manque est mesuré.</translation>
     </message>
     <message>
         <source>None</source>
@@ -6420,6 +6428,10 @@ cette étape …</translation>
     <message>
         <source>Goes on</source>
         <translation>Continue</translation>
+    </message>
+    <message>
+        <source>ended by COILS OFF</source>
+        <translation>terminé par BOBINES À ZÉRO</translation>
     </message>
     <message>
         <source>Run {0}: {1}</source>
@@ -8191,6 +8203,14 @@ cette étape …</translation>
         <translation>avant la première étape, durée : {0}</translation>
     </message>
     <message>
+        <source>at {0}</source>
+        <translation>à {0}</translation>
+    </message>
+    <message>
+        <source>before its first step</source>
+        <translation>avant la première étape</translation>
+    </message>
+    <message>
         <source>nobody knows how long</source>
         <translation>personne ne sait combien de temps</translation>
     </message>
@@ -8213,6 +8233,14 @@ cette étape …</translation>
     <message>
         <source>(not seen: {0})</source>
         <translation>(non vu : {0})</translation>
+    </message>
+    <message>
+        <source>{0} COILS OFF: {1}</source>
+        <translation>{0} BOBINES À ZÉRO : {1}</translation>
+    </message>
+    <message>
+        <source>platform stands</source>
+        <translation>la plate-forme est arrêtée</translation>
     </message>
 </context>
 <context>

@@ -71,9 +71,7 @@ class AppState(QObject):
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
         looks = self.watch_worker = Client(self)
-        self.watch = LabWatch(
-            looks, self.lab, self._may_be_read, lambda: lab_heard.wrong(self.known, self.facts), self._take_read
-        )
+        self.watch = LabWatch(looks, self.lab, self._may_be_read, self._to_be_read, self._take_read)
         views = self.study_vm, self.path, self.scan_vm
         self.one_dut = OneDut(self.settings, self.lab, self.run, views, lambda dut: self.set_identity(dut=dut))
         self.study_vm.drafted.connect(self.calibrations_changed)
@@ -173,6 +171,10 @@ class AppState(QObject):
         self.take_lab(known if simulated else seconded(known, said, ambient))
         if self.off.unconfirmed is not None:
             self.off.look_again()
+
+    def _to_be_read(self) -> tuple[str, ...]:
+        """Who is wrong; after COILS OFF in a run, until the next one, whoever tells that it is still so."""
+        return lab_heard.wrong(self.known, self.facts) or (self.off.tellers() if self.run.by_off else ())
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""

@@ -123,8 +123,15 @@ class CoilsOff(QObject):
     def read_again(self) -> None:
         """What tells whether hands may go in, now that the supplies are at zero: the reference is asked as well."""
         facts = self._window.facts
-        instruments = {} if facts is None or facts.virtual_time else facts.instruments  # emulated: gone with the run
-        self._window.watch.read_again([n for n, one in instruments.items() if one.role.startswith(READ_AFTER)])
+        if facts is not None and not facts.virtual_time:  # emulated: gone with the run
+            self._window.watch.read_again(self.tellers())
+
+    def tellers(self) -> tuple[str, ...]:
+        """Who tells how coils and platform are; on a simulated bench, which has no other platform, the coils."""
+        facts = self._window.facts
+        roles = READ_AFTER[:1] if facts is not None and facts.virtual_time else READ_AFTER
+        instruments = {} if facts is None else facts.instruments
+        return tuple(name for name, one in instruments.items() if one.role.startswith(roles))
 
     def look_again(self) -> None:
         """A doubt that is older than the zero that was read back by now: the reference is asked anew, once."""

@@ -132,6 +132,8 @@ def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:
         return "✓", "good"
     if at_rest and coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
         return "◌", "old"
+    if coil_words.startswith(state.BY_WORD):
+        return "■", ""  # at zero as far as anybody can tell: no alarm, and no all clear
     bad = coil_words.startswith((state.NOT_BY_REFERENCE, state.NOT_CONFIRMED))
     return ("✕", "bad") if bad else ("●", "warning")
 
@@ -161,7 +163,8 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     if coil_words == state.AT_ZERO:
         return translated("✓ Hands may go in: {0}").format(in_words(state.AT_ZERO)), "good"
     if coil_words.startswith(state.BY_WORD):
-        return translated("✓ Hands may go in: {0}").format(in_words(state.BY_SUPPLIES)), "good"
+        said = "; ".join(filter(None, map(in_words, (state.BY_SUPPLIES, coil_words.partition(": ")[2]))))
+        return translated("✓ Hands may go in: {0}").format(said), "good"
     if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
         return translated("▲ Hands out: the coils are not being read"), "warning"
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"

@@ -92,9 +92,10 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self._turned = False  # in any segment
         self.covered = Covered()
-        self._goes_on = self._begins = self._by_off = (
+        self._goes_on = self._begins = self.by_off = (
             False  # a run that was interrupted; a new one, of which nothing has come yet
         )
+        self.anew = False  # a simulated bench began anew, and nothing was answered since
         self._seen_s = 0.0
         self._dut_s: float | None = None  # stamp of its last reading
         self._waited_s = 0.0  # of this step, for a person
@@ -129,7 +130,7 @@ class RunViewModel(QObject):
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
         self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words), run_id)
-        self._goes_on = True
+        self._goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -155,7 +156,8 @@ class RunViewModel(QObject):
         self._worker.send(Answer(self.prompt.key, text))
         self.hands_off = says_hands_off(self.prompt.key, text)
         goes_on = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
-        self.prompt, self.message = None, self.tr("Stopping …") if text == STOP else goes_on
+        self.anew, self.prompt = False, None
+        self.message = self.tr("Stopping …") if text == STOP else goes_on
         self._be("running")  # whatever was answered: it may ask something else on its way out
 
     def pause(self) -> None:
@@ -174,7 +176,7 @@ class RunViewModel(QObject):
 
     def abort(self) -> None:
         """Coils to zero before anything else; the run ends."""
-        self._by_off = True
+        self.by_off = True
         self._end(Abort(), self.tr("Coils off: the run ends …"))
 
     def _end(self, word: Word, message: str) -> None:
@@ -379,10 +381,11 @@ class RunViewModel(QObject):
 
     def _last_words(self) -> str:
         said = in_words(named_links(self._ending or self.status, self.links))
+        said = self.tr("ended by COILS OFF") if self.by_off and self.status != "finished" else said
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
-        self.fault = with_instrument_names(ended_by_off(fault) if self._by_off else fault, self.links)
+        self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)
         left = fault.kind in BROKEN or (self._goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()

@@ -14,13 +14,15 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "nothing"),
     QT_TRANSLATE_NOOP("Words", "at {0}, for {1}"),
     QT_TRANSLATE_NOOP("Words", "before its first step, for {0}"),
+    QT_TRANSLATE_NOOP("Words", "at {0}"),
+    QT_TRANSLATE_NOOP("Words", "before its first step"),
     QT_TRANSLATE_NOOP("Words", "nobody knows how long"),
     QT_TRANSLATE_NOOP("Words", "{0} s"),
     QT_TRANSLATE_NOOP("Words", "{0} min"),
     QT_TRANSLATE_NOOP("Words", "{0} h"),
     QT_TRANSLATE_NOOP("Words", "Noted, in the run's record (History shows it): {0}"),
 )
-ONCE, OFTEN, NOTHING, AT, BEFORE, UNKNOWN, SECONDS, MINUTES, HOURS, NOTED = map(str, TEXTS)
+ONCE, OFTEN, NOTHING, AT, BEFORE, AT_ALONE, BEFORE_ALONE, UNKNOWN, SECONDS, MINUTES, HOURS, NOTED = map(str, TEXTS)
 
 
 def interrupted_words(told: Told) -> str:
@@ -40,6 +42,8 @@ def noted_words(told: Told) -> str:
 
 
 def _one(interruption: Interruption) -> str:
+    if not interruption.timed:
+        return translated(AT_ALONE).format(step_title(interruption.at)) if interruption.at else translated(BEFORE_ALONE)
     gone = translated(UNKNOWN) if interruption.gone_s is None else _long(interruption.gone_s)
     if not interruption.at:
         return translated(BEFORE).format(gone)

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from labcal.bench.coils import state
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -31,6 +32,7 @@ from labcal.record.stream import Prompt
 CALLS_EVERY_MS = 20_000  # while nobody answers
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
+STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
     MOUNTING: "Mounted",
@@ -66,8 +68,8 @@ def unbroken(text: str) -> str:
 
 
 def acting(prompt: Prompt, choice: str) -> bool:
-    """Whether this answer mounts, energises, moves or switches something."""
-    return choice != "no" and (prompt.acts or choice == RETRY)
+    """Whether this answer mounts, energises, moves or switches something, or sends somebody to do so."""
+    return prompt.acts or choice == RETRY
 
 
 def moves_by_itself(prompt: Prompt, choice: str) -> bool:
@@ -101,6 +103,7 @@ class PromptCard(Card):
         self._prompt: Prompt | None = None
         self._reached_into = False  # what is asked brings hands to the lab
         self._lost = False  # somebody, since it was asked
+        self._said_once = False  # how the coils are is said whole where hands are told that they may go in
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -119,7 +122,10 @@ class PromptCard(Card):
         self.serials = label("", wrap=True)
         self.serials.setAccessibleName(self.tr("Who names another serial"))
         set_state(self.serials, "warning")
-        for said in (self.serials, self.hands, self.lab, self.stands):
+        self.anew = label(
+            self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
+        )
+        for said in (self.serials, self.hands, self.lab, self.stands, self.anew):
             words.addWidget(said)
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
@@ -162,7 +168,7 @@ class PromptCard(Card):
         self._call()
         self.call.start()
         self._reached_into = prompt.acts and prompt.key != "ready"
-        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
+        self._show_hands()
         self.text.set_text(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self.details.setText(below(prompt, translated(WORDS[RETRY])))
@@ -231,8 +237,18 @@ class PromptCard(Card):
             set_state(place, mark)
         words, mark = hands_words(coil_words, platform_words)
         self.hands.setText(words)
-        self.hands.setVisible(bool(coil_words) and self._reached_into)
         set_state(self.hands, mark)
+        self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
+        self._show_hands()
+
+    def _show_hands(self) -> None:
+        known = bool(self.lab.text())
+        self.hands.setVisible(known and self._reached_into)
+        self.lab.setVisible(known and not (self._reached_into and self._said_once))
+
+    def say_anew(self, *, anew: bool) -> None:
+        """That where the platform stood before an interruption is forgotten: beside the first question after it."""
+        self.anew.setVisible(anew and bool(self.stands.text()))
 
     def say_serials(self, others: Sequence[tuple[str, str]]) -> None:
         """Who names another serial than is stated, where something is mounted or a serial is asked for."""
@@ -256,7 +272,7 @@ class PromptCard(Card):
             self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
         self._lost = bool(lost)
         self._reached_into = reached_into(self._prompt, lost=self._lost)
-        self.hands.setVisible(bool(self.lab.text()) and self._reached_into)
+        self._show_hands()
         if self._prompt.key != READY:
             return
         said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
@@ -297,8 +313,16 @@ class PromptCard(Card):
                 "Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell."
             )
             by_key = f"{by_key} {cost}".strip()
+        if prompt.key == STANDS:
+            by_key = f"{self._what_no_means()} {by_key}".strip()
         self.hint.setText(
             self.tr("A scan answers by itself; what is typed is sent by Enter.") if SERIAL in prompt.drawing else by_key
+        )
+
+    def _what_no_means(self) -> str:
+        return self.tr(
+            "Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they "
+            "are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured."
         )
 
     def _make_senders(self, prompt: Prompt) -> None:

@@ -45,10 +45,19 @@ class VerdictCard(Card):
         """Show how the run of `serial` came out."""
         self._state = verdict.state
         self.serial.set_text(serial)
+        self.serial.show()
         self.word.set_text(verdict.word.replace(" ", NO_BREAK, 1))  # no shape on a line of its own
         self.rule.setText(verdict.rule)
         self.rule.setVisible(bool(verdict.rule))
         self.next.setText(verdict.next)
+        self._colour()
+
+    def say_off(self, words: str, state: str) -> None:
+        """What COILS OFF has reached comes before all else, and how the run ended below it."""
+        self.rule.setText(" ".join(filter(None, (self.word.text().replace(NO_BREAK, " ") + ".", self.rule.text()))))
+        self.serial.hide()
+        self._state = state
+        self.word.set_text(words.replace(" ", NO_BREAK, 1))
         self._colour()
 
     def say_reason(self, reason: str) -> None:

@@ -1,0 +1,26 @@
+"""After COILS OFF in a run: what it was pressed for, in the words that are read from the cage. No widgets."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.bench.coils import state
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark
+
+OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
+STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
+
+
+def off_headline(now: LabNow) -> tuple[str, str]:
+    """The words and their state; "" where the coils are not at zero, which a card above says."""
+    shape, mark = mark_of(now.coil_words)
+    if now.coils_at_zero is False or not now.coil_words:
+        return "", ""
+    coils = in_words(state.AT_ZERO if now.coils_at_zero else now.coil_words.partition(";")[0])
+    turns = platform_mark(now.platform_words)[1]
+    stands = translated(str(STANDS)) if turns == "good" else in_words(now.platform_words)
+    if turns not in ("", "good"):
+        shape, mark = "▲", "warning"
+    return translated(str(OFF)).format(shape, ", ".join(filter(None, (coils, stands)))), mark

@@ -1,0 +1,50 @@
+"""A person is awaited on a bench whose clock stands meanwhile: what is shown is read anew, or grows old."""
+
+from __future__ import annotations
+
+import time
+from contextlib import suppress
+from dataclasses import replace
+
+from labcal.bench.bench import Bench
+from labcal.bench.coils.state import LabState
+from labcal.errors import InstrumentError
+
+AGAIN_S = 1.5  # sooner than what was read counts as old
+SETTLED_S = 3.0  # of the bench's time after a ramp, in which a reference that sends has sent
+
+
+class Awaited:
+    """From when it is made; by the computer's monotonic clock, for the bench's own does not move."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._since_s = self._read_s = time.monotonic()
+
+    def state(self) -> LabState:
+        """Coils and platform as they answer now; the field with its age, for no stream sends while time stands."""
+        now = time.monotonic()
+        if now - self._read_s >= AGAIN_S:
+            self._read_s = now
+            self._read_again()
+        state = self._bench.state().shifted(now - self._bench.clock.now())
+        read_s = state.field.read_s
+        aged_s = None if read_s is None else read_s - (now - self._since_s)
+        return replace(state, field=replace(state.field, read_s=aged_s))
+
+    def lets_pass(self) -> bool:
+        """Whether a little of the bench's time is to pass after all: nothing of the field was seen since a ramp."""
+        thinks = time.monotonic() - self._since_s >= AGAIN_S  # who answers at once waits for nothing
+        settled_s, now = self._bench.cage.settled_s, self._bench.clock.now()
+        if not thinks or now > settled_s + SETTLED_S or self._bench.state().field.seen_nT is not None:
+            return False
+        self._since_s = time.monotonic() - AGAIN_S  # what comes now is of now
+        return True
+
+    def _read_again(self) -> None:
+        """Who does not answer is no longer known, and ends nothing while nothing is on."""
+        for axis in self._bench.cage.supplies:
+            with suppress(InstrumentError):
+                self._bench.cage.read(axis)
+        with suppress(InstrumentError):
+            self._bench.look_at_platform()

@@ -1,0 +1,82 @@
+"""While a person thinks on a bench whose clock stands, nothing is shown as of now that nobody reads."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import closing
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal.bench import open_bench
+from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.state import LabState
+from labcal.record.stream import Item, Prompt
+from labcal.runner import awaited, drive, find, run_procedure
+from labcal.runner.control import Control
+from labcal.runner.prompts import first_choice
+from labcal.store import Store
+
+TURN = {"zero_s": "8", "rate_deg_per_s": "20"}
+THINKS_S = 0.8
+
+
+def test_coils_are_read_anew_and_the_field_shows_its_age(
+    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(awaited, "AGAIN_S", 0.1)
+    monkeypatch.setattr(drive, "LISTEN_S", 0.05)
+    asked, field_old_s, coil_A = list[Prompt](), list[float](), set[float | None]()
+    clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
+    with closing(open_bench(bench_file(), clock=clock, seed=2)) as lab, Store.open() as store:
+
+        def answer(prompt: Prompt) -> str:
+            asked.append(prompt)
+            if len(asked) == 2:
+                monkeypatch.setattr(lab.cage.supplies["x"], "measure_current", lambda: 0.00042)
+                time.sleep(THINKS_S)
+                monkeypatch.undo()
+            return first_choice(prompt)
+
+        def shown(state: LabState) -> None:
+            if len(asked) == 2 and state.field.read_s is not None:
+                field_old_s.append(time.monotonic() - state.field.read_s)
+            coil_A.add(state.coils[0].current_A)
+
+        run_procedure(lab, find("rotate-axis"), TURN, store=store, answer=answer, show=shown)
+    assert 0.00042 in coil_A
+    assert max(field_old_s) > THINKS_S / 2
+
+
+def test_a_field_of_the_ramp_is_not_shown_beside_coils_at_zero(
+    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Paused just after the turn: what the reference sees then is the ambient field, or is not shown."""
+    monkeypatch.setattr(awaited, "AGAIN_S", 0.1)
+    monkeypatch.setattr(drive, "LISTEN_S", 0.05)
+    control, paused = Control(), list[LabState]()
+    clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
+
+    def shown(state: LabState) -> None:
+        if control.paused() and all(coil.zero for coil in state.coils):
+            paused.append(state)
+            if len(paused) > 20:
+                control.resume()
+
+    def pause(item: Item) -> None:
+        if type(item).__name__ == "SegmentClosed":
+            control.pause()
+
+    with closing(open_bench(bench_file(), clock=clock, seed=2)) as lab, Store.open() as store:
+        run_procedure(
+            lab, find("preflight"), {"axes": "x,y", "magnitudes_nT": "20000"}, store=store, answer=first_choice,
+            control=control, on_item=pause, show=shown,
+        )  # fmt: skip
+        ambient = float(np.linalg.norm(lab.cage.ambient_nT))
+    seen = [float(np.linalg.norm(one.field.seen_nT)) for one in paused if one.field.seen_nT is not None]
+    assert paused
+    assert seen, "a little of the bench's time passes for it"
+    assert max(abs(one - ambient) for one in seen) < 40.0
