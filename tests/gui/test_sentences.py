@@ -79,7 +79,8 @@ NOT_SHOWN = {  # of the loop, the estimators and the procedures
     "__init__.py": "faults of a program",
 }
 KEYS = {  # by which the program itself goes; tests that pass are not listed
-    "rounds exhausted", "one too many", "not first", "equally likely", "initial state", "smooth in each channel", "own secant",
+    "rounds exhausted", "one too many", "not first", "equally likely", "initial state", "smooth in each channel",
+    "own secant",
     "base grams", "null model", "move device", "turn reference", "move reference", "repeated conditions",
     "white from row to row", "no lack of fit against repeats", "[reference] position_m = [",
     "looks at all readings at once", "look at one after another", "angle zeros",
