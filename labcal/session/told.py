@@ -6,16 +6,21 @@ from collections.abc import Iterable, Sequence
 from datetime import datetime
 from itertools import pairwise
 
-from labcal.record.stream import RESUMED, Event, Item, Step
+from labcal.record.stream import BY, PROCEDURE, RESUMED, Event, Item, Step
 from labcal.record.told import Interruption, Told
+from labcal.session.checks import not_closed, open_checks, results
 from labcal.store import Store
+
+UNMARKED = "offsets so far"  # how a preflight's own remarks began before they were marked as such
 
 
 def told(run_id: str) -> Told:
     """Of a run in the local store; nothing of an imported one. Raises InputError where there is no such run."""
     with Store.open() as store:
         items, statuses = list(store.items(run_id, but="block", raw=False)), store.statuses(run_id)
-    return Told(tuple(interruptions(items, statuses)), tuple(_notes(items)))
+    notes, remarks = _notes(items)
+    last = results(items)
+    return Told(tuple(interruptions(items, statuses)), notes, remarks, open_checks(last), not_closed(items, last))
 
 
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:
@@ -44,5 +49,12 @@ def _gone_s(statuses: Sequence[tuple[str, str]]) -> list[float | None]:
     return found
 
 
-def _notes(items: Iterable[Item]) -> list[str]:
-    return [item.text for item in items if isinstance(item, Event) and item.kind == "note"]
+def _notes(items: Iterable[Item]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What people noted, and what the procedure did."""
+    notes = [item for item in items if isinstance(item, Event) and item.kind == "note"]
+    own = tuple(item.text for item in notes if not _of_the_procedure(item))
+    return own, tuple(item.text for item in notes if _of_the_procedure(item))
+
+
+def _of_the_procedure(note: Event) -> bool:
+    return note.data.get(BY) == PROCEDURE or note.text.startswith(UNMARKED)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import ChangedSince, ListCalibrations, ListKeys, VerifyFile
+from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.pages.certificate_paper import Paper
 from labcal.gui.pages.certificate_steps import SigningSteps
 from labcal.gui.theming.theme import GRID, Theme
@@ -18,11 +19,13 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import SigningStep, standing_word, state_of, steps
+from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
+from labcal.record.told import Told
 
 MOST_ROWS = 80  # of the table are seen without rolling it
 
@@ -36,7 +39,7 @@ class CertificatePage(QWidget):
         super().__init__()
         self._app_state = app_state
         self._files: dict[str, CalibrationFile] = {}
-        self._wanted = ""
+        self._wanted = self._told_of = ""
         self._for = ""  # this DUT it was chosen
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
@@ -100,7 +103,9 @@ class CertificatePage(QWidget):
         """How the chosen one stands, in a word and in sentences."""
         self.detail = Card()
         self.word, self.standing = label("", "ask"), label("", wrap=True)
-        for part in (self.word, self.standing):
+        self.open = label("", wrap=True)  # of the run's own checks, before anybody approves
+        set_state(self.open, "warning")
+        for part in (self.word, self.standing, self.open):
             self.detail.body.addWidget(part)
         return self.detail
 
@@ -167,10 +172,24 @@ class CertificatePage(QWidget):
             self.word.setText(f"{standing_word(one.standing).upper()}  ·  {one.dut.serial}")
             self.standing.setText(" ".join(self._standing_words(one)))
             set_state(self.word, state_of(one.standing) if one.standing.signatures else "")
+            if one.run_id != self._told_of:
+                self._told_of = one.run_id
+                self._run_told(one.run_id, Told())
             self.views.show_calibration(one)
             ask, known = self._app_state.quick_worker.request, partial(self.views.show_changes, one.path)
             ask(ChangedSince(one.path), known, self.fault.show_fault)
+            ask(
+                TellRecord(one.run_id),
+                partial(self._run_told, one.run_id),
+                lambda _: self._run_told(one.run_id, Told()),
+            )
         self._show_steps()
+
+    def _run_told(self, run: str, told: Told) -> None:
+        """What the run itself left open stands above the approval."""
+        if (one := self.chosen()) is not None and one.run_id == run:
+            self.open.setText(open_words(told))
+            self.open.setVisible(bool(self.open.text()))
 
     def _standing_words(self, one: CalibrationFile) -> list[str]:
         """How it stands, who measured and who approved."""

@@ -194,7 +194,7 @@ class HistoryPage(QWidget):
         card.body.addLayout(where)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
-        self.told = RecordWords(self._app_state)
+        self.told = RecordWords(self._app_state, here=True)
         card.body.addWidget(self.told)
         return card
 

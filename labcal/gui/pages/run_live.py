@@ -79,6 +79,8 @@ class Live(QWidget):
         self._run.ended.connect(self._ended)  # a method: it goes when the page does, as a lambda would not
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
+        if self._run.state == "ended":  # in another language
+            self.verdict.told.show_run(self._run.run_id)
         self._say_lab()
         self._show()
 
