@@ -128,7 +128,7 @@ QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { back
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
 QLineEdit[state="bad"] { border: 2px solid $bad; padding: 4px 7px; }
 QComboBox { combobox-popup: 0; } QComboBox QAbstractItemView::item { padding: 5px 8px; }
-QDialog { background: $page; }
+QDialog { background: $surface; border: 2px solid $muted; }
 QToolButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 4px; }
 QToolButton:hover, QToolButton:focus { border-color: $accent; }
 QMenu { background: $surface; border: 1px solid $line; padding: 4px; }
