@@ -122,6 +122,10 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "earlier"),
     QT_TRANSLATE_NOOP("Words", "later"),
     QT_TRANSLATE_NOOP("Words", "± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed."),
+    QT_TRANSLATE_NOOP(
+        "Words",
+        "One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.",
+    ),
     QT_TRANSLATE_NOOP("Words", "They are of two DUTs. ± U (k=2) is that of the difference."),
     QT_TRANSLATE_NOOP(
         "Words", "One of the two is not explained: what differs may be its error, and says nothing of the DUT yet."

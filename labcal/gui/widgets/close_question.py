@@ -34,7 +34,8 @@ class CloseQuestion(QDialog):
             "stop": (
                 self.tr("Stop"),
                 self.tr(
-                    "For good: the coils go to zero, the window closes. What is measured is kept, but never gone on with."
+                    "For good: the coils go to zero, the window closes. What is measured is kept, "
+                    "but cannot be gone on with."
                 ),
             ),
             "behind": (
@@ -44,7 +45,8 @@ class CloseQuestion(QDialog):
             "later": (
                 self.tr("Resume later"),
                 self.tr(
-                    "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page."
+                    "The coils go to zero, the window closes. What is missing is measured later: "
+                    "Go on, on the Start page."
                 ),
             ),
         }
