@@ -25,9 +25,7 @@ HEADINGS = ("figure", "earlier", "later", "± U", "unit", "E_n", "")
 OF_THE_DIFFERENCE = "± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed."
 TWO_DUTS = "They are of two DUTs. ± U (k=2) is that of the difference."
 NOT_EXPLAINED = "One of the two is not explained: what differs may be its error, and says nothing of the DUT yet."
-UNLIKE = (
-    "One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none."
-)
+UNLIKE = "One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none."
 
 
 class ComparisonView(QWidget):
