@@ -18,6 +18,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
+from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.signing import SigningStep, standing_word, state_of, steps
 from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
@@ -40,7 +41,7 @@ class CertificatePage(QWidget):
         self._app_state = app_state
         self._files: dict[str, CalibrationFile] = {}
         self._wanted = self._told_of = ""
-        self._for = ""  # this DUT it was chosen
+        self._for = self._asked_for = ""  # this DUT it was chosen
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -66,6 +67,7 @@ class CertificatePage(QWidget):
         column.addWidget(self.drop)
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
+        app_state.lab.changed.connect(self._other_dut)
         app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
         self._show()
 
@@ -89,6 +91,12 @@ class CertificatePage(QWidget):
     def _new(self, path: str) -> None:
         self._wanted = path
         self.refresh()
+
+    def _other_dut(self, state: LabState) -> None:
+        """What is of another DUT than the one at the top does not stay in sight."""
+        if self.isVisible() and state.dut_serial not in (self._for, self._asked_for):
+            self._asked_for = state.dut_serial
+            self.refresh()
 
     def _empty_card(self) -> Card:
         card = Card()
@@ -132,7 +140,7 @@ class CertificatePage(QWidget):
         self._files = {one.path: one for one in files}
         kept = before.path if before is not None and stays else next(iter(mine), "")
         kept = self._wanted if self._wanted in self._files else kept
-        self._for = here
+        self._for = self._asked_for = here
         with QSignalBlocker(self.list):
             self.list.clear()
             for one in files:
@@ -143,6 +151,8 @@ class CertificatePage(QWidget):
             self.list.setCurrentIndex(at if at >= 0 or here else 0)
         self._wanted = ""
         self._show()
+        if not here:
+            self._picked()
 
     def _say_empty(self) -> None:
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
