@@ -94,6 +94,7 @@ def _report_calibration(
     xml_key: XmlKeyFiles | None,
 ) -> None:
     by = None if xml_key is None else read_xml_key(xml_key.key, xml_key.certificates, xml_key.ask)
+    path = _beside(path, out)
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
@@ -116,6 +117,14 @@ def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:
     procedure = (header.procedure, header.source_sha256) if header else ("", "")
     images = images_in(home(), accredited=not calibration.simulated)
     return Circumstances(stated, *procedure, images, header.instruments if header else (), _open(header))
+
+
+def _beside(path: Path, out: Path) -> Path:
+    """The copy of the calibration that lies beside its report under the same name: that one the report names."""
+    copy = out.with_suffix(".json")
+    signed = len(certificate.signature_files(path)) if copy.exists() else 0
+    same = copy.exists() and copy.read_bytes() == path.read_bytes() and len(certificate.signature_files(copy)) == signed
+    return copy if same else path
 
 
 def _open(header: RunHeader | None) -> tuple[str, ...]:

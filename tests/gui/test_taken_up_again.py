@@ -44,7 +44,10 @@ def test_the_page_and_its_mark_are_of_one_dut(new_window):
     assert page.chosen() is None  # RELEASED stands beside ○ Certificate no longer
     app_state.set_identity(dut="")
     worker.answer(ListCalibrations, (calibration(),))
-    assert page.chosen() is not None
+    assert page.chosen() is None
+    assert page.empty.text().startswith("Choose a calibration")
+    page.list.setCurrentIndex(0)
+    page.list.activated.emit(0)
     assert app_state.lab.state.dut_serial == "EM-07"
     assert app_state.path.marks()["Certificate"] == "done"
 

@@ -38,6 +38,7 @@ from labcal.gui.ipc.messages import (
     WriteLabel,
     WriteReport,
 )
+from labcal.record.run_id import name_outside
 from labcal.record.specification import UNITS
 from labcal.uncertainty.conformity import LEFT_OPEN, Changes, Judged, stated_lines
 from labcal.uncertainty.conformity.change import SHOWN
@@ -304,7 +305,8 @@ def hand_out(channel: Channel, asked: HandOut) -> str:
     """Copy a calibration, its signatures and the keys they are checked against to a folder."""
     from labcal import session
 
-    session.hand_out(Path(asked.path), Path(asked.folder))
+    path = Path(asked.path)
+    session.hand_out(path, Path(asked.folder), name_outside(session.load_calibration(path).dut.serial, path.stem))
     return asked.folder
 
 

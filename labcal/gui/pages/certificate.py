@@ -147,18 +147,16 @@ class CertificatePage(QWidget):
                 simulated = translated("SIMULATED") if one.simulated else ""
                 words = (standing_word(one.standing), one.dut.serial, Path(one.path).stem, simulated)
                 self.list.addItem("  ·  ".join(filter(None, words)), one.path)
-            at = self.list.findData(kept)
-            self.list.setCurrentIndex(at if at >= 0 or here else 0)
+            self.list.setCurrentIndex(self.list.findData(kept))  # none by itself, where none is of the DUT at the top
         self._wanted = ""
         self._show()
-        if not here:
-            self._picked()
 
     def _say_empty(self) -> None:
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
         words = self.tr("No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.")
         here = self._app_state.lab.state.dut_serial
-        self.empty.setText(words.format(here) if self._files and here else none)
+        which = words.format(here) if here else self.tr("Choose a calibration, or say at the top which DUT.")
+        self.empty.setText(which if self._files else none)
 
     def _picked(self) -> None:
         """Whose calibration is looked at stands at the top."""
