@@ -29,8 +29,8 @@ from labcal.gui.widgets.record_words import RecordWords
 from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
-HEADINGS = ("started", "DUT", "procedure", "operator", "status", "state", "run")
-OF_ARCHIVE = tuple(heading if heading != "state" else "site" for heading in HEADINGS)
+HEADINGS = ("started", "DUT", "procedure", "operator", "ended", "result", "run")
+OF_ARCHIVE = tuple(heading if heading != "result" else "site" for heading in HEADINGS)
 
 
 class HistoryPage(QWidget):

@@ -185,7 +185,7 @@ class Live(QWidget):
     def _below(self) -> Card:
         card = Card()
         self.table = Measurements(self._theme)
-        self.table.setMinimumHeight(12 * GRID)
+        self.table.setMinimumHeight(18 * GRID)
         card.body.addWidget(self.table)
         return card
 
@@ -238,7 +238,7 @@ class Live(QWidget):
                 (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
                 (self.lights, run.turns() and not decided),
-                (self.turn, run.turns()),
+                (self.turn, run.turns() and not ended),
                 *((widget, turned) for widget in (self.time_left.progress, self.steps, self.loci)),
             ):
                 widget.setVisible(shown)

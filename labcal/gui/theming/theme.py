@@ -121,6 +121,7 @@ QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700
 QPushButton#off:focus { border: 3px solid $text; padding: 9px 21px; }
 QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 10px 12px; }
 QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; padding-left: 8px; }
+QPushButton#rail:disabled { background: $surface; }
 QPushButton#rail:focus { border: 2px solid $accent; padding: 8px 10px; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { background: $sunken;
     border: 1px solid $line; border-radius: 4px; padding: 5px 8px;
