@@ -76,7 +76,7 @@
     </message>
     <message>
         <source>The bench is being opened …</source>
-        <translation>Die Bench wird geöffnet …</translation>
+        <translation>Der Messplatz wird geöffnet …</translation>
     </message>
     <message>
         <source>Open a bench first: yours, or the simulated lab.</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>A run goes on and holds the instruments: after it.</source>
-        <translation>Ein Lauf ist im Gang und hält die Geräte: danach.</translation>
+        <translation>Eine Messung läuft und hält die Geräte: danach.</translation>
     </message>
     <message>
         <source>{0}, simulated</source>
@@ -6749,7 +6749,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Ein Lauf von {0} brach ab: unten fortsetzen, oder neu messen.</translation>
+        <translation>▲ Eine Messung von {0} brach ab: unten fortsetzen, oder neu messen.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -6789,11 +6789,11 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation>Die Bench-Datei gibt nur Spulenkonstanten an: „Käfig prüfen“ misst die Matrix.</translation>
+        <translation>Die Messplatzdatei gibt nur Spulenkonstanten an: „Käfig prüfen“ misst die Matrix.</translation>
     </message>
     <message>
         <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
-        <translation>Die Bench-Datei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
+        <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
         <source>▲ not measured</source>
@@ -7511,7 +7511,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.</source>
-        <translation>Eines der beiden ist zurückgeführt auf Ursachen, das andere nicht: Der Unterschied kann sein, was dabei herausgenommen wurde. Bei beiden die Ursache suchen, oder bei keinem.</translation>
+        <translation>Bei einem der beiden ist der Rest erklärt, beim anderen nicht: Der Unterschied kann sein, was dabei herausgenommen wurde. Bei beiden den Rest erklären, oder bei keinem.</translation>
     </message>
     <message>
         <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
@@ -8267,7 +8267,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
-        <translation>▲ Offen im Lauf selbst: {0}. Eine Freigabe nimmt das so hin.</translation>
+        <translation>▲ Offen in der Messung selbst: {0}. Eine Freigabe nimmt das so hin.</translation>
     </message>
     <message>
         <source>{0} not measured</source>
@@ -8279,7 +8279,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
-        <translation>Kein Vergleich: Lauf {0} ist {1}; was ihm fehlt, sähe wie eine Änderung aus.</translation>
+        <translation>Kein Vergleich: Messung {0} ist {1}; was ihm fehlt, sähe wie eine Änderung aus.</translation>
     </message>
 </context>
 <context>
