@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>A run goes on and holds the instruments: after it.</source>
-        <translation>Une session est en cours et tient les appareils : après elle.</translation>
+        <translation>Une mesure est en cours et tient les appareils : après elle.</translation>
     </message>
     <message>
         <source>{0}, simulated</source>
@@ -6749,7 +6749,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Une session de {0} s&apos;est interrompue : la reprendre ci-dessous, ou mesurer de nouveau.</translation>
+        <translation>▲ Une mesure de {0} s&apos;est interrompue : la reprendre ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -7511,7 +7511,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.</source>
-        <translation>L&apos;un des deux a ses causes cherchées, l&apos;autre non : la différence peut être ce qui en a été retiré. Cherchez-les pour les deux, ou pour aucun.</translation>
+        <translation>L&apos;un des deux a son résidu expliqué, l&apos;autre non : la différence peut être ce qui en a été retiré. Expliquez les deux, ou aucun.</translation>
     </message>
     <message>
         <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
@@ -8267,7 +8267,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
-        <translation>▲ Ouvert dans la session même : {0}. Une approbation l&apos;accepte tel quel.</translation>
+        <translation>▲ Ouvert dans la mesure même : {0}. Une approbation l&apos;accepte tel quel.</translation>
     </message>
     <message>
         <source>{0} not measured</source>
@@ -8279,7 +8279,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
-        <translation>Pas de comparaison : la session {0} est {1} ; ce qui lui manque semblerait un changement.</translation>
+        <translation>Pas de comparaison : la mesure {0} est {1} ; ce qui lui manque semblerait un changement.</translation>
     </message>
 </context>
 <context>
