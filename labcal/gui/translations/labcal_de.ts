@@ -7040,19 +7040,19 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go dark</source>
-        <translation>Dunkel stellen</translation>
+        <translation>Abdunkeln</translation>
     </message>
     <message>
         <source>Go light</source>
-        <translation>Hell stellen</translation>
+        <translation>Aufhellen</translation>
     </message>
     <message>
         <source>Mute</source>
-        <translation>Ton ausschalten</translation>
+        <translation>Ton beenden</translation>
     </message>
     <message>
         <source>Unmute</source>
-        <translation>Ton einschalten</translation>
+        <translation>Ton zulassen</translation>
     </message>
     <message>
         <source>Smaller   F11</source>

@@ -7040,19 +7040,19 @@ cette étape …</translation>
     </message>
     <message>
         <source>Go dark</source>
-        <translation>Passer au sombre</translation>
+        <translation>Assombrir</translation>
     </message>
     <message>
         <source>Go light</source>
-        <translation>Passer au clair</translation>
+        <translation>Éclaircir</translation>
     </message>
     <message>
         <source>Mute</source>
-        <translation>Couper le son</translation>
+        <translation>Taire</translation>
     </message>
     <message>
         <source>Unmute</source>
-        <translation>Mettre le son</translation>
+        <translation>Sonner</translation>
     </message>
     <message>
         <source>Smaller   F11</source>
