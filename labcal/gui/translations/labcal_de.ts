@@ -5790,7 +5790,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>2  What could cause it</source>
-        <translation>2  Was die Ursache sein könnte</translation>
+        <translation>2  Mögliche Ursachen</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>

@@ -5790,7 +5790,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>2  What could cause it</source>
-        <translation>2  Quelle pourrait en être la cause</translation>
+        <translation>2  Causes possibles</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
