@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.bench.bench import Bench
-from labcal.bench.steps import Blocks, Work, dut_nT
+from labcal.bench.steps import Blocks, Work, dut_nT, note
 from labcal.bench.streams.samples import samples
 from labcal.fit.filters.ekf import EKF
-from labcal.record.stream import Event
 
 NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds its own
 
@@ -31,7 +30,7 @@ class RunningEstimate:
         magnitude = float(np.linalg.norm(samples(blocks, "reference").mean))
         for reading in dut_nT(self._bench, blocks).values:
             self._filter.update(reading, magnitude)
-        yield Event(self._bench.clock.now(), "note", self._sentence())
+        yield note(self._bench, self._sentence())
 
     def _sentence(self) -> str:
         if why := self._filter.diverged():

@@ -149,6 +149,14 @@ def for_modes(spec: ParameterSpec, modes: tuple[str, ...]) -> ParameterSpec:
     return replace(spec, kind="choice", choices=modes)
 
 
+def for_rate(spec: ParameterSpec, fastest_deg_per_s: float | None) -> ParameterSpec:
+    """`spec` where DUT and platform turn no faster: a rate's range ends there; as it is where no limit is known."""
+    if spec.name != RATE or spec.limits is None or fastest_deg_per_s is None:
+        return spec
+    return replace(spec, limits=replace(spec.limits, hi=min(spec.limits.hi, fastest_deg_per_s)))
+
+
+RATE = "rate_deg_per_s"  # the keyword of how fast the platform turns with the DUT
 POWER_MODES = ("mode", "modes")  # keywords that name power modes of the DUT, by which a run refuses those it has not
 RUNNER_GIVES = ("resume", "calibration")  # keywords that are filled for the procedure: what was done, a file read
 

@@ -21,8 +21,10 @@ from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Segment
 from labcal.record.stream import (
+    BY,
     FAULT,
     NOT_USED,
+    PROCEDURE,
     Block,
     Event,
     Item,
@@ -348,8 +350,8 @@ def measured(
 
 
 def note(bench: Bench, text: str, **data: Any) -> Event:
-    """A remark for the record."""
-    return Event(bench.clock.now(), "note", text, data)
+    """A remark for the record, told from what a person notes."""
+    return Event(bench.clock.now(), "note", text, {BY: PROCEDURE, **data})
 
 
 def dut_nT(bench: Bench, blocks: Sequence[Block]) -> Samples:

@@ -13,15 +13,19 @@ from labcal.files.atomic import replaceable, write_bytes, write_text
 from labcal.files.outputs import claim
 
 
-def hand_out(calibration: Path, folder: Path, signers: Sequence[Signer]) -> None:
+def hand_out(calibration: Path, folder: Path, signers: Sequence[Signer], name: str = "") -> None:
     """Copy `calibration`, its signatures and their time-stamps to `folder`, and `signers` as its trust list.
+
+    There it is called `name`.json, where that is given, and its signatures after it: they are of its content alone.
 
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
     [trust] = claim("hand out", folder / "allowed_signers")
     signatures = signature_files(calibration)
     tokens = [token for file in signatures if (token := token_file(file)).exists()]
-    copies = {folder / file.name: file.read_bytes() for file in (calibration, *signatures, *tokens)}
+    called = f"{name}.json" if name else calibration.name
+    files = (calibration, *signatures, *tokens)
+    copies = {folder / (called + file.name.removeprefix(calibration.name)): file.read_bytes() for file in files}
     for copy, content in copies.items():
         replaceable(copy)
         if copy.exists() and copy.read_bytes() != content:

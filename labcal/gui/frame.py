@@ -303,7 +303,10 @@ class Frame(QMainWindow):
 
     def _open_at(self, index: int) -> None:
         """Who worked on the page before has the focus on the name of this one."""
-        with focus_kept_in(self.stack, self.sidebar_buttons.button(index)):
+        of_this_page, here = self.sidebar_buttons.button(index), QApplication.focusWidget()
+        if here in self.sidebar_buttons.buttons():
+            of_this_page.setFocus(Qt.FocusReason.OtherFocusReason)
+        with focus_kept_in(self.stack, of_this_page):
             self.stack.setCurrentIndex(index)
 
     def page_shown(self) -> str:

@@ -220,9 +220,9 @@ class Window(Frame):
 
     def _say_switches(self) -> None:
         """What a click on them would give."""
-        self.theme_switch.setText(self.tr("Dark") if self.theme is LIGHT else self.tr("Light"))
+        self.theme_switch.setText(self.tr("Go dark") if self.theme is LIGHT else self.tr("Go light"))
         self.size_switch.setText(self.tr("Smaller   F11") if self.wall else self.tr("Larger   F11"))
-        self.sound_switch.setText(self.tr("Sound off") if is_on(self.app_state.settings) else self.tr("Sound on"))
+        self.sound_switch.setText(self.tr("Mute") if is_on(self.app_state.settings) else self.tr("Unmute"))
         self.language_switch.setText(languages()[following(spoken())])
 
     def set_theme(self, theme: Theme) -> None:

@@ -28,3 +28,8 @@ def as_file_name(run_id: str) -> str:
     name = "".join(safe).replace("..", "%2e%2e")
     name = f"{name[:-1]}%2e" if name.endswith(".") else name
     return f"%{ord(name[0]):x}{name[1:]}" if NO_FILE.fullmatch(name) else name
+
+
+def name_outside(serial: str, stem: str) -> str:
+    """What a file of this sensor is called where it leaves the lab: by serial and run, which says the day."""
+    return stem if stem.startswith(f"{serial}_") else re.sub(r"[^\w.-]", "-", f"{serial}_{stem}")

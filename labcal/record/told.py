@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from labcal.record.stream import Measurement
+
 
 @dataclass(frozen=True, slots=True)
 class Interruption:
@@ -20,7 +22,14 @@ class Interruption:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """Notes and photographs in the order that they were made, in the words that were typed."""
+    """Notes and photographs in the order that they were made, in the words that were typed.
+
+    `remarks`: what the procedure itself noted. `open`: of the run's checks the last result of each that is no PASS;
+    `not_measured`: the closures that it was to have and has not.
+    """
 
     interruptions: tuple[Interruption, ...] = ()
     notes: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+    open: tuple[Measurement, ...] = ()
+    not_measured: tuple[str, ...] = ()

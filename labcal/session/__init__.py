@@ -10,7 +10,7 @@ spite of them), `figures` (of a run's sensor), and `measuring`, where the loop c
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import replace
 from datetime import UTC, datetime
 from functools import partial
@@ -206,12 +206,15 @@ def resume(
     return outcome.parted(lab.ended)
 
 
-def hand_out(calibration: Path, folder: Path) -> None:
+def hand_out(calibration: Path, folder: Path, name: str = "") -> None:
     """Copy a calibration, its signatures and the keys they are checked against, revoked ones as such, to `folder`.
 
+    There it is called `name`.json, where that is given; `folder` is made where there is none, in one that is there.
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
-    certificate.hand_out(calibration, folder, handed_out())
+    with suppress(OSError):  # what is wrong with it is said where it is written into
+        folder.mkdir()
+    certificate.hand_out(calibration, folder, handed_out(), name)
     note_file("export", "", calibration)
 
 

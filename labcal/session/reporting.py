@@ -19,11 +19,13 @@ from labcal.files.home import home
 from labcal.files.outputs import claim
 from labcal.fit import fit
 from labcal.model import Calibration
-from labcal.record import Run
+from labcal.record import Run, RunHeader
+from labcal.session.checks import open_words
 from labcal.session.numbering import header_of
 from labcal.session.records import runs
 from labcal.session.signing import CALIBRATIONS, verify
 from labcal.session.sources import paths, run_bundle, run_of
+from labcal.session.told import told
 from labcal.uncertainty.conformity import Changes
 
 THIS_LAB = "this lab's trust list"
@@ -92,6 +94,7 @@ def _report_calibration(
     xml_key: XmlKeyFiles | None,
 ) -> None:
     by = None if xml_key is None else read_xml_key(xml_key.key, xml_key.certificates, xml_key.ask)
+    path = _beside(path, out)
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
@@ -113,7 +116,23 @@ def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:
     header = header_of(calibration.run_id) if run else None
     procedure = (header.procedure, header.source_sha256) if header else ("", "")
     images = images_in(home(), accredited=not calibration.simulated)
-    return Circumstances(stated, *procedure, images, header.instruments if header else ())
+    return Circumstances(stated, *procedure, images, header.instruments if header else (), _open(header))
+
+
+def _beside(path: Path, out: Path) -> Path:
+    """The copy of the calibration that lies beside its report under the same name: that one the report names."""
+    copy = out.with_suffix(".json")
+    signed = len(certificate.signature_files(path)) if copy.exists() else 0
+    same = copy.exists() and copy.read_bytes() == path.read_bytes() and len(certificate.signature_files(copy)) == signed
+    return copy if same else path
+
+
+def _open(header: RunHeader | None) -> tuple[str, ...]:
+    """What the run's own checks left open."""
+    if header is None:
+        return ()
+    left = told(header.run_id)
+    return open_words(left.open, left.not_measured)
 
 
 def changed_since(calibration: Calibration) -> Changes | None:

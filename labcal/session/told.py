@@ -7,9 +7,12 @@ from dataclasses import replace
 from datetime import datetime
 from itertools import pairwise
 
-from labcal.record.stream import RESUMED, Event, Item, Step
+from labcal.record.stream import BY, PROCEDURE, RESUMED, Event, Item, Step
 from labcal.record.told import Interruption, Told
+from labcal.session.checks import not_closed, open_checks, results
 from labcal.store import Store
+
+UNMARKED = "offsets so far"  # how a preflight's own remarks began before they were marked as such
 
 
 def told(run_id: str) -> Told:
@@ -20,7 +23,9 @@ def told(run_id: str) -> Told:
         simulated = bool(found) and store.header(run_id).simulated
     if simulated:  # stamped by its own clock, which runs ahead of the wall's and stands between two stretches
         found = [replace(one, gone_s=None, timed=False) for one in found]
-    return Told(tuple(found), tuple(_notes(items)))
+    notes, remarks = _notes(items)
+    last = results(items)
+    return Told(tuple(found), notes, remarks, open_checks(last), not_closed(items, last))
 
 
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:
@@ -49,5 +54,12 @@ def _gone_s(statuses: Sequence[tuple[str, str]]) -> list[float | None]:
     return found
 
 
-def _notes(items: Iterable[Item]) -> list[str]:
-    return [item.text for item in items if isinstance(item, Event) and item.kind == "note"]
+def _notes(items: Iterable[Item]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What people noted, and what the procedure did."""
+    notes = [item for item in items if isinstance(item, Event) and item.kind == "note"]
+    own = tuple(item.text for item in notes if not _of_the_procedure(item))
+    return own, tuple(item.text for item in notes if _of_the_procedure(item))
+
+
+def _of_the_procedure(note: Event) -> bool:
+    return note.data.get(BY) == PROCEDURE or note.text.startswith(UNMARKED)

@@ -227,14 +227,32 @@ def test_quick_fingers_in_a_number_field_are_no_scan(still, keys):
     assert (field.text(), shown(still)) == ("20000; abc", None)
 
 
+@pytest.mark.parametrize("typed", ["50,5", "20000.5", "-1000", "2000, 50000"])
+def test_a_number_typed_fast_into_a_field_of_numbers_is_no_scan_whatever_ends_it(still, keys, typed):
+    field = still.page("Run").choose.form.fields["inclination_deg" if "," not in typed else "magnitudes_nT"]
+    field.clear()
+    keys(field, typed, 0.01, Qt.Key.Key_Tab)
+    assert (field.text(), shown(still), still.app_state.lab.state.dut_serial) == (typed, None, "EM-07")
+
+
+@pytest.mark.parametrize("scanned", ["EM-19", "4006381333931"])
+def test_a_code_is_a_scan_in_a_field_of_numbers_too_and_that_it_is_taken_back_is_said(still, keys, scanned):
+    field = still.page("Run").choose.form.fields["inclination_deg"]
+    field.clear()
+    keys(field, scanned, 0.01)
+    assert field.text() == ""
+    assert scanned in still.scan_card.words.text() or scanned in still.message.text()
+    still.app_state.scan_vm.put_away()
+
+
 def test_what_came_as_a_scan_is_given_back_to_the_field_where_it_was_typed(still, keys, qtbot):
     field = still.page("Run").choose.form.fields["magnitudes_nT"]
     field.clear()
     keys(field, "10", 0.2)
-    keys(field, "0002", 0.01)
+    keys(field, "00x2", 0.01)
     keys(field, "0abc", 0.01)
     assert (field.text(), still.scan_card.typed.isVisible()) == ("10", True)
     qtbot.mouseClick(still.scan_card.typed, Qt.MouseButton.LeftButton)
-    assert (field.text(), field.hasFocus(), shown(still)) == ("1000020abc", True, None)
+    assert (field.text(), field.hasFocus(), shown(still)) == ("1000x20abc", True, None)
     keys(still.sidebar, "EM-19", 0.01)
     assert not still.scan_card.typed.isVisible()

@@ -281,12 +281,12 @@ def test_a_plan_is_that_of_its_settings_and_one_beyond_a_limit_is_refused_in_wor
     choose.choose("reverse")
     qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
     late = still.app_state.bench_worker.asked[-1].then
-    choose.form.set_text("rate_deg_per_s", "25")
+    choose.form.set_text("rate_deg_per_s", "15")
     late(("the plan of other settings",))
     assert not choose.plan.text()
     qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
     asked = still.app_state.bench_worker.asked[-1]
-    assert asked.command.given == {"rate_deg_per_s": "25"}
+    assert asked.command.given == {"rate_deg_per_s": "15"}
     asked.failed(Fault("input", "25 deg/s is beyond the DUT's limit.", "Nothing was moved."))
     assert choose.plan.text() == "✕ 25 deg/s is beyond the DUT's limit. Nothing was moved."
 

@@ -86,9 +86,33 @@ def test_two_chosen_runs_are_compared_the_older_one_first_and_back_again(still, 
 )
 def test_what_differs_is_a_change_of_the_dut_only_where_both_are_explained_and_of_it(page, verdict, dut, said):
     found = Comparison(side("r1", "r1.json"), replace(side("r2", "r2.json"), dut=dut), FOUND)
-    page.comparison.show_comparison(found, {"r1": verdict})
+    page.comparison.show_comparison(found, {"r1": verdict, "r2": "explained"})
     assert said in page.comparison.remark.text()
     assert ("✕ UNEXPLAINED" in page.comparison.whose.text()) == (verdict == "unexplained")
+
+
+def test_a_traced_and_an_untraced_result_are_not_of_one_kind_and_nothing_is_said_to_have_changed(page):
+    found = Comparison(side("r1", "r1.json"), side("r2", "r2.json"), FOUND)
+    table = page.comparison.table
+
+    def last_column():
+        return [table.text(row, table.columnCount() - 1) for row in range(table.rowCount())]
+
+    page.comparison.show_comparison(found, {"r1": "explained"})
+    assert "One of the two is traced, the other is not" in page.comparison.remark.text()
+    assert "changed" not in page.comparison.remark.text()
+    assert not any(last_column())
+    page.comparison.show_comparison(found, {})
+    assert any("changed" in cell for cell in last_column())
+
+
+def test_why_two_chosen_runs_are_not_compared_is_said(page, qtbot):
+    choose(page, qtbot, "r1", "r0")
+    assert page.why_not.isVisible()
+    assert page.why_not.text().startswith("No comparison: run r0 is interrupted")
+    assert page.compare.toolTip() == page.why_not.text()
+    choose(page, qtbot, "r1", "r2")
+    assert not page.why_not.isVisible()
 
 
 @pytest.mark.parametrize("runs", [(), ("r1",), ("r1", "r0"), ("r0", "r1", "r2")])

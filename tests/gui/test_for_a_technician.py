@@ -59,12 +59,16 @@ def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):
 def test_theme_and_size_are_switched_in_the_window_and_the_theme_is_kept(still, qtbot):
     try:
         qtbot.mouseClick(still.theme_switch, Qt.MouseButton.LeftButton)
-        assert (still.theme, chosen_theme(still.app_state.settings), still.theme_switch.text()) == (DARK, DARK, "Light")
+        assert (still.theme, chosen_theme(still.app_state.settings), still.theme_switch.text()) == (
+            DARK,
+            DARK,
+            "Go light",
+        )
         qtbot.mouseClick(still.theme_switch, Qt.MouseButton.LeftButton)
         assert (still.theme, chosen_theme(still.app_state.settings), still.theme_switch.text()) == (
             LIGHT,
             LIGHT,
-            "Dark",
+            "Go dark",
         )
         qtbot.mouseClick(still.size_switch, Qt.MouseButton.LeftButton)
         assert (still.wall, still.size_switch.text()) == (True, "Smaller   F11")

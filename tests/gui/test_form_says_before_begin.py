@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.bench_commands import read_bench
-from labcal.gui.ipc.messages import ReadBench
+from labcal.gui.ipc.messages import ReadBench, RunProcedure
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 ONE_AXIS = "▲ No whole calibration can come of one body axis"
@@ -78,3 +79,28 @@ def test_one_power_mode_is_chosen_among_those_there_are(with_modes):
 
 def test_the_bench_file_says_which_power_modes_there_are():
     assert read_bench(None, ReadBench(str(BENCH))).modes == ("nominal", "full", "safe")
+
+
+def test_a_rate_beyond_what_dut_and_platform_allow_is_refused_in_its_field(still):
+    assert read_bench(None, ReadBench(str(BENCH))).fastest_deg_per_s == 20.0  # the DUT's; the stage may 24
+    still.open_page("Run")
+    choose = still.page("Run").choose
+    choose.choose("preflight")
+    assert "0 … 20 deg/s" in choose.form.complaints["rate_deg_per_s"].text()
+    choose.form.set_text("rate_deg_per_s", "45")
+    assert choose.form.complaints["rate_deg_per_s"].text().startswith("✕ expected")
+    assert not choose.start.isEnabled()
+    choose.form.set_text("rate_deg_per_s", "20")
+    assert choose.form.valid()
+
+
+def test_the_bench_is_not_asked_anything_in_a_run_and_says_why(still):
+    still.open_page("Bench")
+    page = still.page("Bench")
+    asks = (page.check, page.reconnect, page.make, page.choose, page.simulated)
+    assert all(button.isEnabled() for button in asks)
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert not any(button.isEnabled() for button in asks)
+    assert all(button.toolTip().startswith("A run goes on") for button in asks)
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    assert all(button.isEnabled() and not button.toolTip().startswith("A run") for button in asks)

@@ -7,6 +7,7 @@ from test_path import RUN
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import ListRuns, RunProcedure
 from labcal.gui.ipc.record_messages import TellRecord
+from labcal.gui.pages.run_live import Live
 from labcal.record.stream import RESUMED, Event, Step
 from labcal.record.told import Interruption, Told
 from labcal.session.told import interruptions
@@ -36,6 +37,44 @@ def test_no_length_is_said_where_the_clock_of_a_simulated_bench_stood(still):
     worker.answer(TellRecord, Told((Interruption("x+50uT-nominal", None, ("zero",), timed=False),)))
     said = "▲ Interrupted once: at x +50 µT nominal. Measured again: offset and first position."
     assert told.interrupted.text() == said
+
+
+SURPRISED = (
+    "offsets so far: the filter has diverged, or the sensor has changed: its innovations squared are 829.5 times what "
+    "its covariance and the noise of the first readings allow"
+)
+
+
+def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_details(still):
+    still.open_page("History")
+    worker, page = still.app_state.quick_worker, still.page("History")
+    worker.answer(ListRuns, (replace(RUN, run_id="r1"),))
+    page.table.selectRow(0)
+    worker.answer(TellRecord, replace(TOLD, remarks=(SURPRISED,) * 7))
+    told = page.told
+    assert told.noted.text() == "Noted: lift moved"  # one's own first
+    assert told.noted.y() < told.line.y()
+    assert told.remarked.text().startswith("The procedure noted 7 more, the last: offsets so far: the filter has")
+    assert not told.all.isVisible()
+    told.fold.click()
+    assert told.all.isVisible()
+    assert told.all.toPlainText().count(SURPRISED) == 7
+    assert page.trend.plot.height() >= 160
+    worker.answer(ListRuns, (replace(RUN, run_id="r1"),))
+    worker.answer(TellRecord, replace(TOLD, remarks=(SURPRISED,) * 7))
+    assert told.all.isVisible()  # read again, and no fold closes
+    page.table.clearSelection()
+    assert not told.line.isVisible()
+
+
+def test_a_window_in_another_language_tells_of_the_run_that_has_ended(new_window):
+    run = new_window.app_state.run
+    run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    new_window.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    here = new_window.page("Run").live
+    made = Live(new_window.app_state, new_window.theme, here.loci, here.traces)
+    new_window.app_state.quick_worker.answer(TellRecord, TOLD)
+    assert made.verdict.told.noted.text().endswith("lift moved")
 
 
 def test_nothing_is_said_of_a_run_without_either(still):

@@ -120,7 +120,7 @@ def test_done_is_heard_otherwise_than_needed_and_a_click_turns_both_off(still, h
     qtbot.waitUntil(lambda: len(heard) == 3, timeout=15_000)
     heard.clear()
     qtbot.mouseClick(still.sound_switch, Qt.MouseButton.LeftButton)
-    assert still.sound_switch.text() == "Sound on"
+    assert still.sound_switch.text() == "Unmute"
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     worker.items.emit((Prompt(101.0, "m", "Mount it.", ("done",)),))
     assert heard == []

@@ -93,7 +93,7 @@ def calibration_page(
                 effect_tables(calibration.effects, k_of_parameters(calibration)),
             ),
             section("Where it holds", [_validity(calibration, run)]),
-            section("What is not covered", [Prose(_not_covered(calibration, run))]),
+            section("What is not covered", [Prose((*said.open_checks, *_not_covered(calibration, run)))]),
             section("Uncertainty budget", budget_blocks(calibration)),
             section(
                 "Findings about the rig and the data, not part of the correction",

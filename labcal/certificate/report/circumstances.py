@@ -46,6 +46,7 @@ class Circumstances:
     procedure_sha256: str = ""
     images: tuple[str, ...] = ()
     instruments: tuple[Mapping[str, str], ...] = ()
+    open_checks: tuple[str, ...] = ()  # of the run: a sentence for each that is no PASS
 
     def made_by(self, serial: str) -> tuple[str, str]:
         """Manufacturer and model of the instrument of this serial number, as it answered; empty where unknown."""

@@ -59,6 +59,7 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
     """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
     from labcal.bench.coils.cage_file import calibrated
     from labcal.bench.config import read_config
+    from labcal.bench.fastest import fastest_stated
     from labcal.bench.named_serials import stated_serial
 
     config, _ = calibrated(read_config(Path(asked.bench)), Path(asked.bench))
@@ -75,6 +76,7 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
         },
         serial_pattern=dut.serial_pattern,
         modes=dut.limits.modes,
+        fastest_deg_per_s=fastest_stated(Path(asked.bench), config),
         virtual_time=config.simulated,
         camera=config.camera or "",
         laboratory=_laboratory(config),

@@ -63,6 +63,7 @@ class Bench:
     instruments: Mapping[str, Instrument]
     serial_pattern: str = USUAL  # of the DUTs that this bench takes
     modes: tuple[str, ...] = ()  # the power modes that the DUT may be in; none stated: any
+    fastest_deg_per_s: float | None = None  # that DUT and platform may turn, where a limit is stated
     virtual_time: bool = False  # it passes as fast as is wanted
     laboratory: str = ""  # whose bench it is, where that is stated
     camera: str = ""  # its number on this computer, or its address; shown where the DUT is mounted

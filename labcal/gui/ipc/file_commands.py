@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
@@ -38,6 +38,7 @@ from labcal.gui.ipc.messages import (
     WriteLabel,
     WriteReport,
 )
+from labcal.record.run_id import name_outside
 from labcal.record.specification import UNITS
 from labcal.uncertainty.conformity import LEFT_OPEN, Changes, Judged, stated_lines
 from labcal.uncertainty.conformity.change import SHOWN
@@ -47,7 +48,6 @@ from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 if TYPE_CHECKING:
     from labcal.certificate import Stated, Verification
     from labcal.model import Calibration
-    from labcal.record.stream import Item
     from labcal.store import RunSummary
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
@@ -71,28 +71,20 @@ def _line(one: RunSummary, loop: Mapping[str, Any] | None = None) -> RunLine:
 
 
 def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:
-    """The last closing check there is: when, of which run, and its worst measurement."""
+    """The last run that was closed: when, which, and its worst result, of a closure or not: a run has one verdict."""
     from labcal import session
-    from labcal.record.stream import Measurement
+    from labcal.session.checks import not_closed, results, worst
     from labcal.store import Store
 
     finished = (one for one in reversed(session.runs()) if one.status == "finished")
     with Store.open() as store:
         for one in islice(finished, LOOKED_BACK):
             items = list(store.items(one.run_id, but="block"))
-            closures = [i for i in items if isinstance(i, Measurement) and "closure" in i.name]
-            if worst := max(closures, key=lambda m: abs(m.value), default=None):
-                verdict = UNDECIDED if worst.verdict == "PASS" and _not_closed(items) else worst.verdict
-                return Checked(_line(one), worst, verdict)
+            found = results(items)
+            if any("closure" in name for name in found) and (least := worst(found)) is not None:
+                open_yet = least.verdict == "PASS" and not_closed(items, found)
+                return Checked(_line(one), least, UNDECIDED if open_yet else least.verdict)
     return None
-
-
-def _not_closed(items: Iterable[Item]) -> set[str]:
-    """The closures that a run was to have and has not: of an axis that was broken off and never closed."""
-    from labcal.record.stream import Measurement, Step
-
-    wanted = {name.replace("-", " ") for i in items if isinstance(i, Step) for name in i.names if "closure-" in name}
-    return wanted - {i.name for i in items if isinstance(i, Measurement)}
 
 
 def cage_check(channel: Channel, asked: LastCageCheck) -> Checked | None:
@@ -313,7 +305,8 @@ def hand_out(channel: Channel, asked: HandOut) -> str:
     """Copy a calibration, its signatures and the keys they are checked against to a folder."""
     from labcal import session
 
-    session.hand_out(Path(asked.path), Path(asked.folder))
+    path = Path(asked.path)
+    session.hand_out(path, Path(asked.folder), name_outside(session.load_calibration(path).dut.serial, path.stem))
     return asked.folder
 
 

@@ -59,10 +59,15 @@ class BenchPage(QWidget):
         column.addWidget(self.faces, 1)
         for changed in (app_state.bench_changed, app_state.watch.was_read):
             changed.connect(self._bench_known)
+        app_state.run.changed.connect(self._run_changed)
         self._readings = QTimer(self, interval=READINGS_MS)
         self._readings.timeout.connect(self.show_readings)
         app_state.lab.changed.connect(self._lab_changed)
         self._bench_known()
+
+    def _run_changed(self) -> None:
+        if self.check.isEnabled() == self._app_state.run.alive or self._app_state.facts is None:
+            self._enable()
 
     def showEvent(self, event: object) -> None:
         """Readings as they come, while somebody looks."""
@@ -105,7 +110,7 @@ class BenchPage(QWidget):
             self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines")
         )
         self.choose.clicked.connect(self._choose)
-        simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
+        self.simulated = simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
         simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
         self.edit = button(self.tr("Edit …"), self.tr("Settings of this bench file, limits first"))
         self.edit.clicked.connect(lambda: self._edit(self._app_state.bench))
@@ -113,6 +118,8 @@ class BenchPage(QWidget):
             self.tr("New …"), self.tr("Ask who answers on this computer's lines, and write a draft of a bench file")
         )
         self.make.clicked.connect(self._make)
+        not_in_a_run = (simulated, self.choose, self.make, self.reconnect, self.check)
+        self._tips = {widget: widget.toolTip() for widget in not_in_a_run}
         row = Flow(simulated, self.choose, self.make, self.edit, self.reconnect, self.check)
         self.table = Table(HEADINGS, 3)
         self.table.show_rows(MOST_ROWS, MOST_ROWS)
@@ -240,12 +247,21 @@ class BenchPage(QWidget):
         self.file.setToolTip(self._app_state.bench)
         self.empty.setVisible(not there)
         self.table.setVisible(bool(there))
-        for widget in (self.check, self.reconnect, self.edit):
-            widget.setEnabled(bool(there))
+        self._enable()
         set_primary(self.choose, not there)
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):
             self._show_row(row, name, one)
+
+    def _enable(self) -> None:
+        """What asks the instruments waits for the end of a run, and says so."""
+        alive, there = self._app_state.run.alive, self._app_state.facts is not None
+        reason = self.tr("A run goes on and holds the instruments: after it.")
+        for widget, tip in self._tips.items():
+            asks_them = widget in (self.check, self.reconnect)
+            widget.setEnabled(not alive and (there or not asks_them))
+            widget.setToolTip(reason if alive else tip)
+        self.edit.setEnabled(there)
 
     def _show_row(self, row: int, name: str, one: Instrument) -> None:
         for column, text in enumerate((one.role, name, one.link)):

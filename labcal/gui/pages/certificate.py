@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import ChangedSince, ListCalibrations, ListKeys, VerifyFile
+from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.pages.certificate_paper import Paper
 from labcal.gui.pages.certificate_steps import SigningSteps
 from labcal.gui.theming.theme import GRID, Theme
@@ -17,12 +18,15 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
+from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.signing import SigningStep, standing_word, state_of, steps
+from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
+from labcal.record.told import Told
 
 MOST_ROWS = 80  # of the table are seen without rolling it
 
@@ -36,8 +40,8 @@ class CertificatePage(QWidget):
         super().__init__()
         self._app_state = app_state
         self._files: dict[str, CalibrationFile] = {}
-        self._wanted = ""
-        self._for = ""  # this DUT it was chosen
+        self._wanted = self._told_of = ""
+        self._for = self._asked_for = ""  # this DUT it was chosen
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -63,6 +67,7 @@ class CertificatePage(QWidget):
         column.addWidget(self.drop)
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
+        app_state.lab.changed.connect(self._other_dut)
         app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
         self._show()
 
@@ -87,6 +92,12 @@ class CertificatePage(QWidget):
         self._wanted = path
         self.refresh()
 
+    def _other_dut(self, state: LabState) -> None:
+        """What is of another DUT than the one at the top does not stay in sight."""
+        if self.isVisible() and state.dut_serial not in (self._for, self._asked_for):
+            self._asked_for = state.dut_serial
+            self.refresh()
+
     def _empty_card(self) -> Card:
         card = Card()
         self.empty = label("", wrap=True)
@@ -100,7 +111,9 @@ class CertificatePage(QWidget):
         """How the chosen one stands, in a word and in sentences."""
         self.detail = Card()
         self.word, self.standing = label("", "ask"), label("", wrap=True)
-        for part in (self.word, self.standing):
+        self.open = label("", wrap=True)  # of the run's own checks, before anybody approves
+        set_state(self.open, "warning")
+        for part in (self.word, self.standing, self.open):
             self.detail.body.addWidget(part)
         return self.detail
 
@@ -127,15 +140,14 @@ class CertificatePage(QWidget):
         self._files = {one.path: one for one in files}
         kept = before.path if before is not None and stays else next(iter(mine), "")
         kept = self._wanted if self._wanted in self._files else kept
-        self._for = here
+        self._for = self._asked_for = here
         with QSignalBlocker(self.list):
             self.list.clear()
             for one in files:
                 simulated = translated("SIMULATED") if one.simulated else ""
                 words = (standing_word(one.standing), one.dut.serial, Path(one.path).stem, simulated)
                 self.list.addItem("  ·  ".join(filter(None, words)), one.path)
-            at = self.list.findData(kept)
-            self.list.setCurrentIndex(at if at >= 0 or here else 0)
+            self.list.setCurrentIndex(self.list.findData(kept))  # none by itself, where none is of the DUT at the top
         self._wanted = ""
         self._show()
 
@@ -143,7 +155,8 @@ class CertificatePage(QWidget):
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
         words = self.tr("No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.")
         here = self._app_state.lab.state.dut_serial
-        self.empty.setText(words.format(here) if self._files and here else none)
+        which = words.format(here) if here else self.tr("Choose a calibration, or say at the top which DUT.")
+        self.empty.setText(which if self._files else none)
 
     def _picked(self) -> None:
         """Whose calibration is looked at stands at the top."""
@@ -167,10 +180,24 @@ class CertificatePage(QWidget):
             self.word.setText(f"{standing_word(one.standing).upper()}  ·  {one.dut.serial}")
             self.standing.setText(" ".join(self._standing_words(one)))
             set_state(self.word, state_of(one.standing) if one.standing.signatures else "")
+            if one.run_id != self._told_of:
+                self._told_of = one.run_id
+                self._run_told(one.run_id, Told())
             self.views.show_calibration(one)
             ask, known = self._app_state.quick_worker.request, partial(self.views.show_changes, one.path)
             ask(ChangedSince(one.path), known, self.fault.show_fault)
+            ask(
+                TellRecord(one.run_id),
+                partial(self._run_told, one.run_id),
+                lambda _: self._run_told(one.run_id, Told()),
+            )
         self._show_steps()
+
+    def _run_told(self, run: str, told: Told) -> None:
+        """What the run itself left open stands above the approval."""
+        if (one := self.chosen()) is not None and one.run_id == run:
+            self.open.setText(open_words(told))
+            self.open.setVisible(bool(self.open.text()))
 
     def _standing_words(self, one: CalibrationFile) -> list[str]:
         """How it stands, who measured and who approved."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
@@ -20,6 +19,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
 from labcal.gui.widgets.printer import Printer
 from labcal.gui.widgets.step_card import StepCard
+from labcal.record.run_id import name_outside
 
 R = TypeVar("R")
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
@@ -126,8 +126,20 @@ class Paper(StepCard):
         self.said.setText(self.tr("Writing the report …"))
 
     def _hand_out(self) -> None:
-        if folder := QFileDialog.getExistingDirectory(self, self.tr("Copy the calibration to")):
+        if (one := self._chosen()) is not None and (folder := self._asked_folder(_file_name(one))):
             self.hand_out(folder)
+
+    def _asked_folder(self, name: str) -> str:
+        """One that is there, or a new one whose name is typed."""
+        asks = QFileDialog(self, self.tr("Copy the calibration to: a folder, or the name of a new one"))
+        asks.setFileMode(QFileDialog.FileMode.AnyFile)
+        asks.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        asks.setOption(QFileDialog.Option.ShowDirsOnly)
+        asks.setOption(QFileDialog.Option.DontConfirmOverwrite)  # nothing in a folder that is there is written over
+        asks.setLabelText(QFileDialog.DialogLabel.Accept, self.tr("Copy here"))
+        asks.setDirectory(str(Path.home()))
+        asks.selectFile(name)
+        return asks.selectedFiles()[0] if asks.exec() else ""
 
     def hand_out(self, folder: str) -> None:
         """Copy the chosen calibration, its signatures and the public keys to `folder`."""
@@ -173,4 +185,4 @@ class Paper(StepCard):
 
 def _file_name(one: CalibrationFile) -> str:
     """By serial and run, as it is found again in a folder."""
-    return re.sub(r"[^\w.-]", "-", f"{one.dut.serial}_{Path(one.path).stem}")
+    return name_outside(one.dut.serial, Path(one.path).stem)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
+from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 
@@ -15,8 +15,9 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.comparable import run_key, why_not_compared
 from labcal.gui.viewmodels.export_formats import FORMATS, Format
-from labcal.gui.viewmodels.run_search import cells, file_name, in_order, matches, moment_s, run_key
+from labcal.gui.viewmodels.run_search import NOT_WHOLE, cells, file_name, in_order, matches, measured_s, moment_s
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import Card, button, combo_box, label, set_state, shrinkable
 from labcal.gui.widgets.comparison import ComparisonView
@@ -28,9 +29,8 @@ from labcal.gui.widgets.record_words import RecordWords
 from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
-HEADINGS = ("started", "DUT", "procedure", "operator", "status", "state", "run")
-OF_ARCHIVE = tuple(heading if heading != "state" else "site" for heading in HEADINGS)
-NOT_WHOLE = ("running", "interrupted")
+HEADINGS = ("started", "DUT", "procedure", "operator", "ended", "result", "run")
+OF_ARCHIVE = tuple(heading if heading != "result" else "site" for heading in HEADINGS)
 
 
 class HistoryPage(QWidget):
@@ -162,9 +162,7 @@ class HistoryPage(QWidget):
             self.tr("Import …"), self.tr("A run bundle (.zip) or a recording of others; or drop the file on the window")
         )
         self.take.clicked.connect(self._import)
-        self.compare = button(
-            self.tr("Compare"), self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
-        )
+        self.compare = button(self.tr("Compare"), "")
         self.compare.clicked.connect(self._compare)
         row = QHBoxLayout()
         for widget in (self.open, self.compare, self.export, self.correct, self.take):
@@ -172,6 +170,7 @@ class HistoryPage(QWidget):
         row.addStretch()
         self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
+        self.why_not = label("", "caption", wrap=True)
         self.table = Table(HEADINGS, 6)
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
@@ -192,9 +191,10 @@ class HistoryPage(QWidget):
         card.body.addLayout(looked)
         card.body.addLayout(row)
         card.body.addLayout(where)
+        card.body.addWidget(self.why_not)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
-        self.told = RecordWords(self._app_state)
+        self.told = RecordWords(self._app_state, here=True)
         card.body.addWidget(self.told)
         return card
 
@@ -269,9 +269,18 @@ class HistoryPage(QWidget):
         self.told.show_run("" if one is None or self.of_archive else one.run_id)
         self.open.setEnabled(one is not None and one.status not in NOT_WHOLE)
         self.export.setEnabled(bool(several) and all(each.status not in NOT_WHOLE for each in several))
-        self.compare.setEnabled(len(several) == 2 and all(two.status not in NOT_WHOLE for two in several))
+        self._offer_comparison(several)
         self.correct.setEnabled(one is not None and one.status not in ("running", "imported"))
         self._idle_queue.add(self._draw)
+
+    def _offer_comparison(self, several: list[RunLine]) -> None:
+        """Of two whole runs; else it is said what is wrong with them."""
+        wrong = why_not_compared(several)
+        self.compare.setEnabled(len(several) == 2 and not wrong)
+        self.why_not.setText(wrong)
+        self.why_not.setVisible(bool(wrong))
+        tip = self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
+        self.compare.setToolTip(wrong or tip)
 
     def _correct(self) -> None:
         if (one := self.chosen()) is not None:
@@ -387,10 +396,4 @@ class HistoryPage(QWidget):
             there = self._archived.calibrations.get(dut, ())
             return self.trend.show_files(dut, there, [moment_s(one.measured_utc) for one in there])
         mine = [c for c in reversed(self._app_state.path.files) if c.dut.serial == dut]
-        return self.trend.show_files(dut, mine, [self._when(one) for one in mine])
-
-    def _when(self, one: CalibrationFile) -> float:
-        started = next((run.started_utc for run in self.runs if run.run_id == one.run_id), None)
-        if started is None:
-            return datetime.fromtimestamp(Path(one.path).stat().st_mtime, UTC).timestamp()
-        return moment_s(started)
+        return self.trend.show_files(dut, mine, [measured_s(one, self.runs) for one in mine])

@@ -145,7 +145,7 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  Who could it be"))
+        card = Card(self.tr("2  What could cause it"))
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)

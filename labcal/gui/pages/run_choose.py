@@ -9,8 +9,9 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidgetItem, QScrollArea, QWidget
 
-from labcal.bench.parameters import for_modes
+from labcal.bench.parameters import for_modes, for_rate
 from labcal.gui.ipc.answers import Procedure, Procedures
+from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.messages import ListProcedures, Rehearse
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
@@ -41,7 +42,7 @@ class Choose(QWidget):
         self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
-        self._modes: tuple[str, ...] = ()  # of the DUT that the form is for
+        self._limits = _limits_of(None)  # of the bench that the form is for
         self._needs_of: Procedure | None = None  # the procedure of the form, as it is set
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -241,8 +242,8 @@ class Choose(QWidget):
         if self.form is not None and self.form is not self._area.widget():
             self.form.hide()  # it never came to be shown, and nothing else would take it away
             self.form.deleteLater()
-        self._modes = self._modes_here()
-        self.form = ParameterForm([for_modes(spec, self._modes) for spec in one.parameters])
+        self._limits = modes, fastest = _limits_of(self._app_state.facts)
+        self.form = ParameterForm([for_rate(for_modes(spec, modes), fastest) for spec in one.parameters])
         self._shown = name
         for key, text in self._typed.get(name, {}).items():
             self.form.set_text(key, text)
@@ -251,13 +252,10 @@ class Choose(QWidget):
         self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
 
-    def _modes_here(self) -> tuple[str, ...]:
-        """The power modes that the DUT of this bench may be in."""
-        return () if self._app_state.facts is None else self._app_state.facts.modes
-
     def _bench_known(self) -> None:
-        """A form is that of its bench: another DUT may have other power modes."""
-        if self.form is not None and self._shown in self._procedures and self._modes != self._modes_here():
+        """A form is that of its bench: another DUT may have other power modes, and another fastest rate."""
+        other = self._limits != _limits_of(self._app_state.facts)
+        if self.form is not None and self._shown in self._procedures and other:
             self._chosen(self._shown)
         self._check()
 
@@ -326,3 +324,8 @@ def plan_line(line: str) -> str:
     """A line of the plan, a question with its dash before it, in the window's language."""
     dash, _, asked = line.partition("– ")
     return in_words(line) if dash or not asked else f"– {in_words(asked)}"
+
+
+def _limits_of(facts: Bench | None) -> tuple[tuple[str, ...], float | None]:
+    """The power modes that the DUT of a bench may be in, and how fast it may be turned there."""
+    return ((), None) if facts is None else (facts.modes, facts.fastest_deg_per_s)

@@ -80,6 +80,8 @@ class Live(QWidget):
         self._run.ended.connect(self._ended)  # a method: it goes when the page does, as a lambda would not
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
+        if self._run.state == "ended":  # in another language
+            self.verdict.told.show_run(self._run.run_id)
         self._say_lab()
         self._show()
 
@@ -184,7 +186,7 @@ class Live(QWidget):
     def _below(self) -> Card:
         card = Card()
         self.table = Measurements(self._theme)
-        self.table.setMinimumHeight(12 * GRID)
+        self.table.setMinimumHeight(18 * GRID)
         card.body.addWidget(self.table)
         return card
 
@@ -237,7 +239,7 @@ class Live(QWidget):
                 (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
                 (self.lights, run.turns() and not decided),
-                (self.turn, run.turns()),
+                (self.turn, run.turns() and not ended),
                 *((widget, turned) for widget in (self.time_left.progress, self.steps, self.loci)),
             ):
                 widget.setVisible(shown)

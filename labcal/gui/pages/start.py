@@ -135,6 +135,7 @@ class StartPage(QWidget):
         self.question.setText(
             (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
             or self._not_ready()
+            or self._broken_off()
             or self.tr("Ready. {0} is to be measured on {1}.").format(
                 self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
             )
@@ -148,6 +149,13 @@ class StartPage(QWidget):
             for widget in (self.simulated, self.open):
                 widget.setVisible(not known)
             self.check_cage.setEnabled(self.calibrate.isEnabled())
+
+    def _broken_off(self) -> str:
+        """A run of the DUT at the top that is to be gone on with comes before another one."""
+        here = self._app_state.lab.state.dut_serial
+        if here not in (serial for serial, _ in self._to_go_on_with):
+            return ""
+        return self.tr("▲ A run of {0} broke off: go on with it below, or measure anew.").format(here)
 
     def _not_ready(self) -> str:
         """What the lab itself has against a run, as the side panel shows it; "" where nothing."""
@@ -184,12 +192,12 @@ class StartPage(QWidget):
         if self._cage_check is not None:
             return self._show_cage_check(self._cage_check)
         if not cage.stated:
-            words = self.tr("The bench file states coil constants only; run cage-calibration to measure the matrix.")
+            words = self.tr("The bench file states coil constants only: Check the cage measures the matrix.")
             return self._say("cage", self.tr("▲ not measured"), words, "warning")
         if cage.calibration:
             words = self.tr("The matrix is that of the approved cage calibration {0}.").format(cage.calibration)
             return self._say("cage", self.tr("✓ approved"), words, "good")
-        words = self.tr("The bench file states a matrix without a date: run cage-calibration to see whether it holds.")
+        words = self.tr("The bench file states a matrix without a date: Check the cage says whether it holds.")
         return self._say("cage", self.tr("? not checked"), words, "warning")
 
     def _cage_known(self, said: Checked | None) -> None:
@@ -238,6 +246,7 @@ class StartPage(QWidget):
         broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.resumable), []
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
+        self._enable()
         if had_focus:  # else Qt gives it to the DUT's serial, selected: the next key would replace it
             again = (one for _, one in self._to_go_on_with)
             there = next((one for one in again if one.objectName() == "primary"), self.calibrate)

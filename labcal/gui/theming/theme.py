@@ -121,6 +121,7 @@ QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700
 QPushButton#off:focus { border: 3px solid $text; padding: 9px 21px; }
 QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 10px 12px; }
 QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; padding-left: 8px; }
+QPushButton#rail:disabled { background: $surface; }
 QPushButton#rail:focus { border: 2px solid $accent; padding: 8px 10px; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { background: $sunken;
     border: 1px solid $line; border-radius: 4px; padding: 5px 8px;
@@ -128,7 +129,7 @@ QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { back
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
 QLineEdit[state="bad"] { border: 2px solid $bad; padding: 4px 7px; }
 QComboBox { combobox-popup: 0; } QComboBox QAbstractItemView::item { padding: 5px 8px; }
-QDialog { background: $page; }
+QDialog { background: $surface; border: 2px solid $muted; }
 QToolButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 4px; }
 QToolButton:hover, QToolButton:focus { border-color: $accent; }
 QMenu { background: $surface; border: 1px solid $line; padding: 4px; }

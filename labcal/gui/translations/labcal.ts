@@ -75,6 +75,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Open a bench first: yours, or the simulated lab.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -154,6 +158,10 @@
     </message>
     <message>
         <source>To the instruments; what was not saved is forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} unless stated. {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -265,6 +273,10 @@
     </message>
     <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on and holds the instruments: after it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -420,6 +432,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Choose a calibration, or say at the top which DUT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is handed out.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -553,7 +569,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It ends in order, the coils go to zero; then the window closes.</source>
+        <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -566,10 +586,6 @@
     </message>
     <message>
         <source>Resume later</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to zero, the window closes. What is measured is kept; the Start page goes on.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2254,7 +2270,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>0: the fastest allowed</source>
+        <source>0: as fast as timing_nT and the range allow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5760,6 +5776,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>2  What could cause it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5817,10 +5837,6 @@ after this step …</source>
     </message>
     <message>
         <source>The loop&apos;s own words: held-out rms, tests, rows set aside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2  Who could it be</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5993,7 +6009,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copy the calibration to</source>
+        <source>Copy the calibration to: a folder, or the name of a new one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6270,6 +6290,21 @@ after this step …</source>
     </message>
     <message>
         <source>A file for the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RecordWords</name>
+    <message>
+        <source>What the procedure noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that the procedure noted, in its order</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6704,6 +6739,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The bench file states no calibration of the reference with a date.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6721,6 +6760,14 @@ after this step …</source>
     </message>
     <message>
         <source>✓ in date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6760,10 +6807,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bench file states coil constants only; run cage-calibration to measure the matrix.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6773,10 +6816,6 @@ after this step …</source>
     </message>
     <message>
         <source>✓ approved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: run cage-calibration to see whether it holds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7011,11 +7050,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dark</source>
+        <source>Go dark</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Light</source>
+        <source>Go light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unmute</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7024,14 +7071,6 @@ after this step …</source>
     </message>
     <message>
         <source>Larger   F11</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sound off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sound on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7426,6 +7465,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>risk</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7447,6 +7490,10 @@ after this step …</source>
     </message>
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8230,6 +8277,22 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Noted: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The procedure noted {0} more, the last: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>(not seen: {0})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8239,6 +8302,10 @@ after this step …</source>
     </message>
     <message>
         <source>platform stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

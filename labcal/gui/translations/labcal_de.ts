@@ -75,6 +75,10 @@
         <translation>{0} gescannt: Das ist der Prüfling oben.</translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation>Der Messplatz wird geöffnet …</translation>
+    </message>
+    <message>
         <source>Open a bench first: yours, or the simulated lab.</source>
         <translation>Zuerst einen Messplatz öffnen: den eigenen oder das simulierte Labor.</translation>
     </message>
@@ -155,6 +159,10 @@
     <message>
         <source>To the instruments; what was not saved is forgotten</source>
         <translation>Zu den Geräten; was nicht gespeichert wurde, ist vergessen</translation>
+    </message>
+    <message>
+        <source>{0} unless stated. {1}</source>
+        <translation>{0}, wenn nicht angegeben. {1}</translation>
     </message>
     <message>
         <source>{0} (over several lines: change it in the file)</source>
@@ -282,6 +290,10 @@
     <message>
         <source>Instruments of {0}</source>
         <translation>Geräte von {0}</translation>
+    </message>
+    <message>
+        <source>A run goes on and holds the instruments: after it.</source>
+        <translation>Eine Messung läuft und hält die Geräte: danach.</translation>
     </message>
     <message>
         <source>{0}, simulated</source>
@@ -414,6 +426,10 @@
     <message>
         <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
         <translation>Noch keine Kalibrierung von {0}. Eine Messung davon auswerten, dann den Rest erklären; oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a calibration, or say at the top which DUT.</source>
+        <translation>Eine Kalibrierung wählen, oder oben den Prüfling angeben.</translation>
     </message>
     <message>
         <source>{0} is handed out.</source>
@@ -553,8 +569,12 @@
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>It ends in order, the coils go to zero; then the window closes.</source>
-        <translation>Sie endet geordnet, die Spulen gehen auf null; dann schließt das Fenster.</translation>
+        <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
+        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, kann aber nicht fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Fortsetzen auf der Startseite.</translation>
     </message>
     <message>
         <source>Keep running behind</source>
@@ -567,10 +587,6 @@
     <message>
         <source>Resume later</source>
         <translation>Später fortsetzen</translation>
-    </message>
-    <message>
-        <source>The coils go to zero, the window closes. What is measured is kept; the Start page goes on.</source>
-        <translation>Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt; auf der Seite Start geht es weiter.</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -2254,8 +2270,8 @@
         <translation>wie genau die Achse steht; 0: nicht genannt</translation>
     </message>
     <message>
-        <source>0: the fastest allowed</source>
-        <translation>0: so schnell wie erlaubt</translation>
+        <source>0: as fast as timing_nT and the range allow</source>
+        <translation>0: so schnell, wie timing_nT und der Bereich es erlauben</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -5773,8 +5789,8 @@ diesem Schritt …</translation>
         <translation>Rauschen k=2</translation>
     </message>
     <message>
-        <source>2  Who could it be</source>
-        <translation>2  Was könnte es sein</translation>
+        <source>2  What could cause it</source>
+        <translation>2  Mögliche Ursachen</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
@@ -5994,8 +6010,12 @@ diesem Schritt …</translation>
         <translation>Bericht wird geschrieben …</translation>
     </message>
     <message>
-        <source>Copy the calibration to</source>
-        <translation>Kalibrierung kopieren nach</translation>
+        <source>Copy the calibration to: a folder, or the name of a new one</source>
+        <translation>Die Kalibrierung kopieren nach: ein Ordner, oder der Name eines neuen</translation>
+    </message>
+    <message>
+        <source>Copy here</source>
+        <translation>Hierher kopieren</translation>
     </message>
     <message>
         <source>Copied to {0}</source>
@@ -6272,6 +6292,21 @@ diesem Schritt …</translation>
     <message>
         <source>A file for the record</source>
         <translation>Eine Datei für die Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>RecordWords</name>
+    <message>
+        <source>What the procedure noted</source>
+        <translation>Was die Prozedur vermerkt hat</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>All that the procedure noted, in its order</source>
+        <translation>Alles, was die Prozedur vermerkt hat, der Reihe nach</translation>
     </message>
 </context>
 <context>
@@ -6725,6 +6760,10 @@ diesem Schritt …</translation>
         <translation>Bereit. {0} wird auf {1} gemessen.</translation>
     </message>
     <message>
+        <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
+        <translation>▲ Eine Messung von {0} brach ab: unten fortsetzen, oder neu messen.</translation>
+    </message>
+    <message>
         <source>✕ Not ready: see what is said of the coils.</source>
         <translation>✕ Nicht bereit: siehe, was von den Spulen gesagt ist.</translation>
     </message>
@@ -6761,8 +6800,12 @@ diesem Schritt …</translation>
         <translation>✓ gültig</translation>
     </message>
     <message>
-        <source>The bench file states coil constants only; run cage-calibration to measure the matrix.</source>
-        <translation>Die Messplatzdatei nennt nur Spulenkonstanten; cage-calibration misst die Matrix.</translation>
+        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
+        <translation>Die Messplatzdatei gibt nur Spulenkonstanten an: „Käfig prüfen“ misst die Matrix.</translation>
+    </message>
+    <message>
+        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
+        <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
         <source>▲ not measured</source>
@@ -6775,10 +6818,6 @@ diesem Schritt …</translation>
     <message>
         <source>✓ approved</source>
         <translation>✓ genehmigt</translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: run cage-calibration to see whether it holds.</source>
-        <translation>Die Messplatzdatei nennt eine Matrix ohne Datum: cage-calibration zeigt, ob sie noch stimmt.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -7012,12 +7051,20 @@ diesem Schritt …</translation>
         <translation>Eine nach der anderen fallen lassen.</translation>
     </message>
     <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
+        <source>Go dark</source>
+        <translation>Abdunkeln</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Hell</translation>
+        <source>Go light</source>
+        <translation>Aufhellen</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Ton beenden</translation>
+    </message>
+    <message>
+        <source>Unmute</source>
+        <translation>Ton zulassen</translation>
     </message>
     <message>
         <source>Smaller   F11</source>
@@ -7026,14 +7073,6 @@ diesem Schritt …</translation>
     <message>
         <source>Larger   F11</source>
         <translation>Größer   F11</translation>
-    </message>
-    <message>
-        <source>Sound off</source>
-        <translation>Ton aus</translation>
-    </message>
-    <message>
-        <source>Sound on</source>
-        <translation>Ton an</translation>
     </message>
     <message>
         <source>Begin preflight</source>
@@ -7455,6 +7494,10 @@ diesem Schritt …</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>ended</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
         <source>risk</source>
         <translation>Risiko</translation>
     </message>
@@ -7477,6 +7520,10 @@ diesem Schritt …</translation>
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
         <translation>± U (k=2) ist die der Differenz; jenseits von E_n = ±1 hat sich der Prüfling verändert.</translation>
+    </message>
+    <message>
+        <source>One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.</source>
+        <translation>Bei einem der beiden ist der Rest erklärt, beim anderen nicht: Der Unterschied kann sein, was dabei herausgenommen wurde. Bei beiden den Rest erklären, oder bei keinem.</translation>
     </message>
     <message>
         <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
@@ -8231,6 +8278,22 @@ diesem Schritt …</translation>
         <translation>Notiert, in der Aufzeichnung der Messung (der Verlauf zeigt es): {0}</translation>
     </message>
     <message>
+        <source>Noted: {0}</source>
+        <translation>Vermerkt: {0}</translation>
+    </message>
+    <message>
+        <source>The procedure noted {0} more, the last: {1}</source>
+        <translation>Die Prozedur vermerkte {0} weitere, zuletzt: {1}</translation>
+    </message>
+    <message>
+        <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
+        <translation>▲ Offen in der Messung selbst: {0}. Eine Freigabe nimmt das so hin.</translation>
+    </message>
+    <message>
+        <source>{0} not measured</source>
+        <translation>{0} nicht gemessen</translation>
+    </message>
+    <message>
         <source>(not seen: {0})</source>
         <translation>(nicht gesehen: {0})</translation>
     </message>
@@ -8241,6 +8304,10 @@ diesem Schritt …</translation>
     <message>
         <source>platform stands</source>
         <translation>Tisch steht</translation>
+    </message>
+    <message>
+        <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
+        <translation>Kein Vergleich: Messung {0} ist {1}; was ihm fehlt, sähe wie eine Änderung aus.</translation>
     </message>
 </context>
 <context>

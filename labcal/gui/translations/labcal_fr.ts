@@ -75,6 +75,10 @@
         <translation>{0} lu : c&apos;est le DUT indiqué en haut.</translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation>L&apos;ouverture du banc est en cours …</translation>
+    </message>
+    <message>
         <source>Open a bench first: yours, or the simulated lab.</source>
         <translation>Ouvrez d&apos;abord un banc : le vôtre, ou le laboratoire simulé.</translation>
     </message>
@@ -155,6 +159,10 @@
     <message>
         <source>To the instruments; what was not saved is forgotten</source>
         <translation>Aux instruments ; ce qui n&apos;a pas été enregistré est oublié</translation>
+    </message>
+    <message>
+        <source>{0} unless stated. {1}</source>
+        <translation>{0} sauf indication. {1}</translation>
     </message>
     <message>
         <source>{0} (over several lines: change it in the file)</source>
@@ -282,6 +290,10 @@
     <message>
         <source>Instruments of {0}</source>
         <translation>Instruments de {0}</translation>
+    </message>
+    <message>
+        <source>A run goes on and holds the instruments: after it.</source>
+        <translation>Une mesure est en cours et tient les appareils : après elle.</translation>
     </message>
     <message>
         <source>{0}, simulated</source>
@@ -414,6 +426,10 @@
     <message>
         <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
         <translation>Pas encore d’étalonnage de {0}. Ajuster une mesure, puis expliquer le résidu ; ou en choisir un autre.</translation>
+    </message>
+    <message>
+        <source>Choose a calibration, or say at the top which DUT.</source>
+        <translation>Choisissez un étalonnage, ou indiquez en haut quel DUT.</translation>
     </message>
     <message>
         <source>{0} is handed out.</source>
@@ -553,8 +569,12 @@
         <translation>Stop</translation>
     </message>
     <message>
-        <source>It ends in order, the coils go to zero; then the window closes.</source>
-        <translation>Elle se termine en ordre, les bobines vont à zéro ; puis la fenêtre se ferme.</translation>
+        <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
+        <translation>Pour de bon : les bobines vont à zéro, la fenêtre se ferme. Ce qui est mesuré est conservé, mais ne peut être repris.</translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
+        <translation>Les bobines vont à zéro, la fenêtre se ferme. Ce qui manque est mesuré plus tard : Continuer, à la page d&apos;accueil.</translation>
     </message>
     <message>
         <source>Keep running behind</source>
@@ -567,10 +587,6 @@
     <message>
         <source>Resume later</source>
         <translation>Reprendre plus tard</translation>
-    </message>
-    <message>
-        <source>The coils go to zero, the window closes. What is measured is kept; the Start page goes on.</source>
-        <translation>Les bobines vont à zéro, la fenêtre se ferme. Le mesuré est gardé ; la page Accueil reprend.</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -2254,8 +2270,8 @@
         <translation>précision du montage de l&apos;axe ; 0 : non indiquée</translation>
     </message>
     <message>
-        <source>0: the fastest allowed</source>
-        <translation>0 : la plus rapide permise</translation>
+        <source>0: as fast as timing_nT and the range allow</source>
+        <translation>0 : aussi vite que timing_nT et la plage le permettent</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -5773,8 +5789,8 @@ cette étape …</translation>
         <translation>bruit k=2</translation>
     </message>
     <message>
-        <source>2  Who could it be</source>
-        <translation>2  Qui cela peut être</translation>
+        <source>2  What could cause it</source>
+        <translation>2  Causes possibles</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
@@ -5994,8 +6010,12 @@ cette étape …</translation>
         <translation>Écriture du rapport …</translation>
     </message>
     <message>
-        <source>Copy the calibration to</source>
-        <translation>Copier l&apos;étalonnage vers</translation>
+        <source>Copy the calibration to: a folder, or the name of a new one</source>
+        <translation>Copier l&apos;étalonnage vers : un dossier, ou le nom d&apos;un nouveau</translation>
+    </message>
+    <message>
+        <source>Copy here</source>
+        <translation>Copier ici</translation>
     </message>
     <message>
         <source>Copied to {0}</source>
@@ -6272,6 +6292,21 @@ cette étape …</translation>
     <message>
         <source>A file for the record</source>
         <translation>Un fichier pour l&apos;enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>RecordWords</name>
+    <message>
+        <source>What the procedure noted</source>
+        <translation>Ce que la procédure a noté</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
+        <source>All that the procedure noted, in its order</source>
+        <translation>Tout ce que la procédure a noté, dans l&apos;ordre</translation>
     </message>
 </context>
 <context>
@@ -6725,6 +6760,10 @@ cette étape …</translation>
         <translation>Prêt. {0} sera mesuré sur {1}.</translation>
     </message>
     <message>
+        <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
+        <translation>▲ Une mesure de {0} s&apos;est interrompue : la reprendre ci-dessous, ou mesurer de nouveau.</translation>
+    </message>
+    <message>
         <source>✕ Not ready: see what is said of the coils.</source>
         <translation>✕ Pas prêt : voir ce qui est dit des bobines.</translation>
     </message>
@@ -6761,8 +6800,12 @@ cette étape …</translation>
         <translation>✓ à jour</translation>
     </message>
     <message>
-        <source>The bench file states coil constants only; run cage-calibration to measure the matrix.</source>
-        <translation>Le fichier du banc ne donne que des constantes ; cage-calibration mesure la matrice.</translation>
+        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
+        <translation>Le fichier du banc n&apos;indique que des constantes de bobines : « Vérifier la cage » mesure la matrice.</translation>
+    </message>
+    <message>
+        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
+        <translation>Le fichier du banc indique une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
         <source>▲ not measured</source>
@@ -6775,10 +6818,6 @@ cette étape …</translation>
     <message>
         <source>✓ approved</source>
         <translation>✓ approuvée</translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: run cage-calibration to see whether it holds.</source>
-        <translation>Le fichier du banc donne une matrice sans date : cage-calibration dit si elle tient.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -7012,12 +7051,20 @@ cette étape …</translation>
         <translation>En déposer un à la fois.</translation>
     </message>
     <message>
-        <source>Dark</source>
-        <translation>Sombre</translation>
+        <source>Go dark</source>
+        <translation>Assombrir</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Clair</translation>
+        <source>Go light</source>
+        <translation>Éclaircir</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Taire</translation>
+    </message>
+    <message>
+        <source>Unmute</source>
+        <translation>Sonner</translation>
     </message>
     <message>
         <source>Smaller   F11</source>
@@ -7026,14 +7073,6 @@ cette étape …</translation>
     <message>
         <source>Larger   F11</source>
         <translation>Plus grand   F11</translation>
-    </message>
-    <message>
-        <source>Sound off</source>
-        <translation>Son coupé</translation>
-    </message>
-    <message>
-        <source>Sound on</source>
-        <translation>Son</translation>
     </message>
     <message>
         <source>Begin preflight</source>
@@ -7455,6 +7494,10 @@ cette étape …</translation>
         <translation>résultat</translation>
     </message>
     <message>
+        <source>ended</source>
+        <translation>fin</translation>
+    </message>
+    <message>
         <source>risk</source>
         <translation>risque</translation>
     </message>
@@ -7477,6 +7520,10 @@ cette étape …</translation>
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
         <translation>± U (k=2) est celle de la différence ; au-delà de E_n = ±1 le DUT a changé.</translation>
+    </message>
+    <message>
+        <source>One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.</source>
+        <translation>L&apos;un des deux a son résidu expliqué, l&apos;autre non : la différence peut être ce qui en a été retiré. Expliquez les deux, ou aucun.</translation>
     </message>
     <message>
         <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
@@ -8231,6 +8278,22 @@ cette étape …</translation>
         <translation>Noté, dans l&apos;enregistrement de la mesure (l&apos;historique le montre) : {0}</translation>
     </message>
     <message>
+        <source>Noted: {0}</source>
+        <translation>Noté : {0}</translation>
+    </message>
+    <message>
+        <source>The procedure noted {0} more, the last: {1}</source>
+        <translation>La procédure en a noté {0} de plus, le dernier : {1}</translation>
+    </message>
+    <message>
+        <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
+        <translation>▲ Ouvert dans la mesure même : {0}. Une approbation l&apos;accepte tel quel.</translation>
+    </message>
+    <message>
+        <source>{0} not measured</source>
+        <translation>{0} non mesuré</translation>
+    </message>
+    <message>
         <source>(not seen: {0})</source>
         <translation>(non vu : {0})</translation>
     </message>
@@ -8241,6 +8304,10 @@ cette étape …</translation>
     <message>
         <source>platform stands</source>
         <translation>la plate-forme est arrêtée</translation>
+    </message>
+    <message>
+        <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
+        <translation>Pas de comparaison : la mesure {0} est {1} ; ce qui lui manque semblerait un changement.</translation>
     </message>
 </context>
 <context>

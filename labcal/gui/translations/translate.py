@@ -116,12 +116,17 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "parameter"),
     QT_TRANSLATE_NOOP("Words", "figure"),
     QT_TRANSLATE_NOOP("Words", "result"),
+    QT_TRANSLATE_NOOP("Words", "ended"),
     QT_TRANSLATE_NOOP("Words", "risk"),
     QT_TRANSLATE_NOOP("Words", "as found"),
     QT_TRANSLATE_NOOP("Words", "as left"),
     QT_TRANSLATE_NOOP("Words", "earlier"),
     QT_TRANSLATE_NOOP("Words", "later"),
     QT_TRANSLATE_NOOP("Words", "± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed."),
+    QT_TRANSLATE_NOOP(
+        "Words",
+        "One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.",
+    ),
     QT_TRANSLATE_NOOP("Words", "They are of two DUTs. ± U (k=2) is that of the difference."),
     QT_TRANSLATE_NOOP(
         "Words", "One of the two is not explained: what differs may be its error, and says nothing of the DUT yet."

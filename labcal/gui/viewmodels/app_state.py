@@ -242,6 +242,8 @@ class AppState(QObject):
     def objection(self) -> str:
         """What is missing before a run may start; "" where nothing is."""
         state = self.lab.state
+        if not self.facts and state.opening:
+            return self.tr("The bench is being opened …")
         if not self.facts:
             return self.tr("Open a bench first: yours, or the simulated lab.")
         if not state.dut_serial:

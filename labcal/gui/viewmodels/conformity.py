@@ -46,15 +46,15 @@ def rule_of(lines: Sequence[Judged]) -> str:
     return f"{rules}. {risk}" if rules else ""
 
 
-def change_rows(found: Changes) -> list[list[Cell]]:
-    """A row for each figure, under `CHANGES`."""
+def change_rows(found: Changes, *, alike: bool = True) -> list[list[Cell]]:
+    """A row for each figure, under `CHANGES`; of results that are not of one kind none is said to have changed."""
     rows = []
     for row in found.rows:
         decimals = decimals_for(row.U or 0.0, row.left)
         U = "–" if row.U is None else format_number(row.U, decimals, signed=False)
         e_n = "–" if row.e_n is None else format_number(row.e_n, 2)
         numbers = [format_number(value, decimals) for value in (row.found, row.left)]
-        moved = Cell(f"▲ {translated('changed')}", state="warning") if row.changed else Cell("")
+        moved = Cell(f"▲ {translated('changed')}", state="warning") if row.changed and alike else Cell("")
         right = [Cell(text, right=True) for text in (*numbers, U)]
         rows.append([Cell(in_words(row.quantity)), *right, Cell(row.unit), Cell(e_n, right=True), moved])
     return rows

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QSettings
 
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.path import PathViewModel
+from labcal.gui.viewmodels.path import WHOLE, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -40,6 +40,12 @@ class OneDut(QObject):
         self._opened = run
         self._study.open(run)
         self._take_its_dut()
+
+    def take_up(self) -> None:
+        """Where nothing is under study, as after a restart: the last run of the DUT at the top, if it may be fitted."""
+        last = self._path.last()
+        if last is not None and last.status in WHOLE and not (self._study.run or self._run.alive or self._scan.asks):
+            self._study.open(last.run_id)
 
     def studied(self) -> str:
         """The DUT of the run under study; "" where there is none, or it is not known yet."""

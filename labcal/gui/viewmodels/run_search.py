@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from datetime import date, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
+from pathlib import Path
 
-from labcal.gui.ipc.answers import RunLine
+from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.loop_words import verdict_word
 
+NOT_WHOLE = ("running", "interrupted")
 DAY = re.compile(r"(\d{1,2})[./](\d{1,2})\.?(?:[./]?(\d{4}))?")  # 22.11.2026, 22.11., 22/11/2026: the day first
 
 
@@ -60,11 +62,6 @@ def _is_day(word: str, began: date, today: date) -> bool:
     return (began.day, began.month) == (int(day), int(month)) and year in (None, str(began.year))
 
 
-def run_key(one: RunLine) -> tuple[str, str]:
-    """What a run is known by: in the archive names of runs repeat."""
-    return one.site, one.sha256 or one.run_id
-
-
 def file_name(one: RunLine) -> str:
     """By site, serial and date, as it is found again in a folder. What others called it names no other folder."""
     began = f"{local_time(one.started_utc):%Y-%m-%d_%H%M%S}"
@@ -75,3 +72,11 @@ def file_name(one: RunLine) -> str:
 def moment_s(utc: str) -> float:
     """An ISO 8601 time [s since 1970]."""
     return datetime.fromisoformat(utc.replace("Z", "+00:00")).timestamp()
+
+
+def measured_s(one: CalibrationFile, runs: Iterable[RunLine]) -> float:
+    """When what `one` was made of was measured [s since 1970]; of a run that is not here when its file was written."""
+    started = next((run.started_utc for run in runs if run.run_id == one.run_id), None)
+    if started is None:
+        return datetime.fromtimestamp(Path(one.path).stat().st_mtime, UTC).timestamp()
+    return moment_s(started)

@@ -85,7 +85,7 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdic
         return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))
     shape, state = STATES[worst]
     about = [one for one in run.measurements.values() if one.verdict == worst]
-    said = str(len(about)) if worst == "PASS" else _listed(about)
+    said = str(len(about)) if worst == "PASS" else listed(about)
     rule = translated(RULES[worst]).format(said)
     word = f"{shape} {translated(worst)}"
     if left_out := ", ".join(map(step_title, run.left_out())):
@@ -99,7 +99,7 @@ def _next(key: str) -> str:
     return translated(str(NEXT.get(key, NEXT["failed"])))
 
 
-def _listed(measured: Iterable[Measurement], most: int = 2) -> str:
+def listed(measured: Iterable[Measurement], most: int = 2) -> str:
     """The first of them with value, U and limit; the others are counted."""
     words = []
     for one in measured:

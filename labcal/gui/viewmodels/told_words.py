@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.viewmodels.run_verdict import listed
 from labcal.record.told import Interruption, Told
 
 TEXTS = (
@@ -21,8 +23,13 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} min"),
     QT_TRANSLATE_NOOP("Words", "{0} h"),
     QT_TRANSLATE_NOOP("Words", "Noted, in the run's record (History shows it): {0}"),
+    QT_TRANSLATE_NOOP("Words", "Noted: {0}"),
+    QT_TRANSLATE_NOOP("Words", "The procedure noted {0} more, the last: {1}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Open in the run itself: {0}. An approval takes that as it is."),
+    QT_TRANSLATE_NOOP("Words", "{0} not measured"),
 )
-ONCE, OFTEN, NOTHING, AT, BEFORE, AT_ALONE, BEFORE_ALONE, UNKNOWN, SECONDS, MINUTES, HOURS, NOTED = map(str, TEXTS)
+ONCE, OFTEN, NOTHING, AT, BEFORE, AT_ALONE, BEFORE_ALONE, UNKNOWN, SECONDS, MINUTES, HOURS, *_NOTES = map(str, TEXTS)
+NOTED, NOTED_HERE, REMARKED, OPEN, MISSING = _NOTES
 
 
 def interrupted_words(told: Told) -> str:
@@ -36,9 +43,21 @@ def interrupted_words(told: Told) -> str:
     return translated(ONCE).format(where, again) if often == 1 else translated(OFTEN).format(often, where, again)
 
 
-def noted_words(told: Told) -> str:
-    """What was noted, and where that is kept; "" where nothing was."""
-    return translated(NOTED).format(" · ".join(told.notes)) if told.notes else ""
+def noted_words(told: Told, *, here: bool = False) -> str:
+    """What people noted, and where that is kept unless it is `here`; "" where nothing was."""
+    return translated(NOTED_HERE if here else NOTED).format(" · ".join(told.notes)) if told.notes else ""
+
+
+def remarked_words(told: Told) -> str:
+    """What the procedure noted itself, in one line: how often, and the last of it; "" where nothing was."""
+    return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1])) if told.remarks else ""
+
+
+def open_words(told: Told) -> str:
+    """Which of the run's checks are open, with value and limit; "" where all are passed."""
+    judged = [f"{translated(one.verdict)}: {listed((one,))}" for one in told.open]
+    missing = [translated(MISSING).format(step_title(name)) for name in told.not_measured]
+    return translated(OPEN).format("; ".join((*judged, *missing))) if judged or missing else ""
 
 
 def _one(interruption: Interruption) -> str:

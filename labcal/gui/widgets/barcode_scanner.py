@@ -1,11 +1,12 @@
 """Tells a barcode scanner from a person: more than 40 characters a second are a scan.
 
-It goes into the field that has the focus where that `takes_scans`, or `takes_names`; anywhere else it is for whoever
-hears `scanned`.
+It goes into the field that has the focus where that `takes_scans`, or `takes_names`; what may be a number stays where
+that `takes_numbers`; anywhere else it is for whoever hears `scanned`.
 """
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from typing import TypeGuard
@@ -16,7 +17,9 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QWidget
 
 FASTEST_TYPIST_S = 1 / 40  # between two characters; a scanner takes 20 ms at most
 SHORTEST = 4  # characters of a scan
-TAKES_SCANS, TAKES_NAMES = "takes_scans", "takes_names"
+TAKES_SCANS, TAKES_NAMES, TAKES_NUMBERS = "takes_scans", "takes_names", "takes_numbers"
+NUMBERS = re.compile(r"[-+\u2212\d.,; ]+")
+LONGEST_NUMBER = 12  # letters that come in one burst
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 MODIFIERS = (Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_AltGr, Qt.Key.Key_Meta)
 STRUCK = (QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride)
@@ -87,7 +90,7 @@ class Scanner(QObject):
         self.wait.stop()
         struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
         text = "".join(event.text() for event in struck if event.key() not in ENTER)
-        if len(text) >= SHORTEST:
+        if len(text) >= SHORTEST and not _is_number(kept[0][0], text):
             into = kept[0][0]
             if not _is_for_a_name(into):
                 return self._scan(into, text)
@@ -110,6 +113,16 @@ def takes_names(field: QLineEdit) -> None:
     """What comes quickly while `field` has the focus is a name: of a badge, a password manager or quick fingers."""
     field.setProperty(TAKES_NAMES, True)
     field.editingFinished.connect(lambda: field.setModified(False))
+
+
+def takes_numbers(field: QLineEdit) -> None:
+    """What comes quickly while `field` has the focus, and may be a number, was typed there by quick fingers."""
+    field.setProperty(TAKES_NUMBERS, True)
+
+
+def _is_number(into: QWidget, text: str) -> bool:
+    plausible = len(text) <= LONGEST_NUMBER and bool(NUMBERS.fullmatch(text)) and not re.search(r"\d{7}", text)
+    return isinstance(into, QLineEdit) and bool(into.property(TAKES_NUMBERS)) and not into.isReadOnly() and plausible
 
 
 def _is_for_a_name(into: QWidget) -> TypeGuard[QLineEdit]:

@@ -120,7 +120,9 @@ class BenchEditor(QWidget):
 
     def _show_row(self, row: int, one: SettingLine) -> None:
         said = in_words(one.meaning)
-        meaning = f"[{one.usual}] {said}".strip() if one.usual and not one.value else said
+        meaning = (
+            self.tr("{0} unless stated. {1}").format(one.usual, said).strip() if one.usual and not one.value else said
+        )
         if not one.here:
             meaning = self.tr("{0} (over several lines: change it in the file)").format(said).strip()
         for column, text in enumerate((".".join(one.keys), one.value, in_words(one.unit), meaning)):

@@ -31,14 +31,23 @@ class CloseQuestion(QDialog):
         self.coils = label("", wrap=True)
         column.addWidget(self.coils)
         self.ways = {
-            "stop": (self.tr("Stop"), self.tr("It ends in order, the coils go to zero; then the window closes.")),
+            "stop": (
+                self.tr("Stop"),
+                self.tr(
+                    "For good: the coils go to zero, the window closes. What is measured is kept, "
+                    "but cannot be gone on with."
+                ),
+            ),
             "behind": (
                 self.tr("Keep running behind"),
                 self.tr("The window goes out of sight, and comes back when you are needed or the run has ended."),
             ),
             "later": (
                 self.tr("Resume later"),
-                self.tr("The coils go to zero, the window closes. What is measured is kept; the Start page goes on."),
+                self.tr(
+                    "The coils go to zero, the window closes. What is missing is measured later: "
+                    "Go on, on the Start page."
+                ),
             ),
         }
         if not resumable:

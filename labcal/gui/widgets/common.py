@@ -120,10 +120,16 @@ def flat(widget: W) -> W:
 
 @contextmanager
 def deferred_layout(*holders: QWidget) -> Iterator[None]:
-    """Show and hide what these hold; their places are found once, in an event of its own, not anew after each."""
+    """Show and hide what these hold; their places are found once, in an event of its own, not anew after each.
+
+    What never had a place has no size until then: Qt's own 640 by 480 would be painted over all else.
+    """
     layouts = [layout for one in holders if (layout := one.layout()) is not None]
     for layout in layouts:
         layout.setEnabled(False)
+    for child in (child for one in holders for child in one.children() if isinstance(child, QWidget)):
+        if not child.testAttribute(Qt.WidgetAttribute.WA_Resized):
+            child.resize(0, 0)
     try:
         yield
     finally:

@@ -25,6 +25,7 @@ HEADINGS = ("figure", "earlier", "later", "± U", "unit", "E_n", "")
 OF_THE_DIFFERENCE = "± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed."
 TWO_DUTS = "They are of two DUTs. ± U (k=2) is that of the difference."
 NOT_EXPLAINED = "One of the two is not explained: what differs may be its error, and says nothing of the DUT yet."
+UNLIKE = "One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none."
 
 
 class ComparisonView(QWidget):
@@ -36,6 +37,7 @@ class ComparisonView(QWidget):
         super().__init__()
         self._theme = theme
         self._shown: Comparison | None = None
+        self._alike = True  # both traced, or neither
         self._explained = True  # both, by the loop, or it has not decided
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -69,6 +71,7 @@ class ComparisonView(QWidget):
                 for which, one in sides
             )
         )
+        self._alike = len({bool(said.get(one.run_id, "")) for _, one in sides}) == 1
         self._explained = all(said.get(one.run_id, "clean") in EXPLAINED for _, one in sides)
         names = [name for name in found.older.against if name in found.newer.against]
         offer(self.against, names)
@@ -132,7 +135,7 @@ class ComparisonView(QWidget):
 
     def _show_rows(self, found: Comparison | None) -> None:
         changes = None if found is None else found.changes
-        rows = [] if changes is None else change_rows(changes)
+        rows = [] if changes is None else change_rows(changes, alike=self._alike)
         self.table.clearContents()
         self.table.setRowCount(len(rows))
         for row, cells in enumerate(rows):
@@ -142,7 +145,8 @@ class ComparisonView(QWidget):
         if changes is not None:
             means = OF_THE_DIFFERENCE if self._explained else NOT_EXPLAINED
             means = means if found is None or found.older.dut == found.newer.dut else TWO_DUTS
-            self.remark.setText(" ".join((*map(in_words, (changes.in_words(), *changes.remarks)), translated(means))))
+            said = (changes.in_words(), *changes.remarks) if self._alike else changes.remarks
+            self.remark.setText(" ".join((*map(in_words, said), translated(means if self._alike else UNLIKE))))
         else:
             self.remark.setText("" if found is None else found.refused)
 

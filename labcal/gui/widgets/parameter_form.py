@@ -14,6 +14,7 @@ from labcal.errors import InputError
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.barcode_scanner import takes_numbers
 from labcal.gui.widgets.common import button, named, offer, set_state
 from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
@@ -119,6 +120,8 @@ class ParameterForm(QWidget):
         line = QLineEdit(as_text(spec, spec.default))
         if spec.kind in ("number", "integer") and not spec.many:
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
+        if spec.kind in ("number", "integer"):
+            takes_numbers(line)
         if spec.many:  # several values are seen whole, as far as there is room
             letters = min(len(line.text()), MOST_LETTERS)
             line.setMinimumWidth(line.fontMetrics().horizontalAdvance("0") * letters + 4 * GRID)

@@ -1,31 +1,53 @@
-"""What the record of one run tells beside its rows: interruptions, and what was noted."""
+"""What the record of one run tells beside its rows: what was noted, interruptions, and what the procedure noted."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.record_messages import TellRecord
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.told_words import interrupted_words, noted_words
-from labcal.gui.widgets.common import label, set_state
+from labcal.gui.viewmodels.told_words import interrupted_words, noted_words, remarked_words
+from labcal.gui.widgets.common import OneLine, button, label, set_state
 from labcal.record.told import Told
+
+DETAILS_PX = 160
 
 
 class RecordWords(QWidget):
-    """Asks for itself; nothing is seen of a run of which there is nothing to tell."""
+    """Asks for itself; nothing is seen of a run of which there is nothing to tell.
 
-    def __init__(self, app_state: AppState, *, centred: bool = False) -> None:
+    `here`: in the History, where all is kept. What the procedure noted is one line; the whole of it is behind
+    Details, and scrolled there.
+    """
+
+    def __init__(self, app_state: AppState, *, here: bool = False) -> None:
         super().__init__()
-        self._app_state, self._run = app_state, ""
+        self._app_state, self._run, self._here = app_state, "", here
+        self._told_of_it: Told | None = None
         self.interrupted, self.noted = label("", wrap=True), label("", wrap=True)
         set_state(self.interrupted, "warning")
+        self.remarked, self.all = OneLine(), QPlainTextEdit()
+        self.all.setReadOnly(True)
+        self.all.setFixedHeight(DETAILS_PX)
+        self.all.setAccessibleName(self.tr("What the procedure noted"))
+        self.fold = button(self.tr("Details"), self.tr("All that the procedure noted, in its order"))
+        self.fold.setCheckable(True)
+        self.fold.toggled.connect(self.all.setVisible)
+        self.line = QWidget()
+        row = QHBoxLayout(self.line)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.remarked, 1)
+        row.addWidget(self.fold)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        for words in (self.interrupted, self.noted):
-            if centred:
+        for words in (self.noted, self.interrupted):
+            if not here:
                 words.setAlignment(Qt.AlignmentFlag.AlignCenter)
             column.addWidget(words)
+        for part in (self.line, self.all):
+            column.addWidget(part)
         self._show(Told())
 
     def show_run(self, run: str) -> None:
@@ -43,6 +65,15 @@ class RecordWords(QWidget):
             self._show(told)
 
     def _show(self, told: Told) -> None:
-        for shown, words in ((self.interrupted, interrupted_words(told)), (self.noted, noted_words(told))):
+        if told == self._told_of_it:
+            return  # a fold that is open stays open
+        self._told_of_it = told
+        noted = noted_words(told, here=self._here)
+        for shown, words in ((self.interrupted, interrupted_words(told)), (self.noted, noted)):
             shown.setText(words)
             shown.setVisible(bool(words))
+        self.remarked.setText(remarked_words(told))
+        self.line.setVisible(bool(told.remarks))
+        self.all.setPlainText("\n".join(map(in_words, told.remarks)))
+        self.fold.setChecked(False)
+        self.all.hide()

@@ -72,6 +72,8 @@ class RunChooser(QComboBox):
                 self.addItem(run_label(one), one.run_id)
         self.none = self.count() == 0
         self.setCurrentIndex(self.findData(kept))
+        if self.isVisible():
+            self._app_state.one_dut.take_up()
         self.known.emit()
 
 

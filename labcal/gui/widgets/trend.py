@@ -21,6 +21,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
+LEAST_PX = 160  # of the plot: what is said above it takes nothing of that
 GAIN = "gain"  # the diagonal of K, which shows a drift where the axes' scale factors lie far apart
 KINDS = {  # of figures, by the words of the chooser
     "offset": "offset",
@@ -107,6 +108,7 @@ class Trend(Card):
         )
         self.parameter.activated.connect(self.draw)
         self.plot = plot(theme, "", "")
+        self.plot.setMinimumHeight(LEAST_PX)
         self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem()})
         self.none = label(
             self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day."),

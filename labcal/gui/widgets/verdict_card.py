@@ -23,7 +23,7 @@ class VerdictCard(Card):
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
         self._theme, self._state = theme, ""
-        self.told = RecordWords(app_state, centred=True)
+        self.told = RecordWords(app_state)
         self.serial, self.word = AutoSizeLabel(HUGE_PT), AutoSizeLabel(HUGE_PT)
         self.serial.setAccessibleName(self.tr("DUT"))
         self.word.setAccessibleName(self.tr("Verdict"))

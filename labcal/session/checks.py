@@ -1,0 +1,42 @@
+"""What the checks of a run came to: the last result of each, the worst of them, and those that are open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from labcal.record.stream import Item, Measurement, Step
+
+WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
+
+
+def results(items: Iterable[Item]) -> dict[str, Measurement]:
+    """By its name the last result of each check: what was measured again counts as it was measured last."""
+    return {item.name: item for item in items if isinstance(item, Measurement)}
+
+
+def worst(found: Mapping[str, Measurement]) -> Measurement | None:
+    """The worst result, whatever it is of; of several as bad a closure, and of these the largest."""
+    return max(found.values(), key=lambda m: (WORST.index(m.verdict), "closure" in m.name, abs(m.value)), default=None)
+
+
+def open_checks(found: Mapping[str, Measurement]) -> tuple[Measurement, ...]:
+    """Those that have a limit and are no PASS, the worst first."""
+    left = [one for one in found.values() if one.verdict not in ("", "PASS")]
+    return tuple(sorted(left, key=lambda m: -WORST.index(m.verdict)))
+
+
+def not_closed(items: Iterable[Item], found: Mapping[str, Measurement]) -> tuple[str, ...]:
+    """The closures that a run was to have and has not: of an axis that was broken off and never closed."""
+    steps = (name for item in items if isinstance(item, Step) for name in item.names if "closure-" in name)
+    wanted = dict.fromkeys(name.replace("-", " ") for name in steps)
+    return tuple(name for name in wanted if name not in found)
+
+
+def open_words(left: Iterable[Measurement], not_measured: Iterable[str]) -> tuple[str, ...]:
+    """One sentence each, for a certificate."""
+    judged = (
+        f"Open in the run itself, {one.verdict}: {one.name} {one.value:+.4g} ± {2 * one.u:.2g} {one.unit} (k = 2), "
+        f"limit {one.limit:g}."
+        for one in left
+    )
+    return (*judged, *(f"Not measured in the run: {name}." for name in not_measured))

@@ -1,0 +1,62 @@
+"""After a restart what is kept of the DUT at the top is there again; nothing is asked for that is under way."""
+
+import pytest
+from test_path import RUN, calibration
+
+from labcal.gui.ipc.messages import ListCalibrations, ListKeys, ListRuns, LookAt
+from labcal.gui.viewmodels.kept_of_run import kept_words
+
+
+@pytest.mark.parametrize("page", ["Fit", "Loop"])
+def test_the_last_run_of_the_dut_at_the_top_is_under_study_again_with_what_is_kept_of_it(new_window, page):
+    app_state = new_window.app_state
+    app_state.set_identity(dut="EM-07")
+    new_window.page(page)
+    new_window.open_page(page)
+    app_state.quick_worker.answer(ListCalibrations, (calibration(),))
+    app_state.quick_worker.answer(ListRuns, (RUN,))
+    assert app_state.study_vm.run == "r1"
+    assert app_state.fit_worker.commands(LookAt) == [LookAt("r1")]
+    assert new_window.page(page).chooser.currentData() == "r1"
+    app_state.path.take_calibrations((calibration(),))
+    assert kept_words(app_state.path, app_state.study_vm.run).startswith("Kept of this run")
+
+
+def test_nothing_of_another_dut_is_taken_up(new_window):
+    app_state = new_window.app_state
+    app_state.set_identity(dut="EM-99")
+    new_window.open_page("Fit")
+    app_state.quick_worker.answer(ListRuns, (RUN,))
+    assert app_state.study_vm.run == ""
+
+
+def test_the_page_and_its_mark_are_of_one_dut(new_window):
+    app_state = new_window.app_state
+    app_state.set_identity(dut="EM-07", operator="J. Doe")
+    app_state.path.take_runs((RUN,))
+    new_window.open_page("Certificate")
+    page, worker = new_window.page("Certificate"), app_state.quick_worker
+    worker.answer(ListCalibrations, (calibration(),))
+    worker.answer(ListKeys, ())
+    assert page.chosen() is not None
+    app_state.set_identity(dut="EM-08")
+    worker.answer(ListCalibrations, (calibration(),))
+    assert page.chosen() is None  # RELEASED stands beside ○ Certificate no longer
+    app_state.set_identity(dut="")
+    worker.answer(ListCalibrations, (calibration(),))
+    assert page.chosen() is None
+    assert page.empty.text().startswith("Choose a calibration")
+    page.list.setCurrentIndex(0)
+    page.list.activated.emit(0)
+    assert app_state.lab.state.dut_serial == "EM-07"
+    assert app_state.path.marks()["Certificate"] == "done"
+
+
+def test_who_waits_for_a_bench_that_is_being_opened_is_not_told_to_open_one(new_window):
+    app_state = new_window.app_state
+    facts, app_state.facts = app_state.facts, None
+    assert app_state.objection().startswith("Open a bench first")
+    app_state.lab.update(opening=True)
+    assert app_state.objection() == "The bench is being opened …"
+    app_state.lab.update(opening=False)
+    app_state.facts = facts
