@@ -205,7 +205,8 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
         except InstrumentError as fault:
             said = bench.named(str(fault))
             yield Event(bench.clock.now(), FAULT, said, {"step": name, "fault": fault.fault})
-            yield from coils_off(bench)
+            bench.zero_and_stop()
+            yield _coils_read_back(bench)
             yield from standstill(bench)
             text = f"{name}: {said} ({bench.sentence()})"
             drawing = _of_fault(bench, fault)
@@ -252,7 +253,11 @@ def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[N
 def coils_off(bench: Bench) -> Work[None]:
     """All coils to zero, read back, and say so in the record."""
     bench.cage.zero()
-    yield read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
+    yield _coils_read_back(bench)
+
+
+def _coils_read_back(bench: Bench) -> Event:
+    return read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
 
 
 def standstill(bench: Bench) -> Work[None]:
