@@ -111,6 +111,7 @@ class Bench:
         self._look = RestPoll(self._at_rest_only(), self._ask_again)
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
         self.hands_near = True  # as far as is known: nothing is energised or turned before somebody denies it
+        self.announced: list[str] = []  # what has come on and turned since the step began, in words
         self.homed = False  # the platform, by whoever has this bench now
         self._stands: PlatformReading | None = None  # as it was read last
 
@@ -219,7 +220,7 @@ class Bench:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
         self.hands_near = True
         asked = set(prompt.drawing)
-        elsewhere = asked <= {"angle_deg", "mode"} if asked else prompt.key == "ready"
+        elsewhere = prompt.key == "ready" or (bool(asked) and asked <= {"angle_deg", "mode"})
         if prompt.acts and not elsewhere:
             moved = bool(asked & {"reference_m", "reference_turned"})
             self.cage.check.outdated(self.clock.now(), reference_moved=moved)

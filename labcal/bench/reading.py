@@ -80,7 +80,7 @@ def _read(loader: Loader, name: str) -> InstrumentReading:
         if name in loader.config.guarded and (guardian := found([entry.link])) is not None:
             with closing(guardian):
                 return _of_guardian(guardian, loader.config, name)
-        with _held(loader, name):
+        with held(loader, name):
             return _asked(loader, name)
     except InstrumentError as fault:
         held = fault.fault in IN_USE
@@ -113,7 +113,7 @@ def _ends(guardian: Connection) -> list[AtZero]:
 
 
 @contextmanager
-def _held(loader: Loader, name: str) -> Iterator[None]:
+def held(loader: Loader, name: str) -> Iterator[None]:
     """Its line, for as long as it takes. Raises InstrumentError (in use) where another process has it."""
     line = loader.line_of(name)
     if "://" not in line or line.startswith(("emulated://", "manual://")):

@@ -119,7 +119,7 @@ def test_a_lost_supply_is_one_card_and_that_the_coils_may_be_on_comes_first(stil
     assert card.isVisible()
     still.app_state.coils_off()
     still.app_state.off_worker.asked[-1].failed(Fault("instrument", "x: supply_x: the link was lost."))
-    assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ The coils may be on", True)
+    assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ HANDS OFF: the coils may be on", True)
     assert card.isHidden()
     next(one for one in still.fault.findChildren(QPushButton) if one.text() == "Close").click()
     still.app_state.grow_old()
