@@ -283,7 +283,7 @@ class Bench:
         """Every instrument to rest, after the coils; a failure of one does not skip another."""
         with ExitStack() as steps:
             first = self.platform.name  # for a supply that is dead is waited for
-            for name in sorted(reversed(self._instruments), key=lambda name: name == first):
+            for name in (*(name for name in reversed(self._instruments) if name != first), first):
                 steps.callback(self._instruments[name].make_safe)
 
     def close(self) -> None:

@@ -83,8 +83,10 @@ def _read(loader: Loader, name: str) -> InstrumentReading:
         with held(loader, name):
             return _asked(loader, name)
     except InstrumentError as fault:
-        held = fault.fault in IN_USE
-        return InstrumentReading(name, entry.role, entry.link, fault=None if held else advised(fault, entry), held=held)
+        other = fault.fault in IN_USE
+        return InstrumentReading(
+            name, entry.role, entry.link, fault=None if other else advised(fault, entry), held=other
+        )
 
 
 def _of_guardian(guardian: Connection, config: BenchConfig, name: str) -> InstrumentReading:

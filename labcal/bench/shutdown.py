@@ -57,8 +57,8 @@ def coils_off(
     does not hear is ended, and another takes its place. What no guardian has reported is brought down from here, its
     ports held against everybody meanwhile; of a port that another program holds it is said. Of the file that is read
     which says where the supplies are, line by line where need be and whatever else is wrong with it. Raises InputError
-    where no guardian lives and it does not say that. `once_ordered`: called, more than once, where who can hear an order
-    of zero by now has it, and somebody else is waited for.
+    where no guardian lives and it does not say that. `once_ordered`: called, more than once, where who can hear an
+    order of zero by now has it, and somebody else is waited for.
     """
     with _unbroken():
         return _brought_down(path, meanwhile, once_ordered)

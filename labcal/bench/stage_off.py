@@ -88,10 +88,10 @@ def _has_a_line(path: Path) -> bool:
 def stopped(path: Path) -> PlatformReading | None:
     """Stop the platform of the bench `path` and see it stand; as `StageStop.ended`."""
     from labcal.bench.clock import RealClock
+    from labcal.bench.coils.state import PlatformReading
     from labcal.bench.config import read_config
     from labcal.bench.driver_kit.roles import ByHand
     from labcal.bench.loading import Loader
-    from labcal.bench.coils.state import PlatformReading
     from labcal.bench.platform import BenchPlatform
     from labcal.bench.reading import held
 
