@@ -722,10 +722,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils not read back since another process was asked to switch them off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -771,6 +767,10 @@
     </message>
     <message>
         <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils not read back since they were ordered off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1054,6 +1054,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The field goes to {0} µT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, and the platform may turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1218,6 +1242,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the window stood still for more than 4 seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>only the session that drives this bench sets currents.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1363,10 +1391,6 @@
     </message>
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the window stood still for more than a second</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5631,6 +5655,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: answers again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6210,6 +6238,10 @@ after this step …</source>
     </message>
     <message>
         <source>Scan it, or type it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7206,10 +7238,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✕ The coils may be on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>✕ A limit is not met</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7738,6 +7766,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the coils may be on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>started</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8102,7 +8134,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8163,6 +8195,10 @@ after this step …</source>
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HANDS OFF – {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
