@@ -91,5 +91,3 @@ def test_who_answers_again_is_blamed_no_more(running):
     app_state.take_lab(LabState(zero, Witness(), None, (Heard("supply_y", now),), platform=stands()))
     assert not live.fault.isVisibleTo(live)
     assert live.verdict.reason.text() == "supply_y: answers again"
-
-
