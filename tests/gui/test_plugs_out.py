@@ -70,9 +70,10 @@ def test_a_refused_hands_off_keeps_its_question_and_its_button_is_grey(running, 
 def test_a_second_click_on_go_on_hits_nothing(running, qtbot):
     live = running.page("Run").live
     running.app_state.run.state = "paused"
-    live._show()
+    running.app_state.run.changed.emit()
     live.pause.click()
-    running.app_state.run._be("running")
+    running.app_state.run.state = "running"
+    running.app_state.run.changed.emit()
     assert not live.pause.isEnabled()
     assert not live.stop.isEnabled()
     qtbot.waitUntil(live.stop.isEnabled, timeout=10_000)
