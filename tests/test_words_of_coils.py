@@ -50,7 +50,7 @@ NO_CLAIM = {
     "The guardian is lost. COILS OFF (F12) works without it.": HELP,
     "The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to "
     "zero when a session ends, breaks off or no longer answers.": HELP,
-    "✕ The coils may be on": NOT_KNOWN,
+    "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
     "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "

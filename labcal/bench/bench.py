@@ -37,6 +37,7 @@ from labcal.bench.listening import Listening
 from labcal.bench.named_links import named_links
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
+from labcal.bench.stopping import zero_and_stop
 from labcal.bench.streams.reconnect import AWAY, bring_back
 from labcal.bench.streams.reference import blind
 from labcal.bench.streams.samples import block_of
@@ -110,6 +111,7 @@ class Bench:
         self._look = RestPoll(self._at_rest_only(), self._ask_again)
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
         self.hands_near = True  # as far as is known: nothing is energised or turned before somebody denies it
+        self.announced: list[str] = []  # what has come on and turned since the step began, in words
         self.homed = False  # the platform, by whoever has this bench now
         self._stands: PlatformReading | None = None  # as it was read last
 
@@ -218,7 +220,7 @@ class Bench:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
         self.hands_near = True
         asked = set(prompt.drawing)
-        elsewhere = asked <= {"angle_deg", "mode"} if asked else prompt.key == "ready"
+        elsewhere = prompt.key == "ready" or (bool(asked) and asked <= {"angle_deg", "mode"})
         if prompt.acts and not elsewhere:
             moved = bool(asked & {"reference_m", "reference_turned"})
             self.cage.check.outdated(self.clock.now(), reference_moved=moved)
@@ -231,7 +233,11 @@ class Bench:
         """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
         with ExitStack() as steps:
             steps.callback(self.rest_instruments)
-            steps.callback(self.cage.zero)
+            steps.callback(self.zero_and_stop)
+
+    def zero_and_stop(self) -> None:
+        """Coils to zero; a platform that may turn is told to stop once that is ordered, whichever supply is dead."""
+        zero_and_stop(self.cage, self.platform, self._guardian, self._links.get(self.platform.name))
 
     def wait_for_ends(self) -> None:
         """Where the guardian still tries to read a coil back at zero it is waited for, once and for a while."""
@@ -276,8 +282,9 @@ class Bench:
     def rest_instruments(self) -> None:
         """Every instrument to rest, after the coils; a failure of one does not skip another."""
         with ExitStack() as steps:
-            for instrument in reversed(self._instruments.values()):
-                steps.callback(instrument.make_safe)
+            first = self.platform.name  # for a supply that is dead is waited for
+            for name in (*(name for name in reversed(self._instruments) if name != first), first):
+                steps.callback(self._instruments[name].make_safe)
 
     def close(self) -> None:
         """Let go of every link."""
@@ -343,6 +350,8 @@ class Bench:
         if self._waited_for() and self._look.wrong(name):
             return  # it is asked again there
         try:
+            if self.asking and self._stands is not None and self._stands.moving is not False:
+                self.platform.make_safe()  # its first word: it may turn, and who is asked may reach in
             angle, moving = self.platform.state()
         except InstrumentError as fault:
             if not self._waited_for() or fault.fault not in AWAY:
@@ -373,9 +382,9 @@ class Bench:
         """See that an instrument still answers; its lost line is opened again."""
         if self._look.wrong(name) == "link lost":
             self.reconnect(name)
-            if name == self.platform.name:
-                self.platform.make_safe()  # it went on while nobody could hear of it
-        else:
+        if name == self.platform.name:
+            self.platform.make_safe()  # first: it went on while nobody could hear of it
+        if self._look.wrong(name) != "link lost":
             self._instruments[name].identify()
         self._heard_s[name] = self.clock.now()
 

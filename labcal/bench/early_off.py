@@ -8,12 +8,14 @@ from __future__ import annotations
 import os
 import sys
 import threading
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from labcal.bench.coils.at_zero import BY_WORD, SLOW_S
+from labcal.bench.stage_off import StageStop
 from labcal.files.home import SECRETS
 from labcal.files.text_safety import in_utf8, one_line
 from labcal.system.private_memory import kept_private
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 DONE, INSTRUMENT_FAILED = 0, 3  # as the command line's
 NAMED = "what was driven under this name or, where nothing was, what the file still says of its supplies"
 _ended: dict[Path, list[AtZero] | Exception] = {}
+_stage: dict[Path, StageStop] = {}
 
 
 def is_off(words: Sequence[str]) -> bool:
@@ -60,7 +63,11 @@ def coils_off(file: Path) -> list[AtZero]:
     if (ended := _ended.pop(file, None)) is None:
         from labcal.bench.shutdown import coils_off  # not by way of the session, which loads for a second
 
-        return coils_off(file, _said_where_slow)
+        _stage[file] = StageStop(file, _said_where_slow)
+        try:
+            return coils_off(file, _stage[file].meanwhile, _stage[file].begin)
+        finally:
+            _stage[file].begin()  # whatever became of the coils
     if isinstance(ended, Exception):
         raise ended
     return ended
@@ -77,6 +84,8 @@ def reported(file: Path, ended: list[AtZero]) -> int:
     if why := unread(file):
         aloud(f"! {why}. Reported above is {NAMED}.")
     print(one_line(left_so(file, ended)), flush=True)
+    if file in _stage and (platform := _stage.pop(file).ended()) is not None:
+        aloud(platform.sentence(time.monotonic()))
     return INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE
 
 

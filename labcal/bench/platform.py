@@ -30,6 +30,7 @@ class BenchPlatform:
         self.name, self.motorised = stage.name, stage.motorised
         self._stage, self._sign, self._wrap_deg = stage, config.angle_sign, config.wrap_deg
         self._dut_limit_deg_per_s = dut_limits.rate_deg_per_s or math.inf
+        self._may_turn = False  # it was sent somewhere, and has not said since that it stands
         self.max_rate_deg_per_s = min(stage.max_rate_deg_per_s, self._dut_limit_deg_per_s)
 
     def identify(self) -> Identity:
@@ -38,6 +39,7 @@ class BenchPlatform:
 
     def home(self, limit_deg_per_s: float = math.inf) -> None:
         """Find the reference position if it is not known, no faster than the DUT may turn."""
+        self._may_turn = True
         self._stage.home(min(limit_deg_per_s, self._dut_limit_deg_per_s))
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
@@ -51,11 +53,13 @@ class BenchPlatform:
                 f"{self.name}: {rate_deg_per_s:g} deg/s is beyond its limit of {self.max_rate_deg_per_s:g} deg/s; "
                 "nothing was sent."
             )
+        self._may_turn = True
         self._stage.move_to(self._sign * angle_deg, rate_deg_per_s)
 
     def moving(self) -> bool:
         """Whether it moves; False means arrived and confirmed."""
-        return self._read(self._stage.moving)
+        self._may_turn = self._read(self._stage.moving)
+        return self._may_turn
 
     def angle_deg(self) -> float:
         """The angle now."""
@@ -64,11 +68,18 @@ class BenchPlatform:
     def state(self) -> tuple[float, bool]:
         """The angle now and whether it moves."""
         angle, moving = self._read(self._stage.state)
+        self._may_turn = moving
         return self._sign * angle, moving
 
     def make_safe(self) -> None:
         """Stop."""
         self._stage.make_safe()
+
+    def told_to_stop(self) -> None:
+        """Stop, where it may turn, without waiting until it stands; whatever fails is found by who sees it stand."""
+        if self._may_turn:
+            with suppress(Exception):
+                self._stage.make_safe()
 
     def brought_to_rest(self, clock: Clock) -> PlatformReading:
         """Stop and see that it stands, within some seconds; a lost line is not waited for, nor a turn that goes on."""
@@ -80,6 +91,7 @@ class BenchPlatform:
                 clock.wait_until(clock.now() + ASK_S)
         except Exception as fault:  # of a driver of one's own too: the coils' last word is not lost over it
             return PlatformReading(fault=str(fault))
+        self._may_turn = state[1]
         return PlatformReading(self._sign * state[0], state[1], clock.now())
 
     def close(self) -> None:

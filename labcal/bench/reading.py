@@ -80,11 +80,13 @@ def _read(loader: Loader, name: str) -> InstrumentReading:
         if name in loader.config.guarded and (guardian := found([entry.link])) is not None:
             with closing(guardian):
                 return _of_guardian(guardian, loader.config, name)
-        with _held(loader, name):
+        with held(loader, name):
             return _asked(loader, name)
     except InstrumentError as fault:
-        held = fault.fault in IN_USE
-        return InstrumentReading(name, entry.role, entry.link, fault=None if held else advised(fault, entry), held=held)
+        other = fault.fault in IN_USE
+        return InstrumentReading(
+            name, entry.role, entry.link, fault=None if other else advised(fault, entry), held=other
+        )
 
 
 def _of_guardian(guardian: Connection, config: BenchConfig, name: str) -> InstrumentReading:
@@ -113,7 +115,7 @@ def _ends(guardian: Connection) -> list[AtZero]:
 
 
 @contextmanager
-def _held(loader: Loader, name: str) -> Iterator[None]:
+def held(loader: Loader, name: str) -> Iterator[None]:
     """Its line, for as long as it takes. Raises InstrumentError (in use) where another process has it."""
     line = loader.line_of(name)
     if "://" not in line or line.startswith(("emulated://", "manual://")):

@@ -48,17 +48,20 @@ OTHERS = (
 )
 
 
-def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
+def coils_off(
+    path: Path, meanwhile: Meanwhile = nullcontext, once_ordered: Callable[[], None] = lambda: None
+) -> list[AtZero]:
     """Bring every coil of `path` to zero and open it, `meanwhile` beside it; one report an axis, faults included.
 
     The guardian does it where one lives, also while the file cannot be read or names other ports than before; one that
     does not hear is ended, and another takes its place. What no guardian has reported is brought down from here, its
     ports held against everybody meanwhile; of a port that another program holds it is said. Of the file that is read
     which says where the supplies are, line by line where need be and whatever else is wrong with it. Raises InputError
-    where no guardian lives and it does not say that.
+    where no guardian lives and it does not say that. `once_ordered`: called, more than once, where who can hear an
+    order of zero by now has it, and somebody else is waited for.
     """
     with _unbroken():
-        return _brought_down(path, meanwhile)
+        return _brought_down(path, meanwhile, once_ordered)
 
 
 @contextmanager
@@ -75,7 +78,7 @@ def _unbroken() -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
+def _brought_down(path: Path, meanwhile: Meanwhile, once_ordered: Callable[[], None]) -> list[AtZero]:
     """`reported`: how supplies ended, of those that a guardian reported; `asked`: the addresses of those guardians."""
     deadline, reported, asked = time.monotonic() + FREE_S, dict[str, AtZero](), list[object]()
     before, wanting = list[Essentials](), list[OSError]()
@@ -105,6 +108,7 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
             )
         if late:
             raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
+        once_ordered()
         time.sleep(0.02)  # a guardian that comes or goes
 
 

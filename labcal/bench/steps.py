@@ -41,6 +41,8 @@ T = TypeVar("T")
 Work = Generator[Item, str | None, T]  # yields what it measured, receives answers, returns what the caller needs
 Procedure = Work[None]
 Blocks = list[Block]
+QUESTION = "question"  # in the drawing of "hands off" that was refused: what is about to happen
+ANEW = "again"  # in that of a step that failed: what comes on and turns where it is tried again
 MARGIN_S = 0.3
 AT_REST_DEG = 0.5  # a dial so near is not turned again
 TICK_S, VIRTUAL_TICK_S = 0.5, 5.0  # samples are handed on at least so often; on a virtual clock nobody waits
@@ -204,19 +206,24 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
     A stopped step never restarts by itself: the first choice is to stop.
     """
     while True:
+        bench.announced.clear()
         try:
             return (yield from work())
         except InstrumentError as fault:
             said = bench.named(str(fault))
             yield Event(bench.clock.now(), FAULT, said, {"step": name, "fault": fault.fault})
-            yield from coils_off(bench)
+            bench.zero_and_stop()
+            yield _coils_read_back(bench)
             yield from standstill(bench)
             text = f"{name}: {said} ({bench.sentence()})"
-            drawing = _of_fault(bench, fault)
+            again = {ANEW: " ".join(dict.fromkeys(bench.announced))}
+            drawing = _of_fault(bench, fault) | again
             choices = ("stop", "retry", "skip")
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
             if answer == "retry" and (still := bench.still_wrong()):
-                answer = yield Prompt(bench.clock.now(), f"failed-{name}", still, choices, drawing={FAULT: still})
+                answer = yield Prompt(
+                    bench.clock.now(), f"failed-{name}", still, choices, drawing={FAULT: still} | again
+                )
             if answer == "stop":
                 raise
             bench.hands_near = answer != "retry" or bool(bench.still_wrong())  # "Hands off: try again"
@@ -256,7 +263,11 @@ def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[N
 def coils_off(bench: Bench) -> Work[None]:
     """All coils to zero, read back, and say so in the record."""
     bench.cage.zero()
-    yield read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
+    yield _coils_read_back(bench)
+
+
+def _coils_read_back(bench: Bench) -> Event:
+    return read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
 
 
 def standstill(bench: Bench) -> Work[None]:
@@ -319,10 +330,13 @@ def ready(bench: Bench, text: str) -> Work[None]:
 
     While an instrument is lost nobody's word is taken: who puts it right has a hand at its plug. It is asked again.
     """
-    while text:
-        yield Prompt(bench.clock.now(), "ready", text, acts=True)
-        if text := bench.still_wrong():
-            yield from record(bench, TICK_S)  # what stays away for too long ends this, whoever answers
+    still, drawing = "", dict[str, str]()
+    while True:
+        yield Prompt(bench.clock.now(), "ready", f"{still} {text}".strip(), acts=True, drawing=drawing)
+        if not (still := bench.still_wrong()):
+            break
+        drawing = {QUESTION: text}  # whole: what comes on and turns is said until it is answered
+        yield from record(bench, TICK_S)  # what stays away for too long ends this, whoever answers
     bench.hands_near = False
 
 
@@ -331,6 +345,7 @@ def hands_off(bench: Bench, what: str) -> Work[None]:
 
     `what` is about to happen. Every question may bring hands to the lab, for a person mounts, switches, puts right.
     """
+    bench.announced.append(what)
     if bench.hands_near:
         yield from ready(bench, f"{what} Hands off?")
 

@@ -14,7 +14,7 @@ class Aborted(Stopped):
 
 
 GONE = "whoever ran this is gone"
-STOOD_STILL = "the window stood still for more than a second"
+STOOD_STILL = "the window stood still for more than 4 seconds"
 
 
 class Left(Aborted):

@@ -232,7 +232,7 @@ class Drive:
 
     def _zero_at_once(self) -> None:
         with suppress(Exception):  # tried again, and reported, on the way to rest
-            self.bench.cage.zero()
+            self.bench.zero_and_stop()
 
     def _look(self) -> None:
         """While anybody waits. Who wants the end does not wait for the end of a ramp: it stops where it is.
@@ -310,7 +310,7 @@ class Drive:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
         bench = self.bench
         self._rows_wait = True  # whoever writes the last one tells where that cannot be
-        faults = _failed(bench.cage.zero)
+        faults = _failed(bench.zero_and_stop)
         faults += _failed(bench.make_safe if faults else bench.rest_instruments)  # zero again only where that failed
         faults += _failed(bench.stop)
         lost = list[Exception]()

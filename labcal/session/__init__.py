@@ -44,6 +44,7 @@ from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_cali
 from labcal.session.importing import ImportRequest, ImportResult, import_foreign
 from labcal.session.instruments import (
     coils_off,
+    coils_off_and_stopped,
     find_instruments,
     identify_instruments,
     look_again,
@@ -92,6 +93,7 @@ __all__ = [
     "check_store",
     "close_loop",
     "coils_off",
+    "coils_off_and_stopped",
     "correct_serial",
     "describe_run",
     "draft",

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
+from labcal.bench.coils.state import PlatformReading
 from labcal.bench.identify import Identified, identify_all
+from labcal.bench.stage_off import NOT_YET, StageStop
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
     from labcal.bench.find import Found
     from labcal.bench.look_again import Looked
     from labcal.bench.reading import InstrumentReading
+
+STANDS_S = 0.5  # a platform is waited for, once the coils are down; whoever asks reads on where it takes longer
 
 
 def identify_instruments(bench: Path) -> list[Identified]:
@@ -82,3 +86,14 @@ def look_again(bench: Path, clear_as: str = "") -> Looked | None:
 def coils_off(bench: Path) -> list[AtZero]:
     """Every coil to zero and open, one report an axis."""
     return shutdown.coils_off(bench)
+
+
+def coils_off_and_stopped(bench: Path) -> tuple[list[AtZero], PlatformReading | None]:
+    """As `coils_off`; and a platform that no run has any more is stopped meanwhile. None where it turns still."""
+    stage = StageStop(bench)
+    try:
+        ended = shutdown.coils_off(bench, stage.meanwhile, stage.begin)
+    finally:
+        stage.begin()  # whatever became of the coils
+    platform = stage.ended(STANDS_S)
+    return ended, None if platform is None or platform.fault == NOT_YET else platform

@@ -18,7 +18,9 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs ptys, and
 
 
 def children(pid: int) -> list[int]:
-    return [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    """Those that bring coils down: the one that stops the platform has its own command line."""
+    there = [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    return [one for one in there if b"labcal.bench.stage_off" not in Path(f"/proc/{one}/cmdline").read_bytes()]
 
 
 def coming_down(lab: Served) -> tuple[subprocess.Popen[str], int]:

@@ -44,7 +44,7 @@ def fail(window, fault, *items, coils=()):
 def test_a_run_that_fails_says_how_it_left_the_coils(still, coils, words):
     card = fail(still, LOST, coils=coils)
     assert card.coils.isVisible()
-    said = "coils not read back since another process was asked" if "Press" in words else words  # and it was
+    said = "coils not read back since they were ordered off" if "Press" in words else words  # and it was
     assert card.coils.text().startswith(said)
     asked_for_zero = bool(still.app_state.off_worker.commands(SwitchOff))
     assert asked_for_zero == ("Press" in words)  # by another worker, without being told to
@@ -119,7 +119,7 @@ def test_a_lost_supply_is_one_card_and_that_the_coils_may_be_on_comes_first(stil
     assert card.isVisible()
     still.app_state.coils_off()
     still.app_state.off_worker.asked[-1].failed(Fault("instrument", "x: supply_x: the link was lost."))
-    assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ The coils may be on", True)
+    assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ HANDS OFF: the coils may be on", True)
     assert card.isHidden()
     next(one for one in still.fault.findChildren(QPushButton) if one.text() == "Close").click()
     still.app_state.grow_old()

@@ -32,7 +32,7 @@ LINKS = {
         ),
         (
             ("supply_x", "supply_y", "supply_z", "reversers", "dut"),
-            "All 5 instruments are silent: look at what they have in common first (adapter, network, power).",
+            "Nothing answers, all 5 instruments: is the rack’s power off, or the adapter or network gone?",
         ),
     ],
 )

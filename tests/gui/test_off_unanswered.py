@@ -50,7 +50,7 @@ def test_with_every_line_silent_it_is_red_as_soon_as_an_answer_is_missed(qtbot, 
     assert still.side.zero_words.property("state") == "warning"
     later(1.0)
     assert still.fault.isVisible()
-    assert (still.fault.heading.text(), still.fault.by_hand.text()) == ("✕ The coils may be on", ALL)
+    assert (still.fault.heading.text(), still.fault.by_hand.text()) == ("✕ HANDS OFF: the coils may be on", ALL)
     assert still.side.zero_words.text() == "✕ coils NOT confirmed at zero"
     assert still.next.text() == "Next: See to the coils"
 
@@ -107,7 +107,7 @@ def test_the_supply_is_named_as_long_as_it_is_true_and_figures_are_a_click_deepe
     assert card.details.isHidden()
     still.app_state.fault.emit(Fault("instrument", "dut: silent"))  # what else goes wrong
     assert card.by_hand.isVisible()
-    assert card.heading.text() == "✕ The coils may be on"
+    assert card.heading.text() == "✕ HANDS OFF: the coils may be on"
     later(60.0)
     assert card.by_hand.text() == "Switch off by hand: supply_z"
     still.app_state.watch.look()

@@ -97,7 +97,7 @@ def test_a_worker_that_dies_in_any_state_is_a_card_and_another_one_switches_the_
     card = brought.page("Run").live.fault
     assert card.isVisible()
     assert card.heading.text() == "✕ The work broke off"
-    assert card.coils.text() == "coils not read back since another process was asked to switch them off"
+    assert card.coils.text() == "coils not read back since they were ordered off"
     assert isinstance(brought.app_state.off_worker.asked[-1].command, SwitchOff)
 
 

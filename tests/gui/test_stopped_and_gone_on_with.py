@@ -82,7 +82,7 @@ def test_what_is_left_of_simulated_time_is_called_that(running):
 
 
 def test_a_run_that_nobody_stopped_says_why_it_was_left_and_not_that_it_was_stopped(running):
-    why = "the window stood still for more than a second"
+    why = "the window stood still for more than 4 seconds"
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", fault_of(Left(why))))
     assert run_verdict(running.app_state.run).word == "▲ INTERRUPTED"
     card = running.page("Run").live.fault

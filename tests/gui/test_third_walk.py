@@ -135,11 +135,12 @@ def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):
     says(still, "dut")
     assert live.prompt.details.text().startswith("✕ No answer from dut. Put that right first")
     still_lost = "Still lost: dut (silent). Put that right first: a step begun now fails again."
-    asks((Prompt(4.0, "ready", still_lost, acts=True),))
-    assert live.prompt.text.text() == still_lost
+    asked = "The coils go to 50 µT and the platform turns. Hands off?"
+    asks((Prompt(4.0, "ready", f"{still_lost} {asked}", acts=True, drawing={"question": asked}),))
+    assert live.prompt.details.text().startswith("✕ No answer from dut. Put that right first")
     says(still)
-    assert live.prompt.details.isHidden()
-    assert live.prompt.text.text() == "Every instrument answers again."
+    assert live.prompt.details.text() == "dut: answers again"
+    assert live.prompt.text.text().replace("\N{NO-BREAK SPACE}", " ") == asked
 
 
 def test_as_long_as_anything_is_on_or_turns_the_headline_keeps_hands_off(still):

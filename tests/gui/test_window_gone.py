@@ -13,7 +13,7 @@ from labcal import session
 from labcal.bench.coils.state import CoilReading, LabState
 from labcal.errors import Stopped
 from labcal.gui.ipc.bench_commands import run
-from labcal.gui.ipc.channel import FROZEN_S, Channel
+from labcal.gui.ipc.channel import FROZEN_S, WAITS_S, Channel
 from labcal.gui.ipc.lines import write_line
 from labcal.gui.ipc.messages import Beat, ListRuns, Request, RunProcedure
 from labcal.record.stream import Event
@@ -126,3 +126,18 @@ def test_a_window_that_moves_is_there():
             if slowest > FROZEN_S / 2:
                 pytest.skip("this computer is too busy: the test itself stood still")
             channel.control.check()
+
+
+def test_one_that_is_late_on_a_busy_computer_is_waited_for_and_the_run_goes_on():
+    with heard_by(BEAT) as (channel, says):
+        channel.run_begins(simulated=False)
+        late_s = time.monotonic() + WAITS_S + 1.0
+        while time.monotonic() < late_s:
+            channel.control.check()
+            time.sleep(0.01)
+        assert channel.control.paused()
+        for _ in range(5):
+            os.write(says, BEAT)
+            time.sleep(0.1)
+        assert not channel.control.paused()
+        channel.control.check()

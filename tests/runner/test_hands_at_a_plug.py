@@ -64,7 +64,10 @@ def test_hands_off_is_not_taken_while_an_instrument_is_lost(bench_file: BenchFil
     outcome, items = turned(bench_file(), lost)
     assert outcome.status == "finished"
     assert course(items)[-4:] == ["ready", "ready", "ready", "ON"]
-    assert [i.text[:15] for i in items if isinstance(i, Prompt)][-2:] == ["Still lost: dut"] * 2
+    *_, whole, again, and_again = (i for i in items if isinstance(i, Prompt))
+    assert (again.text[:15], and_again.text[:15]) == ("Still lost: dut",) * 2
+    assert and_again.text.endswith(whole.text)  # what comes on and turns is said until it is answered
+    assert again.drawing["question"] == whole.text
 
 
 def test_nor_is_it_for_ever_where_nobody_puts_it_right(bench_file: BenchFile) -> None:

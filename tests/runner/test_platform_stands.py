@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
 from contextlib import closing
 from datetime import UTC, datetime
@@ -14,7 +15,7 @@ from test_lost_and_gone_on_with import SECOND, TWO_FIELDS, events, pulled
 from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.state import MAY_TURN
+from labcal.bench.coils.state import MAY_TURN, PlatformReading
 from labcal.errors import InstrumentError
 from labcal.record.stream import Item, Prompt, SegmentOpened
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
@@ -119,3 +120,36 @@ def test_at_its_end_too_it_is_stopped_and_that_is_in_the_record(bench_file: Benc
     ended, _ = in_a_turn(bench_file(), lambda lab: None, stop_there)
     assert ended.status == "finished"
     assert events("standstill")[-1] == "platform stands at 0°"
+
+
+def lost_for(lab: Any, seconds: float) -> None:
+    """The stage's line gives no answer for so long, and the stage turns on."""
+    platform, state, back_s = lab.platform, lab.platform.state, lab.clock.now() + seconds
+
+    def answers() -> Any:
+        if lab.clock.now() < back_s:
+            raise InstrumentError("stage: no reply.", fault="silent")
+        return state()
+
+    platform.state = platform.moving = answers
+    platform.brought_to_rest = lambda clock: PlatformReading(fault="silent")
+    platform.told_to_stop = lambda: None
+
+
+def test_one_that_answers_again_in_the_question_is_told_to_stop_first(bench_file: BenchFile) -> None:
+    words = list[str]()
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 28, tzinfo=UTC)), seed=2)) as lab:
+        lab.start()
+        lab.platform.home()
+        lab.platform.move_to(300.0, 6.0)
+        lost_for(lab, 2.0)
+        with contextlib.suppress(InstrumentError):
+            lab.stream_until(lab.clock.now() + 1.0)
+        lab.stop_platform()
+        stop, state, lab.asking = lab.platform.make_safe, lab.platform.state, True
+        lab.platform.make_safe = lambda: (words.append("stop"), stop())
+        lab.platform.state = lambda: (words.append("state"), state())[1]
+        lab.stream_until(lab.clock.now() + 8.0)
+        assert words[0] == "stop"
+        assert not lab.simulated_operator._lab.platform.moving(lab.clock.now())
+        assert lab.state().platform.moving is False

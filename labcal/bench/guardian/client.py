@@ -134,6 +134,7 @@ class GuardianClient:
         self.ended: list[AtZero] = []  # how the coils ended, as last heard of
         self._in_vain = False  # waited until all of them were read back at zero
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
+        self.once_ordered: Callable[[], None] = lambda: None  # zero: done while it is waited for; raises nothing
         self.facts: dict[str, dict[str, Any]] = self._meet(meanwhile)
         clock.while_waiting(self._beat)
 
@@ -216,6 +217,8 @@ class GuardianClient:
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
         self.zero_is_ordered = order == "zero"
+        if order == "zero":
+            self.once_ordered()
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
             if connection.hangs(STOPPED_S if order == "zero" else REPLACED_S):

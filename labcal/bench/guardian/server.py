@@ -18,6 +18,7 @@ from typing import Any
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.wire import (
     OTHER_BENCH,
+    TRIED_AGAIN,
     Message,
     another_user,
     fault_message,
@@ -32,7 +33,6 @@ LINE_BYTES = 65536  # no order is longer
 TOKEN_S = 5.0  # to say who one is
 CALLERS, ORDERS = 32, 64  # at once; and of one caller not worked off yet: then it is not listened to
 STALE_S = 3.0  # a session that has been silent so long, with the coils at zero, makes room for another
-TRIED_AGAIN = "It is tried again and again; no run begins before it answers."
 FOR_THE_SESSION = ("set_current", "output", "modbus", "reopen")
 KINDS: dict[str, tuple[type, ...]] = {
     "current_A": (float, int), "on": (bool,), "axis": (str,), "name": (str,), "within_s": (float,)

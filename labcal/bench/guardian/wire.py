@@ -19,6 +19,7 @@ from labcal.errors import InstrumentError, LimitError
 
 Message = dict[str, Any]
 Card = dict[str, Any]  # pid, address, token: how a guardian is reached
+TRIED_AGAIN = "It is tried again and again; no run begins before it answers."
 ACKNOWLEDGES = "acknowledges"  # in the card of one that says at once that it has heard an order, where it is asked to
 OTHER_BENCH = "another bench"  # a guardian that has read another file makes room as soon as it may
 

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.bench.coils.state import PlatformReading
 from labcal.bench.parameters import ParameterSpec
 from labcal.gui.ipc.bench_facts import Bench as Bench
 from labcal.gui.ipc.bench_facts import Cage as Cage
@@ -121,11 +122,15 @@ class CoilEnd:
 
 @dataclass(frozen=True, slots=True)
 class SwitchedOff:
-    """Every axis, and the doubt that stands about zero ("": none), with what a person can do about it."""
+    """Every axis, and the doubt that stands about zero ("": none), with what a person can do about it.
+
+    `platform`: as it was brought to a stop; None where whoever drives it does that, or it has no motor.
+    """
 
     coils: tuple[CoilEnd, ...]
     doubt: str = ""
     advice: str = ""
+    platform: PlatformReading | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -150,10 +150,10 @@ def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
     from labcal import session
     from labcal.bench.coils.doubt import advice_of, doubt_of
 
-    with channel.on_the_way_to_zero():
-        ended = session.coils_off(Path(asked.bench))
     path = Path(asked.bench)
-    return SwitchedOff(tuple(map(_coil_end, ended)), doubt_of(path), advice_of(path))
+    with channel.on_the_way_to_zero():
+        ended, platform = session.coils_off_and_stopped(path)
+    return SwitchedOff(tuple(map(_coil_end, ended)), doubt_of(path), advice_of(path), platform)
 
 
 def _coil_end(one: AtZero) -> CoilEnd:

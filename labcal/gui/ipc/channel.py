@@ -44,7 +44,8 @@ from labcal.system.run_door import Caller, Door
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
 POLL_S = 0.05
-FROZEN_S = 1.0  # so long a window may stand still while real coils are on: nobody could say off there
+FROZEN_S = 4.0  # so long a window may stand still while real coils are on: nobody could say off there
+WAITS_S = 1.0  # so long before the run begins no further step, as after Pause, until the window moves again
 LATE_S = 0.2  # a process that runs freely wakes no later
 ALONE_S = 20.0  # so long a run goes on while a window that broke off is started again
 UNANSWERED_S = 1.0  # of that, with coils on at a question: it cannot go on, and nobody is there
@@ -69,6 +70,7 @@ class Channel:
         self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
+        self._paused_here = False  # for a window that stands still
         self._watched, self._hung_up, self._let_go = watched, False, let_go
         self._back_by_s = 0.0  # until then a window that broke off is being started, or has just been
         self._door: Door | None = None
@@ -107,7 +109,7 @@ class Channel:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
         if not self._asked_for:
             self.control = Control(to_be_resumed=True)
-        self._on_bench, self._asked_for, self._state = True, False, None
+        self._on_bench, self._asked_for, self._state, self._paused_here = True, False, None, False
         self._answers = queue.Queue()
         if self._watched and going is not None:
             self._past = PastMessages(going)
@@ -231,7 +233,8 @@ class Channel:
     def _watch_heartbeat(self, control: Control) -> None:
         """See that the window still moves while the coils are on, or not known to be at zero.
 
-        Who wakes late itself was kept from listening, and judges nobody for it.
+        Who wakes late itself was kept from listening, and judges nobody for it. On a busy computer a window is late for
+        a second and is back: the run waits for it where its next step begins, with its coils at zero.
         """
         while self._on_bench and self.control is control:
             begun = time.monotonic()
@@ -239,9 +242,24 @@ class Channel:
             now, heard_s = time.monotonic(), self._heartbeat_s
             if heard_s is not None and now - begun > POLL_S + LATE_S:
                 self._heartbeat_s = now
-            elif heard_s is not None and now - heard_s > FROZEN_S and now > self._back_by_s and not self._at_zero():
+                continue
+            stands_still_s = 0.0 if heard_s is None or now <= self._back_by_s else now - heard_s
+            self._wait_for_the_window(control, stands_still_s > WAITS_S and not self._at_zero())
+            if stands_still_s > FROZEN_S and not self._at_zero():
                 control.leave(STOOD_STILL)
                 return
+
+    def _wait_for_the_window(self, control: Control, stands_still: bool) -> None:
+        """What is paused here goes on here, once the window moves; a pause that a person asked for stays."""
+        if stands_still and not self._paused_here and not control.paused():
+            control.pause()
+            self._paused_here = True
+        elif self._paused_here and self._moves():
+            self._paused_here = False
+            control.resume()
+
+    def _moves(self) -> bool:
+        return self._heartbeat_s is not None and time.monotonic() - self._heartbeat_s < WAITS_S
 
     def _dispatch(self, said: Request | Word) -> None:
         if self._heartbeat_s is not None or isinstance(said, Beat):
@@ -259,6 +277,7 @@ class Channel:
             case Answer(key, text):
                 self._answers.put((key, text))
             case Pause():
+                self._paused_here = False
                 self.control.pause()
             case GoOn():
                 self.control.resume()

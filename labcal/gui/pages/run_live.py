@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from labcal.bench.guardian.wire import TRIED_AGAIN
 from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import BROKEN, Fault
 from labcal.gui.theming.theme import GRID, Theme
@@ -31,7 +32,7 @@ from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
-from labcal.gui.widgets.prompt_card import PromptCard
+from labcal.gui.widgets.prompt_card import DEAD_MS, PromptCard
 from labcal.gui.widgets.run_notes import RunNotes
 from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.step_list import StepList
@@ -55,6 +56,8 @@ class Live(QWidget):
         self.loci, self.traces = loci, traces
         self._asked: object = None
         self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
+        self._just_went_on = QTimer(self, interval=DEAD_MS, singleShot=True)  # a second click was meant for Go on
+        self._just_went_on.timeout.connect(self._show)
         self._goes_on = self._details = False  # once ended: it may be gone on with; what was measured is in sight
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -196,11 +199,16 @@ class Live(QWidget):
         self._app_state.study_vm.fit("ml")
 
     def _resume(self) -> None:
+        self._just_went_on.start()
         if self._run.order is not None:
             self._app_state.resume(self._run.run_id, self._run.order.procedure, self._run.order.dut)
 
     def _pause_or_go_on(self) -> None:
-        self._run.go_on() if self._run.state == "paused" else self._run.pause()
+        if self._run.state != "paused":
+            return self._run.pause()
+        self._just_went_on.start()
+        self._run.go_on()
+        return self._show()
 
     def _show(self) -> None:
         asked = self._asked
@@ -220,7 +228,9 @@ class Live(QWidget):
         waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
         self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
         self.pause.setEnabled(run.state in ("running", "asking", "paused") and not run.pausing)
-        self.stop.setEnabled(run.alive and run.state != "stopping")
+        if self._just_went_on.isActive():
+            self.pause.setEnabled(False)
+        self.stop.setEnabled(run.alive and run.state != "stopping" and not self._just_went_on.isActive())
         turned = bool(run.names or run.locus)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
         decided = ended and not self._details  # the verdict has the whole place
@@ -320,9 +330,19 @@ class Live(QWidget):
         self.fault.say_coils(self._coils_left())
         began = self._run.lab is not None or (self._run.fault is not None and self._run.fault.kind in BROKEN)
         self.fault.say_platform(self._app_state.platform_words() if began else "")  # else nothing was moved
-        gives_way = self._app_state.warning_shown
-        self.fault.setVisible(not gives_way)
-        self.verdict.say_reason(in_short(self._run.fault) if gives_way and self._run.fault is not None else "")
+        gives_way, back = self._app_state.warning_shown, self._answers_again()
+        self.fault.setVisible(not (gives_way or back))
+        said = in_short(self._run.fault) if gives_way and self._run.fault is not None else ""
+        self.verdict.say_reason(back or said)
+
+    def _answers_again(self) -> str:
+        """Whom this run waited for in vain, and who was heard since; "" where that is none, or lost still."""
+        fault, facts, now = self._run.fault, self._app_state.facts, self._app_state.lab.state.now
+        if fault is None or facts is None or self._run.state != "ended" or TRIED_AGAIN not in fault.remedy:
+            return ""
+        named = [name for name in facts.instruments if name in fault.text]
+        heard = {name for name, light, _ in now.lights if light == "ok"}
+        return self.tr("{0}: answers again").format(", ".join(named)) if named and set(named) <= heard else ""
 
     def _coils_left(self) -> str:
         """How the coils are after a run that failed."""

@@ -738,10 +738,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coils not read back since another process was asked to switch them off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -791,6 +787,10 @@
     </message>
     <message>
         <source>coils may be on: a run goes on, and nothing was read yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils not read back since they were ordered off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1070,6 +1070,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The field goes to {0} µT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, and the platform may turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1234,6 +1258,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the window stood still for more than 4 seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>only the session that drives this bench sets currents.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1379,10 +1407,6 @@
     </message>
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the window stood still for more than a second</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5647,6 +5671,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: answers again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6234,6 +6262,10 @@ after this step …</source>
     </message>
     <message>
         <source>Scan it, or type it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7257,10 +7289,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✕ The coils may be on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>✕ A limit is not met</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7797,6 +7825,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the coils may be on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>started</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8161,7 +8193,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
+        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8222,6 +8254,10 @@ after this step …</source>
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HANDS OFF – {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -738,10 +738,6 @@
         <translation>Spulen in dieser Sitzung nicht zurückgelesen</translation>
     </message>
     <message>
-        <source>coils not read back since another process was asked to switch them off</source>
-        <translation>Spulen nicht zurückgelesen, seit ein anderer Prozess sie ausschalten soll</translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation>Spulen an: {0}</translation>
     </message>
@@ -792,6 +788,10 @@
     <message>
         <source>coils may be on: a run goes on, and nothing was read yet</source>
         <translation>Spulen vielleicht an: eine Messung läuft, und noch nichts wurde gelesen</translation>
+    </message>
+    <message>
+        <source>coils not read back since they were ordered off</source>
+        <translation>Spulen nicht zurückgelesen, seit ihr Ausschalten befohlen wurde</translation>
     </message>
     <message>
         <source>coils on</source>
@@ -1070,6 +1070,30 @@
         <translation>Der Tisch sucht seine Null und dreht auf {0}°. Hände weg?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT.</source>
+        <translation>Das Feld geht auf {0} µT.</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, and the platform may turn.</source>
+        <translation>Das Feld geht auf {0} µT, und die Plattform kann sich drehen.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A.</source>
+        <translation>Die Spulen gehen auf {0} A.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn.</source>
+        <translation>Die Spulen gehen auf {0} A, und die Plattform kann sich drehen.</translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°.</source>
+        <translation>Die Plattform dreht sich auf {0}°.</translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°.</source>
+        <translation>Die Plattform sucht ihren Nullpunkt und dreht sich auf {0}°.</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
         <translation>Das Feld geht auf {0} µT, der Tisch dreht. Hände weg?</translation>
     </message>
@@ -1234,6 +1258,10 @@
         <translation>wer dies fuhr, ist weg</translation>
     </message>
     <message>
+        <source>the window stood still for more than 4 seconds</source>
+        <translation>das Fenster stand länger als 4 Sekunden still</translation>
+    </message>
+    <message>
         <source>only the session that drives this bench sets currents.</source>
         <translation>Nur wer diesen Messplatz fährt, stellt Ströme ein.</translation>
     </message>
@@ -1380,10 +1408,6 @@
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation>Auf diesem Messplatz beginnt keine Prozedur: das Prüfnormal noch einmal messen, oder eine Person dafür einstehen lassen.</translation>
-    </message>
-    <message>
-        <source>the window stood still for more than a second</source>
-        <translation>das Fenster stand länger als eine Sekunde still</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -5675,6 +5699,10 @@
         <translation>Diese Messung ist zu Ende: „Ablegen“, dann misst „Beginnen“ von vorn.</translation>
     </message>
     <message>
+        <source>{0}: answers again</source>
+        <translation>{0}: antwortet wieder</translation>
+    </message>
+    <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation>{0}. SPULEN AUS (F12) drücken oder {1} von Hand ausschalten.</translation>
     </message>
@@ -6236,6 +6264,10 @@ diesem Schritt …</translation>
     <message>
         <source>Scan it, or type it</source>
         <translation>Scannen oder tippen</translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
+        <translation>{0}: antwortet wieder</translation>
     </message>
     <message>
         <source>Every instrument answers again.</source>
@@ -7258,10 +7290,6 @@ diesem Schritt …</translation>
         <translation>✕ Die Uhr wurde zurückgestellt</translation>
     </message>
     <message>
-        <source>✕ The coils may be on</source>
-        <translation>✕ Die Spulen können an sein</translation>
-    </message>
-    <message>
         <source>✕ A limit is not met</source>
         <translation>✕ Eine Grenze ist nicht eingehalten</translation>
     </message>
@@ -7894,6 +7922,10 @@ diesem Schritt …</translation>
         <translation>der Bediener</translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the coils may be on</source>
+        <translation>✕ HÄNDE WEG: Die Spulen können eingeschaltet sein</translation>
+    </message>
+    <message>
         <source>{0} has to sign. The operator may sign as well.</source>
         <translation>{0} muss unterschreiben. Der Bediener darf es auch.</translation>
     </message>
@@ -8162,8 +8194,8 @@ diesem Schritt …</translation>
         <translation>Alle {0} Geräte an {1} schweigen: zuerst nach ihrer gemeinsamen Leitung sehen.</translation>
     </message>
     <message>
-        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
-        <translation>Alle {0} Geräte schweigen: zuerst nach dem sehen, was sie gemeinsam haben (Adapter, Netzwerk, Strom).</translation>
+        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation>Nichts antwortet, alle {0} Geräte: Ist der Strom des Schranks aus, oder Adapter oder Netz weg?</translation>
     </message>
     <message>
         <source>guardian</source>
@@ -8224,6 +8256,10 @@ diesem Schritt …</translation>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
         <translation>HÄNDE WEG – keine Antwort von {0}; {1}</translation>
+    </message>
+    <message>
+        <source>HANDS OFF – {0}</source>
+        <translation>HÄNDE WEG – {0}</translation>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>

@@ -738,10 +738,6 @@
         <translation>bobines non relues dans cette session</translation>
     </message>
     <message>
-        <source>coils not read back since another process was asked to switch them off</source>
-        <translation>bobines non relues depuis qu&apos;un autre processus doit les couper</translation>
-    </message>
-    <message>
         <source>coils on: {0}</source>
         <translation>bobines sous courant : {0}</translation>
     </message>
@@ -792,6 +788,10 @@
     <message>
         <source>coils may be on: a run goes on, and nothing was read yet</source>
         <translation>bobines peut-être alimentées : une mesure est en cours, et rien n’a encore été lu</translation>
+    </message>
+    <message>
+        <source>coils not read back since they were ordered off</source>
+        <translation>bobines non relues depuis l’ordre de les couper</translation>
     </message>
     <message>
         <source>coils on</source>
@@ -1070,6 +1070,30 @@
         <translation>La plate-forme cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT.</source>
+        <translation>Le champ passe à {0} µT.</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, and the platform may turn.</source>
+        <translation>Le champ passe à {0} µT, et la plateforme peut tourner.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A.</source>
+        <translation>Les bobines passent à {0} A.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} A, and the platform may turn.</source>
+        <translation>Les bobines passent à {0} A, et la plateforme peut tourner.</translation>
+    </message>
+    <message>
+        <source>The platform turns to {0}°.</source>
+        <translation>La plateforme tourne à {0}°.</translation>
+    </message>
+    <message>
+        <source>The platform looks for its zero and turns to {0}°.</source>
+        <translation>La plateforme cherche son zéro et tourne à {0}°.</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
         <translation>Le champ va à {0} µT, le plateau tourne. Mains éloignées ?</translation>
     </message>
@@ -1234,6 +1258,10 @@
         <translation>celui qui menait ceci est parti</translation>
     </message>
     <message>
+        <source>the window stood still for more than 4 seconds</source>
+        <translation>la fenêtre est restée figée plus de 4 secondes</translation>
+    </message>
+    <message>
         <source>only the session that drives this bench sets currents.</source>
         <translation>Seul celui qui pilote ce banc règle les courants.</translation>
     </message>
@@ -1380,10 +1408,6 @@
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation>Aucune procédure ne commence sur ce banc : mesurer de nouveau l’étalon de contrôle, ou laisser une personne en répondre.</translation>
-    </message>
-    <message>
-        <source>the window stood still for more than a second</source>
-        <translation>la fenêtre est restée figée plus d&apos;une seconde</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -5675,6 +5699,10 @@
         <translation>Cette mesure est finie : « Fermer », puis « Démarrer » mesure de nouveau.</translation>
     </message>
     <message>
+        <source>{0}: answers again</source>
+        <translation>{0} : répond de nouveau</translation>
+    </message>
+    <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation>{0}. Appuyez sur BOBINES À ZÉRO (F12), ou coupez {1} à la main.</translation>
     </message>
@@ -6236,6 +6264,10 @@ cette étape …</translation>
     <message>
         <source>Scan it, or type it</source>
         <translation>Lisez-le ou tapez-le</translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
+        <translation>{0} : répond de nouveau</translation>
     </message>
     <message>
         <source>Every instrument answers again.</source>
@@ -7258,10 +7290,6 @@ cette étape …</translation>
         <translation>✕ L&apos;horloge a été retardée</translation>
     </message>
     <message>
-        <source>✕ The coils may be on</source>
-        <translation>✕ Les bobines sont peut-être sous tension</translation>
-    </message>
-    <message>
         <source>✕ A limit is not met</source>
         <translation>✕ Une limite n&apos;est pas tenue</translation>
     </message>
@@ -7894,6 +7922,10 @@ cette étape …</translation>
         <translation>l&apos;opérateur</translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the coils may be on</source>
+        <translation>✕ MAINS LOIN : les bobines sont peut-être alimentées</translation>
+    </message>
+    <message>
         <source>{0} has to sign. The operator may sign as well.</source>
         <translation>{0} doit signer. L&apos;opérateur peut signer aussi.</translation>
     </message>
@@ -8162,8 +8194,8 @@ cette étape …</translation>
         <translation>Les {0} appareils à {1} se taisent tous : voyez d&apos;abord leur ligne commune.</translation>
     </message>
     <message>
-        <source>All {0} instruments are silent: look at what they have in common first (adapter, network, power).</source>
-        <translation>Les {0} appareils se taisent tous : voyez d&apos;abord ce qu&apos;ils ont en commun (adaptateur, réseau, alimentation).</translation>
+        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation>Rien ne répond, ni l’un des {0} instruments : la baie est-elle hors tension, ou l’adaptateur ou le réseau absent ?</translation>
     </message>
     <message>
         <source>guardian</source>
@@ -8224,6 +8256,10 @@ cette étape …</translation>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
         <translation>MAINS LOIN – pas de réponse de {0} ; {1}</translation>
+    </message>
+    <message>
+        <source>HANDS OFF – {0}</source>
+        <translation>MAINS LOIN – {0}</translation>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>

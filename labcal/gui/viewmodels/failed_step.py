@@ -9,6 +9,7 @@ from dataclasses import replace
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.named_links import named_links
+from labcal.bench.steps import ANEW, QUESTION
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -31,6 +32,8 @@ def asked_text(prompt: Prompt) -> str:
 
 def headline(prompt: Prompt) -> str:
     """The question in one glance; of a step that failed who does not answer, else what happened."""
+    if QUESTION in prompt.drawing:
+        return in_words(str(prompt.drawing[QUESTION]))
     if lost := prompt.drawing.get(NO_ANSWER):
         return translated(str(SHOWN)).format(lost)
     return in_words(_plain(str(prompt.drawing[WHAT])) if WHAT in prompt.drawing else asked_text(prompt))
@@ -43,12 +46,13 @@ def below(prompt: Prompt, again: str, *, lost: bool = True) -> str:
     """
     if WHAT not in prompt.drawing:
         return ""
+    anew = in_words(str(prompt.drawing.get(ANEW, "")))
     if not lost:
-        return translated(str(THEN)).format(again)
+        return f"{translated(str(THEN)).format(again)} {anew}".strip()
     what, remedy = _plain(str(prompt.drawing[WHAT])), str(prompt.drawing.get(REMEDY, ""))
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
-    return " ".join(part for part in (known, in_words(remedy), button) if part)
+    return " ".join(part for part in (known, in_words(remedy), button, anew) if part)
 
 
 def in_short(fault: Fault) -> str:

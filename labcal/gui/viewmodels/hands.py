@@ -6,13 +6,14 @@ from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT
 from labcal.record.stream import Prompt
 
 READY, DONE = "ready", "done"  # the question whether all hands are off, and the answer that says so
+FAILED, RETRY = "failed-", "retry"  # about a step that failed, and "Hands off: try again"
 STOP = "stop"  # the answer that ends the run
 STILL_LOST = "Still lost"  # so it begins where it is asked again, because somebody does not answer
 
 
 def says_hands_off(key: str, answer: object) -> bool:
     """Whether whoever answers the question `key` so stands back, until anything else is asked."""
-    return key == READY and answer == DONE
+    return (key == READY and answer == DONE) or (key.startswith(FAILED) and answer == RETRY)
 
 
 def reached_into(prompt: Prompt, *, lost: bool) -> bool:

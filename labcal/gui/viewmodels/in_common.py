@@ -11,7 +11,7 @@ from labcal.gui.translations.translate import translated
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "All {0} instruments at {1} are silent: look at their common line first."),
     QT_TRANSLATE_NOOP(
-        "Words", "All {0} instruments are silent: look at what they have in common first (adapter, network, power)."
+        "Words", "Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?"
     ),
 )
 
@@ -34,7 +34,7 @@ def _at(where: str, count: int) -> str:
 
 def _all(count: int) -> str:
     return translated(
-        "All {0} instruments are silent: look at what they have in common first (adapter, network, power)."
+        "Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?"
     ).format(count)
 
 

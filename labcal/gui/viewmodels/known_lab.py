@@ -133,7 +133,8 @@ def _in_common(known: state.LabState | None, facts: Bench | None) -> str:
     supplies = _supplies(facts)
     silent = {one.name for one in known.instruments if one.fault}
     silent |= {supplies[c.axis] for c in known.coils if c.fault not in ("", UNANSWERED) and c.axis in supplies}
-    return in_common(silent, {name: one.link for name, one in facts.instruments.items()})
+    asked = {n: one for n, one in facts.instruments.items() if one.role != "polarity" or n in silent}  # not by itself
+    return in_common(silent, {name: one.link for name, one in asked.items()})
 
 
 def _supplies(facts: Bench) -> dict[str, str]:

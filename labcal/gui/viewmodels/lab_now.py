@@ -184,9 +184,9 @@ def platform_said(words: str) -> str:
 
 
 def still_live(now: LabNow) -> str:
-    """By what was read last: coils that are on, a platform that turns or may; "" where hands may go near."""
+    """By what was read last: coils that are on, or not confirmed, a platform that turns or may; "" else."""
     turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
-    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else ""
+    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else alarm_of(now.coil_words).removeprefix("✕ ")
     return ", ".join(filter(None, (on, translated(turns) if turns else "")))
 
 
@@ -240,7 +240,8 @@ def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None)
     if said.doubt:
         witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
     coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
-    return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard)
+    platform = said.platform or before.platform
+    return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
 
 
 def heard_from(

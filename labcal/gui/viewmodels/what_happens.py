@@ -18,6 +18,7 @@ WORDS = {
 }
 HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
+KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
 
@@ -28,8 +29,10 @@ def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> st
     if run.unheard:
         return translated(str(COMES_BACK))
     if run.state in WORDS:
-        return translated(str(WORDS[run.state]))
-    return "" if alarmed else alarm_of(now.coil_words) or _of_who_is_lost(now) or _doing(run, now)
+        doing = translated(str(WORDS[run.state]))
+        live = still_live(now)
+        return f"{_of_who_is_lost(now) or translated(str(KEEP_OFF)).format(live)} · {doing}" if live else doing
+    return "" if alarmed else _of_who_is_lost(now) or _doing(run, now)
 
 
 def at_rest(now: LabNow) -> bool:
@@ -45,10 +48,11 @@ def _how_it_ended(run: RunViewModel, now: LabNow) -> str:
 
 
 def _of_who_is_lost(now: LabNow) -> str:
-    """Nobody is sent to a plug before coils and platform rest."""
-    if not now.failed:
-        return ""
+    """Nobody is sent to a plug before coils and platform rest; who is lost or not, what is not confirmed keeps off."""
     lost, live = ", ".join(now.failed), still_live(now)
+    if not lost:
+        sure = alarm_of(now.coil_words) or platform_mark(now.platform_words)[1] == "bad"
+        return translated(str(KEEP_OFF)).format(live) if live and sure else ""
     return translated(str(LIVE)).format(lost, live) if live else translated(str(SHOWN)).format(lost)
 
 

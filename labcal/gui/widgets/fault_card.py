@@ -22,7 +22,7 @@ TITLES = {
     "record": "✕ The record is not kept",
     "guardian": "✕ The guardian failed",
     "clock": "✕ The clock was set back",
-    "coils": "✕ The coils may be on",
+    "coils": "✕ HANDS OFF: the coils may be on",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
     "left": "▲ Interrupted",

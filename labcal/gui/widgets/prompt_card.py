@@ -104,6 +104,7 @@ class PromptCard(Card):
         self._reached_into = False  # what is asked brings hands to the lab
         self._lost = False  # somebody, since it was asked
         self._said_once = False  # how the coils are is said whole where hands are told that they may go in
+        self._who, self._back = list[str](), ""  # who is lost; who was, and answers again
         self.text, self.hint, self.drawing = (
             AutoSizeLabel(),
             label("", "caption", wrap=True),
@@ -160,7 +161,7 @@ class PromptCard(Card):
         """Ask `prompt`; the same one again changes nothing."""
         if prompt is self._prompt:
             return
-        self._prompt, self._lost = prompt, False
+        self._prompt, self._lost, self._back = prompt, False, ""
         self.camera.watch(prompt is not None and MOUNTING in prompt.drawing)
         if prompt is None:
             self.call.stop()
@@ -214,8 +215,15 @@ class PromptCard(Card):
     def _live(self) -> None:
         if not self._unseen and not self.dead.isActive():
             self.alive = True
-            for made in self._answers():
-                made.setEnabled(True)
+            self._let_answer()
+
+    def _let_answer(self) -> None:
+        """Alive, once it was seen for long enough; what energises or turns not before everybody answers."""
+        for choice, made in self.choices.items():
+            moves = self._prompt is not None and moves_by_itself(self._prompt, choice)
+            made.setEnabled(self.alive and not (moves and self._lost))
+        if self.send is not None:
+            self.send.setEnabled(self.alive)
 
     def _answers(self) -> list[QPushButton]:
         return [made for made in (*self.choices.values(), self.send) if made is not None]
@@ -265,19 +273,24 @@ class PromptCard(Card):
         """
         if self._prompt is None:
             return
+        if lost != self._who:
+            back, self._who = [one for one in self._who if one not in lost], list(lost)
+            self._back = self.tr("{0}: answers again").format(", ".join(back)) if back else ""
         says = NO_ANSWER in self._prompt.drawing or self._prompt.text.startswith(STILL_LOST)
+        says = says and self._prompt.key != READY  # there the question stays: what will move is said in it
         if says and bool(lost) is not self._lost and (lost or self._lost):
             again = self.tr("Every instrument answers again.")
             self.text.set_text(unbroken(headline(self._prompt)) if lost else again)
             self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
         self._lost = bool(lost)
+        self._let_answer()
         self._reached_into = reached_into(self._prompt, lost=self._lost)
         self._show_hands()
         if self._prompt.key != READY:
             return
         said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
-        self.details.setText(said.format(", ".join(lost)) if lost else "")
-        self.details.setVisible(bool(lost))
+        self.details.setText(said.format(", ".join(lost)) if lost else self._back)
+        self.details.setVisible(bool(self.details.text()))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
