@@ -23,7 +23,7 @@ def told(run_id: str) -> Told:
         simulated = bool(found) and store.header(run_id).simulated
     if simulated:  # stamped by its own clock, which runs ahead of the wall's and stands between two stretches
         found = [replace(one, gone_s=None, timed=False) for one in found]
-    notes, remarks = _notes(items)
+    notes, remarks = notes_of(items)
     last = results(items)
     return Told(tuple(found), notes, remarks, open_checks(last), not_closed(items, last))
 
@@ -54,7 +54,7 @@ def _gone_s(statuses: Sequence[tuple[str, str]]) -> list[float | None]:
     return found
 
 
-def _notes(items: Iterable[Item]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def notes_of(items: Iterable[Item]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """What people noted, and what the procedure did."""
     notes = [item for item in items if isinstance(item, Event) and item.kind == "note"]
     own = tuple(item.text for item in notes if not _of_the_procedure(item))

@@ -48,6 +48,7 @@ MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.i
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 # Of these the texts say it all.
 SAID_IN_WORDS = {
+    "again",
     "what",
     "remedy",
     "no_answer",
@@ -228,7 +229,8 @@ class Asked:
         room = QFontMetrics(card.text.font()).boundingRect(card.text.contentsRect(), Qt.TextFlag.TextWordWrap, words)
         assert card.text.contentsRect().contains(room), f"{prompt.text} is cut off"
         lights = self.window.page("Run").live.lights
-        assert lights.height() >= lights.minimumSizeHint().height(), "the lights of the axes are squeezed"
+        squeezed = lights.isVisible() and lights.height() < lights.minimumSizeHint().height()
+        assert not squeezed, "the lights of the axes are squeezed"
         assert set(prompt.drawing) <= PICTURED | SAID_IN_WORDS, f"nobody shows {dict(prompt.drawing)}"
         assert card.drawing.isVisible() == bool({"body_from_cage", "angle_deg"} & set(prompt.drawing))
         assert card.entry.isVisible() == (not prompt.choices)

@@ -8,7 +8,7 @@ from labcal.gui.ipc.record_messages import TellRecord
 from labcal.record.stream import BY, PROCEDURE, Event, Measurement, Step
 from labcal.record.told import Told
 from labcal.session.checks import not_closed, open_checks, open_words, results, worst
-from labcal.session.told import _notes
+from labcal.session.told import notes_of
 
 CLOSED = Measurement(1.0, "closure y", 426.6, 3.5, "nT", 500.0)
 OPEN = Measurement(2.0, "closure, DUT less reference, coils off", 116.0, 157.5, "nT", 500.0)
@@ -38,7 +38,7 @@ def test_a_certificate_names_what_is_open_in_the_run():
 def test_what_the_procedure_noted_is_no_note_of_a_person():
     own, old = Event(1.0, "note", "lift moved"), Event(2.0, "note", "offsets so far: x")
     marked = Event(3.0, "note", "too few directions", {BY: PROCEDURE})
-    assert _notes([own, old, marked]) == (("lift moved",), (old.text, marked.text))
+    assert notes_of([own, old, marked]) == (("lift moved",), (old.text, marked.text))
 
 
 @pytest.mark.parametrize("signed", [False, True])
