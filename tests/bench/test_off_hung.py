@@ -85,8 +85,9 @@ def test_a_session_that_ends_takes_the_place_of_a_guardian_that_was_stopped(lab:
     (first,) = guardians()
     standing_by = stopped_of(first)
     os.kill(child.pid, signal.SIGINT)
+    said = f"guardian {first} was ordered zero and hangs, or was stopped: it was killed by process {child.pid}"
+    until(lambda: said in log())
     until(lambda: at_zero(lab))
-    assert f"guardian {first} was ordered zero and hangs, or was stopped: it was killed by process {child.pid}" in log()
     child.communicate(timeout=LONG_S)
     for pid in standing_by:
         os.kill(pid, signal.SIGCONT)
