@@ -74,7 +74,9 @@ def test_by_processes_of_which_one_is_killed_and_by_none_the_same_is_pushed(
 
 
 @AT_ONCE
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT], ids=["killed", "Ctrl-C"])
+@pytest.mark.parametrize(
+    "how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.slow)], ids=["killed", "Ctrl-C"]
+)
 def test_a_push_that_is_cut_leaves_no_process_and_nothing_half(
     how: signal.Signals, postgres: Server, database: str, url: str, tmp_path: Path
 ) -> None:
