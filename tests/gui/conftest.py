@@ -14,6 +14,7 @@ from shiboken6 import delete, isValid
 
 from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels import app_state
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets import hold_button, prompt_card
 from labcal.gui.widgets.fault_card import FaultCard
@@ -120,6 +121,20 @@ def deaf_window(tmp_path_factory, qapp):
 def still(deaf_window):
     """The window on a bench that is known, with nothing asked, said or begun."""
     return at_rest(deaf_window)
+
+
+@pytest.fixture
+def later(still, monkeypatch):
+    """Lets so many seconds go by, for what grows old."""
+    passed = [0.0]
+    clock = staticmethod(lambda: time.monotonic() + passed[0])
+    monkeypatch.setattr(app_state, "time", type("Later", (), {"monotonic": clock}))
+
+    def go(seconds):
+        passed[0] += seconds
+        still.app_state.grow_old()
+
+    return go
 
 
 @pytest.fixture

@@ -14,7 +14,6 @@ from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import Identify, ResumeRun, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
-from labcal.gui.viewmodels import app_state as module
 from labcal.gui.viewmodels.known_lab import AMBIENT_S, ANSWERS_S, LOST_FIRST_S, KnownLab
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
@@ -32,20 +31,6 @@ def running(still):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     send(still, Step(0.0, 1, 4, "zero", 60.0, STEPS, 20.0))
     return still
-
-
-@pytest.fixture
-def later(still, monkeypatch):
-    """Lets so many seconds go by, for what grows old."""
-    passed = [0.0]
-    clock = staticmethod(lambda: time.monotonic() + passed[0])
-    monkeypatch.setattr(module, "time", type("Later", (), {"monotonic": clock}))
-
-    def go(seconds):
-        passed[0] += seconds
-        still.app_state.grow_old()
-
-    return go
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import time
 
-import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
 
@@ -17,20 +16,6 @@ from labcal.gui.viewmodels.known_lab import ANSWERS_S
 ALL = "Switch off by hand: supply_x, supply_y, supply_z"
 DOUBT = "it sees 20567 1260 12860 nT, 20366 1132 -43695 nT expected: 98.90 µT apart, 2.00 µT allowed"
 ADVICE = "It is as if +1.10 A flowed in coil z: open the output of supply_z at its panel, or switch it off at its mains"
-
-
-@pytest.fixture
-def later(still, monkeypatch):
-    """Lets so many seconds go by, for what grows old."""
-    passed = [0.0]
-    clock = staticmethod(lambda: time.monotonic() + passed[0])
-    monkeypatch.setattr(module, "time", type("Later", (), {"monotonic": clock}))
-
-    def go(seconds):
-        passed[0] += seconds
-        still.app_state.grow_old()
-
-    return go
 
 
 def ends(**silent):

@@ -12,16 +12,26 @@ from pathlib import Path
 import pytest
 
 from labcal.loop import close_loop
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
 from labcal.loop.result import ClosedLoop
+from labcal.loop.selection.equivalents import done_by_readings
+from labcal.record import Run
 from labcal.store import read_bundle
 
 BLIND = Path(__file__).parents[1] / "blind"
 
 
-def answer(program: str, index: int, folder: Path) -> ClosedLoop:
-    """What the loop says of one run of seed 29111."""
+def made(program: str, index: int, folder: Path) -> Run:
+    """One run of seed 29111."""
     subprocess.run([sys.executable, BLIND / program, folder, "125", "29111", str(index)], check=True)
-    return close_loop(read_bundle(folder / f"b{index:04}" / "bundle"))
+    return read_bundle(folder / f"b{index:04}" / "bundle")
+
+
+def answer(program: str, index: int, folder: Path) -> ClosedLoop:
+    """What the loop says of it."""
+    return close_loop(made(program, index, folder))
 
 
 def named(closed: ClosedLoop) -> list[tuple[str, list[str]]]:
@@ -34,6 +44,23 @@ def test_rounded_readings_of_a_temperature_go_before_a_drift(tmp_path: Path) -> 
     closed = answer("spacecraft.py", 12, tmp_path)
     assert named(closed) == [("offset-temperature", ["offset-drift"])]
     assert closed.verdict == "ambiguous"
+
+
+def test_what_is_accepted_already_takes_no_second_place(tmp_path: Path) -> None:
+    """A temperature that is taken to act far too late: what a drift takes beside it, it would in another form."""
+    problem, _, _ = prepare(made("spacecraft.py", 12, tmp_path))
+    pool = CandidateSet.of(problem, 0.85)
+    forms = [c for c in pool.candidates if c.cause == ("offset-temperature", ("t_sensor",))]
+    late = next(c for c in forms if [(s.name, s.value) for s in c.term.shape] == [("tau_s", 300.0)])
+    drifts = [c for c in pool.candidates if c.cause == ("offset-drift", ())]
+
+    def beside(accepted: list[Candidate]) -> list[Cause]:
+        scored = pool.score_each(drifts, pool.null_model(accepted))
+        drift = max(scored, key=lambda w: w.evidence).candidate
+        return [c.cause for c in done_by_readings(pool, accepted, drift)]
+
+    assert beside([]) == [late.cause]
+    assert beside([late]) == []
 
 
 def test_iron_on_the_table_is_found_beside_a_spindle_that_leans(tmp_path: Path) -> None:

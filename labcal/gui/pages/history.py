@@ -162,7 +162,8 @@ class HistoryPage(QWidget):
             self.tr("Import …"), self.tr("A run bundle (.zip) or a recording of others; or drop the file on the window")
         )
         self.take.clicked.connect(self._import)
-        self.compare = button(self.tr("Compare"), self._comparison_tip())
+        self._compares = self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
+        self.compare = button(self.tr("Compare"), self._compares)
         self.compare.clicked.connect(self._compare)
         row = QHBoxLayout()
         for widget in (self.open, self.compare, self.export, self.correct, self.take):
@@ -279,10 +280,7 @@ class HistoryPage(QWidget):
         self.compare.setEnabled(len(several) == 2 and not wrong)
         self.why_not.setText(wrong)
         self.why_not.setVisible(bool(wrong))
-        self.compare.setToolTip(wrong or self._comparison_tip())
-
-    def _comparison_tip(self) -> str:
-        return self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
+        self.compare.setToolTip(wrong or self._compares)
 
     def _correct(self) -> None:
         if (one := self.chosen()) is not None:

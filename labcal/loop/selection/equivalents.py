@@ -76,7 +76,7 @@ def equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Ca
 
 def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:
     others = [c for c in accepted if c is not chosen]
-    open_to = [c for c in all_candidates(pool, others) if not any(is_same_source(o, c) for o in others)]
+    open_to = _open_to(pool, others)
     related = [refined(pool, c, others) for c in _same_response(open_to, chosen)]
     lead = {c.cause: nats for c, nats in leads_over_relatives(pool, others, chosen)}
     inseparable = {cause for cause, nats in lead.items() if nats < policy.POLICY.equivalent_nats}
@@ -93,6 +93,37 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     known = {w.candidate.cause for w in earning}
     extensions = [w for w in plausible_extensions(pool, accepted, chosen) if w.candidate.cause not in known]
     return [near[0], *earning, *extensions]
+
+
+def done_by_readings(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """The sensor's causes that follow a channel and take all that one bound to the run's time does, but for a detail.
+
+    Whatever leads: telemetry is rounded, held and late, and the clock is nothing of it. By no more parameters, for with
+    enough of them anything does what a step does. A detail is what the noise would not be declared more closely for,
+    and no material share of what is taken.
+    """
+    if not chosen.family.bound_to_run:
+        return []
+    law, null = policy.POLICY, pool.null_model(others)
+    own = pool.score(chosen, null)
+    at_most = law.equivalent_rms**2 * own.likelihood.rss
+
+    def does(one: Candidate) -> bool:
+        found = pool.score(one, null)
+        return found.likelihood.rss <= at_most and found.drop >= (1 - law.material_share) * own.drop
+
+    channels = [c for c in _open_to(pool, others) if _is_of_readings(c) and c.size <= chosen.size]
+    ranked = sorted(pool.rank(channels, others), key=lambda w: -w.drop)[:MAX_TRIED]
+    return [c for c in (refined(pool, w.candidate, others) for w in ranked) if does(c)]
+
+
+def _is_of_readings(one: Candidate) -> bool:
+    return bool(one.term.channels) and not one.family.bound_to_run and one.belongs_to != "rig"
+
+
+def _open_to(pool: CandidateSet, others: Sequence[Candidate]) -> list[Candidate]:
+    """All candidates but those of a source that is accepted already."""
+    return [c for c in all_candidates(pool, others) if not any(is_same_source(o, c) for o in others)]
 
 
 def leads_over_relatives(

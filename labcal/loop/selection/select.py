@@ -22,6 +22,7 @@ from labcal.loop.selection.crossval import (
 )
 from labcal.loop.selection.equivalents import (
     best_relatives,
+    done_by_readings,
     equally_likely,
     is_the_same_here,
     leads_over_relatives,
@@ -30,7 +31,6 @@ from labcal.loop.selection.equivalents import (
 from labcal.loop.selection.heldout_rules import first_unsupported, improves, is_sure_first
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
-from labcal.loop.selection.time_or_channel import done_by_readings
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal

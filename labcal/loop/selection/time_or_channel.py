@@ -1,8 +1,6 @@
 """What goes by the run's time alone, against a smooth function of a channel: what readings can correct goes first.
 
-A bent function of a channel that wanders slowly is, in one run, nearly a drift with a line or two beside it. A channel
-that does what a drift does, but for a detail, is the cause whatever leads: telemetry is rounded, held and late, and the
-clock is nothing of it.
+A bent function of a channel that wanders slowly is, in one run, nearly a drift with a line or two beside it.
 """
 
 from __future__ import annotations
@@ -13,9 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop import policy
-from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate, Span
-from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.selection.misfit import bends, evidence_over_misfit, likeliest
@@ -23,7 +19,6 @@ from labcal.model.effects.regressors import moving, on_each_axis
 
 Array = NDArray[np.float64]
 HYPERPARAMETERS = 1  # of a smooth function: its size
-MAX_TRIED = 4  # causes that follow a channel, in the place of one that follows time
 
 
 def is_of_time(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> bool:
@@ -39,31 +34,6 @@ def is_of_time(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candid
     penalty = 0.5 * HYPERPARAMETERS * np.log(pool.n_data) + np.log(max(len(spans), 1))
     leading = (span for span in spans if likeliest(null, [span]) - penalty >= enough)
     return all(evidence_over_misfit(pool, accepted, chosen, [span]) >= law.min_evidence for span in leading)
-
-
-def done_by_readings(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
-    """The sensor's causes that follow a channel and take all that one bound to the run's time does, but for a detail.
-
-    By no more parameters: with enough of them anything does what a step does. A detail is what the noise would not be
-    declared more closely for, and no material share of what is taken.
-    """
-    if not chosen.family.bound_to_run:
-        return []
-    law, null = policy.POLICY, pool.null_model(others)
-    own = pool.score(chosen, null)
-    at_most = law.equivalent_rms**2 * own.likelihood.rss
-
-    def does(one: Candidate) -> bool:
-        found = pool.score(one, null)
-        return found.likelihood.rss <= at_most and found.drop >= (1 - law.material_share) * own.drop
-
-    channels = [c for c in all_candidates(pool, others) if _is_of_readings(c) and c.size <= chosen.size]
-    ranked = sorted(pool.rank(channels, others), key=lambda w: -w.drop)[:MAX_TRIED]
-    return [c for c in (refined(pool, w.candidate, others) for w in ranked) if does(c)]
-
-
-def _is_of_readings(one: Candidate) -> bool:
-    return bool(one.term.channels) and not one.family.bound_to_run and one.belongs_to != "rig"
 
 
 def _of_each_channel(pool: CandidateSet) -> list[Span]:
