@@ -21,7 +21,7 @@ from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.unseen_switching import misses_more, ways_of
 from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord
-from labcal.model.effects import BEGINNING, BEGINNING_ON, LESS_ITSELF, Term, family
+from labcal.model.effects import BEGINNING, BEGINNING_ON, CARRIED_OFF, LESS_ITSELF, Term, family
 from labcal.record import Run
 
 Mask = NDArray[np.bool_]
@@ -101,6 +101,7 @@ def _term(run: Run, effect: EffectRecord) -> Term:
     searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
     shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
     own = next((term for term in like if _alike(term, stated)), stated)  # with its units, and with its own beginnings
+    shapes = (own.of(CARRIED_OFF) or s if s.kind is CARRIED_OFF else s for s in shapes)  # as before the run was seen
     return replace(stated, parameters=own.parameters, shape=tuple(shapes), of_beginnings=own.of_beginnings)
 
 

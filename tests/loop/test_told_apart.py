@@ -15,6 +15,7 @@ from labcal.loop import close_loop
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
+from labcal.loop.refit import refit
 from labcal.loop.result import ClosedLoop
 from labcal.loop.selection.equivalents import done_by_readings
 from labcal.record import Run
@@ -79,9 +80,12 @@ def test_iron_that_would_give_another_map_is_a_rival(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_slow_temperature_that_moved_between_recordings_leaves_room_for_a_second_cause(tmp_path: Path) -> None:
     """A thermostat switched while nothing was recorded: the sensor's state at each beginning nobody saw."""
-    closed = answer("spacecraft.py", 50, tmp_path)
+    run = made("spacecraft.py", 50, tmp_path)
+    closed = close_loop(run)
     assert named(closed) == [("offset-temperature", []), ("reference-temperature", [])]
     assert closed.after.holdout_rms_nT < 1.15 * closed.noise_floor_nT
+    again = refit(run, closed.accepted)  # begun as far off as anywhere again, not as this run was
+    assert again.affine.K == pytest.approx(closed.affine.K, rel=1e-12)
 
 
 @pytest.mark.slow
