@@ -39,5 +39,6 @@ fi
 SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
 processes = int(os.environ["PROCESSES"] or (3 if (os.cpu_count() or 1) > 1 else 1))
 print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
+# A test that hangs is named and ends its process after ten minutes (the longest takes one), and the others go on.
 # shellcheck disable=SC2086  # several words
-exec "$BIN/pytest" $SHARED -m "not slow" "$@"
+exec "$BIN/pytest" $SHARED -m "not slow" --timeout 600 --timeout-method thread "$@"
