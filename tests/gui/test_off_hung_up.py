@@ -27,15 +27,15 @@ def test_a_window_that_hangs_up_does_not_end_its_worker_on_the_way_to_zero(
     ended, at_zero = [], []
     reading, writing = (os.fdopen(end, mode) for end, mode in zip(os.pipe(), "rw", strict=True))
 
-    def coming_down(_: Path) -> list[AtZero]:
+    def coming_down(_: Path) -> tuple[list[AtZero], None]:
         writing.close()
         [listener] = (thread for thread in threading.enumerate() if thread.name == "window")
         listener.join(LONG_S)
         at_zero.append(not ended)
-        return []
+        return [], None
 
     monkeypatch.setattr(channels.os, "_exit", ended.append)
-    monkeypatch.setattr(session, "coils_off", coming_down)
+    monkeypatch.setattr(session, "coils_off_and_stopped", coming_down)
     writing.write(write_line(Request(1, SwitchOff(str(tmp_path / "bench.toml")))) + "\n")
     writing.flush()
     with reading:
