@@ -16,6 +16,7 @@ from labcal.errors import InputError
 from labcal.geometry import rotate
 from labcal.loop import close_loop
 from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.folded_lines import unfolded_line
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet
@@ -143,3 +144,24 @@ def test_a_line_is_named_beside_what_nothing_explains_and_a_wave_of_many_phases_
         pool = CandidateSet.of(started(lambda rows, by=phases_rad: beside(rows, by)), 0.85)
         best = max((pool.score(c, pool.null_model()) for c in _lines(pool)), key=lambda w: w.evidence)
         assert first_unsupported(pool, [refined(pool, best.candidate, [])], falls, level) == unsupported
+
+
+def test_mains_far_above_the_nyquist_frequency_are_told_from_their_images_by_segments_that_start_anew() -> None:
+    """A false order may come within a hundredth of the true one's power: the tops are compared, not the steps."""
+    right, tried = 0, 0
+    for seed in range(60):
+        draw = np.random.default_rng(seed)
+        step_s, rows = float(np.exp(draw.uniform(np.log(0.3), np.log(3)))), int(draw.integers(60, 150))
+        starts_s = np.cumsum(rows * step_s + draw.uniform(60, 180, int(draw.integers(4, 8))))
+        t_s = np.round((starts_s[:, None] + step_s * np.arange(rows)).ravel(), 5)
+        line_Hz = draw.choice([50.0, 60.0]) * (1 + draw.normal(0, 2e-4))
+        image = abs(line_Hz * step_s - round(line_Hz * step_s))  # cycles a row
+        if not 4 < image * rows < rows / 2 - 2:
+            continue
+        line = 3 * np.sin(2 * np.pi * line_Hz * t_s[:, None] + draw.uniform(0, 6, 3)) * draw.normal(size=3)
+        parts = [slice(k * rows, (k + 1) * rows) for k in range(len(starts_s))]
+        found = unfolded_line(t_s, line + draw.normal(size=line.shape), parts, 3 / (rows * step_s))
+        right += found is not None and abs(found[0] - line_Hz) < 0.5 / np.ptp(t_s)
+        tried += 1
+    assert tried > 40
+    assert right >= 0.95 * tried

@@ -33,7 +33,7 @@ KINDS = {
         "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "selection.time_or_channel:HYPERPARAMETERS",
-        "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION",
+        "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION LOOKED_AT_CLOSELY BETWEEN",
         "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
         "candidates.refine:BRACKETINGS TURNS FURTHER", "selection.final_fit:MAX_SEARCHES",
     ),
