@@ -74,9 +74,9 @@ def test_without_what_is_declared_the_same_runs_have_structure(monkeypatch: pyte
 
 
 @pytest.mark.parametrize("number", [FEW, MANY])
-@each_kind
-def test_what_is_larger_than_declared_is_not_clean(number: int, kind: str) -> None:
-    found = [close_loop(stated(run, 0.1)) for run in runs(number, kinds=(kind,))]
+def test_what_is_larger_than_declared_is_not_clean(number: int) -> None:
+    """A mounted axis: what another kind of reference has wrong is taken by the map, or a field of the cage."""
+    found = [close_loop(stated(run, 0.1)) for run in runs(number, kinds=("axis",))]
     left = [closed for closed in found if more_than_noise(closed)]
     assert left
     assert not any(closed.verdict == "clean" for closed in left)
