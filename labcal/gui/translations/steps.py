@@ -180,7 +180,10 @@ BENCH = (  # what a setting of bench.toml means
 )
 PLAN = (
     QT_TRANSLATE_NOOP("Data", "largest field at the DUT {0} µT"),
-    QT_TRANSLATE_NOOP("Data", "turns between {0} and {1}°, at up to {2} °/s"),
+    QT_TRANSLATE_NOOP("Data", "turns between {0} and {1}°, the fastest at {2} °/s; the platform's limit is {3} °/s"),
+    QT_TRANSLATE_NOOP(
+        "Data", "turns between {0} and {1}°, the fastest at {2} °/s; the DUT's limit in bench.toml is {3} °/s"
+    ),
     QT_TRANSLATE_NOOP("Data", "the platform rests"),
     QT_TRANSLATE_NOOP("Data", "DUT kept within {0} to {1} °C"),
     QT_TRANSLATE_NOOP("Data", "no temperature limits are stated"),
