@@ -1,5 +1,6 @@
 """What a person reads while they work: news that is news, names in words, nothing cut where it can be helped."""
 
+import numpy as np
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
@@ -11,8 +12,10 @@ from labcal.errors import InputError
 from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
-from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.number_format import needed_title, step_title
 from labcal.gui.widgets.parameter_form import range_of
+from labcal.gui.widgets.study_plots import Residuals
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
@@ -26,13 +29,35 @@ def send(window, *items):
     [
         ("x-50uT-full", "x −50 µT full"),
         ("z+20uT-nominal: wrong signs", "z +20 µT nominal: wrong signs"),
-        ("closure-x", "closure-x"),
-        ("mount-y", "mount-y"),
+        ("closure-x", "closure x"),
+        ("mount-y", "body Y up"),
+        ("mount-y: DUT less reference, first position", "body Y up: DUT less reference, first position"),
         ("zero", "offset and first position"),  # the coils are energised before that step ends
     ],
 )
 def test_a_step_is_said_in_words(name, words):
     assert step_title(name) == words
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("i_eps  A", "current i_eps  A"),
+        ("temp_dut  degC", "temperature temp_dut  degC"),
+        ("wheel  rpm", "channel wheel  rpm"),
+        ("time  s", "time  s"),
+    ],
+)
+def test_a_channel_is_drawn_against_in_words(qtbot, name, words):
+    picture = Residuals(LIGHT)
+    qtbot.addWidget(picture)
+    picture.show_residual(name, np.ones(2), [], None)
+    assert picture.plot.getPlotItem().getAxis("bottom").labelText == words
+
+
+def test_a_mounting_is_needed_for_in_words():
+    assert needed_title("mount-y") == "mount it with body Y up"
+    assert needed_title("closing") == "closing"
 
 
 def test_a_small_limit_is_written_out():

@@ -199,7 +199,7 @@ def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):
     still.app_state.run.skipped.add("closure-x")
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
     verdict = run_verdict(still.app_state.run)
-    assert (verdict.word, verdict.state) == ("▲ PASS, without closure-x", "warning")
+    assert (verdict.word, verdict.state) == ("▲ PASS, without closure x", "warning")
     assert live.verdict.isVisibleTo(live)
 
 

@@ -204,8 +204,8 @@ MEASUREMENTS = (
     QT_TRANSLATE_NOOP("Data", "DUT less reference, first position"),
     QT_TRANSLATE_NOOP("Data", "DUT less reference"),
     QT_TRANSLATE_NOOP("Data", "rotation rate"),
-    QT_TRANSLATE_NOOP("Data", "DUT {0} points beside by"),
-    QT_TRANSLATE_NOOP("Data", "reference {0} points beside by"),
+    QT_TRANSLATE_NOOP("Data", "DUT {0} axis: angle off its direction"),
+    QT_TRANSLATE_NOOP("Data", "reference {0} axis: angle off its direction"),
     QT_TRANSLATE_NOOP("Data", "turn seen by the DUT, less turn made"),
     QT_TRANSLATE_NOOP("Data", "DUT behind the set-point"),
     QT_TRANSLATE_NOOP("Data", "reference behind the set-point"),
@@ -269,7 +269,6 @@ MEASUREMENTS = (
 STEPS = (
     QT_TRANSLATE_NOOP("Data", "axes-check"),
     QT_TRANSLATE_NOOP("Data", "sync-check"),
-    QT_TRANSLATE_NOOP("Data", "mount-{0}"),
     QT_TRANSLATE_NOOP("Data", "closure-{0}"),
     QT_TRANSLATE_NOOP("Data", "closing"),
     QT_TRANSLATE_NOOP("Data", "coil {0}"),

@@ -16,6 +16,7 @@ from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
+NAME_PADDING_PX = 26  # of a cell by the style sheet, and one more for the text's own
 FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
@@ -141,7 +142,9 @@ class Measurements(Table):
     def __init__(self, theme: Theme) -> None:
         super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
         self.right_heading(1, 2, 4)
-        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
+        self.setTextElideMode(Qt.TextElideMode.ElideNone)
+        self.setWordWrap(True)  # names differ at their ends
+        self.horizontalHeader().sectionResized.connect(self._fit_rows)
         self._theme = theme
         self._shown: tuple[Theme, list[Measurement]] | None = None
 
@@ -154,6 +157,14 @@ class Measurements(Table):
         header.setSectionResizeMode(0, mode.Interactive if narrow else mode.Stretch)
         if narrow:
             header.resizeSection(0, NAME_PX)
+
+    def _fit_rows(self) -> None:
+        """Each as high as its name in the room that there is: no name is cut."""
+        width, one_line = self.columnWidth(0) - NAME_PADDING_PX, self.verticalHeader().defaultSectionSize()
+        metrics, padding = self.fontMetrics(), one_line - self.fontMetrics().height()
+        for row in range(self.rowCount()):
+            lines = metrics.boundingRect(0, 0, max(1, width), 0, Qt.TextFlag.TextWordWrap, self.text(row, 0))
+            self.setRowHeight(row, max(one_line, lines.height() + padding))
 
     def set_theme(self, theme: Theme) -> None:
         """What is shown next has the theme's colours."""
@@ -168,6 +179,7 @@ class Measurements(Table):
         self.setRowCount(len(newest))
         for row, one in enumerate(newest):
             self._show(row, one)
+        self._fit_rows()
 
     def _show(self, row: int, one: Measurement) -> None:
         decimals = decimals_for(2 * one.u, one.value)
