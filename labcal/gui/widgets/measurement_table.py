@@ -142,7 +142,6 @@ class Measurements(Table):
     def __init__(self, theme: Theme) -> None:
         super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
         self.right_heading(1, 2, 4)
-        self.setTextElideMode(Qt.TextElideMode.ElideNone)
         self.setWordWrap(True)  # names differ at their ends
         self.horizontalHeader().sectionResized.connect(self._fit_rows)
         self._theme = theme
