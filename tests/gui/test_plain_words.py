@@ -15,6 +15,7 @@ from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.number_format import needed_title, step_title
 from labcal.gui.widgets.parameter_form import range_of
+from labcal.gui.widgets.plots import Traces
 from labcal.gui.widgets.study_plots import Residuals
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
@@ -53,6 +54,19 @@ def test_a_channel_is_drawn_against_in_words(qtbot, name, words):
     qtbot.addWidget(picture)
     picture.show_residual(name, np.ones(2), [], None)
     assert picture.plot.getPlotItem().getAxis("bottom").labelText == words
+
+
+def test_no_curve_loses_its_name_at_the_top_of_a_picture(qtbot):
+    traces = Traces(LIGHT, "DUT  nT")
+    qtbot.addWidget(traces)
+    traces.plot.setYRange(0.0, 100.0, padding=0)
+    for _ in range(2):
+        traces.show_rows(np.array([[0.0, 0.0, 50.0, 99.0], [1.0, 20.0, 98.0, 99.0]]))
+    places = sorted(name.pos().y() for name in traces._names)
+    low, high = traces.plot.viewRange()[1]
+    assert low < places[0]
+    assert places[-1] < high
+    assert places[2] - places[1] > 0.1 * (high - low) * 14 / traces.plot.height()
 
 
 def test_a_mounting_is_needed_for_in_words():

@@ -183,7 +183,9 @@ class Traces(QWidget):
             curve.setData(drawn[:, 0], drawn[:, 1 + axis], connect="finite")
         low, high = self.plot.viewRange()[1]
         least = (high - low) * NAME_PX / max(1, self.plot.height())
-        at = spread(rows[-1, 1:], least) if len(rows) else ()
+        at = spread(rows[-1, 1:], least) if len(rows) else []
+        if at and max(at) > high - least / 2:  # no room above: from the top one downwards
+            at = [-place for place in spread(-np.minimum(rows[-1, 1:], high - least / 2), least)]
         for name in self._names:
             name.setVisible(len(rows) > 0)
         for name, value in zip(self._names, at, strict=False):
