@@ -88,7 +88,7 @@ def _compare(bench: Bench, who: str, seen: Array, limit_deg: float) -> Work[list
     directions = unit(seen)
     for name, row, wanted in zip(NAMES, directions, np.eye(3), strict=True):
         beside = float(np.degrees(np.arccos(np.clip(row @ wanted, -1, 1))))
-        yield from measured(bench, f"{who} {name} points beside by", beside, 1.0, "deg", limit_deg)
+        yield from measured(bench, f"{who} {name} axis: angle off its direction", beside, 1.0, "deg", limit_deg)
     return describe(who, seen, limit_deg)
 
 

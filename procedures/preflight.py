@@ -181,7 +181,7 @@ def _about(
     """
     yield setting.plan().begin(bench, f"mount-{axis}")
     if axis != mounted:
-        yield from _mount_or_redo(bench, setting, f"mount-{axis}", axis, last)
+        yield from _mount_or_redo(bench, setting, f"mount-{axis}", f"mount-{axis}", axis, last)
         yield from switch_mode(bench, setting.modes[0])
     if kept_nT is None:
         yield from _turns_about_it(bench, setting, axis, done)
@@ -220,8 +220,8 @@ def _mounted_wrongly(bench: Bench, key: str, wrong: LimitNotMet) -> Work[None]:
         raise wrong
 
 
-def _mount_or_redo(bench: Bench, setting: PreflightPlan, key: str, axis: str, last: str) -> Work[None]:
-    """Ask to mount `axis`; until that is done, the `last` axis may be mounted and turned anew."""
+def _mount_or_redo(bench: Bench, setting: PreflightPlan, step: str, key: str, axis: str, last: str) -> Work[None]:
+    """Ask to mount `axis`; until that is done, the `last` axis may be mounted and turned anew, and then this `step`."""
     redo = (f"redo {last}",) if last else ()
     while (yield from mount(bench, key, attitude(bench, axis), how_to_mount(axis), *redo)) != "done":
         asked = f"Why is axis {last.upper()} redone? What was measured stays in the record, marked as not used."
@@ -230,7 +230,9 @@ def _mount_or_redo(bench: Bench, setting: PreflightPlan, key: str, axis: str, la
         setting.estimate.forget()
         yield from mount(bench, f"mount-{last}", attitude(bench, last), how_to_mount(last))
         yield from switch_mode(bench, setting.modes[0])
+        setting = setting.without(last)
         yield from _turns_about_it(bench, setting, last, frozenset())
+        yield setting.plan().begin(bench, step)
 
 
 def _turns(bench: Bench, setting: PreflightPlan, axis: str, done: frozenset[str]) -> Work[None]:
@@ -284,7 +286,7 @@ def _closing(bench: Bench, setting: PreflightPlan, first: First, last: str) -> W
     """The first mounting, the first position and the zero again."""
     yield setting.plan().begin(bench, "closing")
     axis = setting.axes[0]
-    yield from _mount_or_redo(bench, setting, f"mount-{axis}-again", axis, last)
+    yield from _mount_or_redo(bench, setting, "closing", f"mount-{axis}-again", axis, last)
     yield from _all_hands_off(bench, setting)
     spots, mode = (yield from _zero_and_first_position(bench, setting, "closing")), setting.modes[0]
     for number, (name, spot) in enumerate(zip(POSITIONS, spots, strict=True)):

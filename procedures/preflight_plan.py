@@ -54,6 +54,10 @@ class PreflightPlan:
         """Whether anything of one body axis is still to be measured."""
         return bool(self.left(axis, self.finished)) or axis in self.unclosed
 
+    def without(self, axis: str) -> PreflightPlan:
+        """The same where nothing that was turned about `axis` counts any more: all of it is left to do."""
+        return replace(self, finished=self.finished - {name for name, _, _ in self.turns(axis)})
+
     def after(self, resume: Resume | None) -> PreflightPlan:
         """The same where what `resume` tells is kept: its turns, and of each axis the first position to close with."""
         if resume is None:

@@ -32,6 +32,8 @@ class BenchPlatform:
         self._dut_limit_deg_per_s = dut_limits.rate_deg_per_s or math.inf
         self._may_turn = False  # it was sent somewhere, and has not said since that it stands
         self.max_rate_deg_per_s = min(stage.max_rate_deg_per_s, self._dut_limit_deg_per_s)
+        self.limited_by_dut = self._dut_limit_deg_per_s <= stage.max_rate_deg_per_s
+        self.asked_deg_per_s = math.inf  # of the last move
 
     def identify(self) -> Identity:
         """The stage's identity."""
@@ -54,6 +56,7 @@ class BenchPlatform:
                 "nothing was sent."
             )
         self._may_turn = True
+        self.asked_deg_per_s = rate_deg_per_s
         self._stage.move_to(self._sign * angle_deg, rate_deg_per_s)
 
     def moving(self) -> bool:

@@ -4,10 +4,22 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from PySide6.QtCore import QPoint, QRect, Qt
-from PySide6.QtWidgets import QAbstractButton, QAbstractScrollArea, QComboBox, QLabel, QLineEdit, QWidget
+import pyqtgraph as pg
+from PySide6.QtCore import QPoint, QRect, QRectF, Qt
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractScrollArea,
+    QComboBox,
+    QGraphicsTextItem,
+    QLabel,
+    QLineEdit,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
 
 from labcal.gui.widgets.common import AutoSizeLabel, plain
+from labcal.gui.widgets.mounting_view import Mounting
 
 SLACK_PX = 1
 KINDS = (QLabel, QAbstractButton, QLineEdit, QComboBox)
@@ -23,7 +35,60 @@ def faults(window: QWidget) -> list[str]:
         lies = place.intersected(its).adjusted(SLACK_PX, SLACK_PX, -SLACK_PX, -SLACK_PX)
         if lies.isValid() and not one.isAncestorOf(other) and not other.isAncestorOf(one):
             found.append(f"{_named(one)} and {_named(other)} lie over each other by {lies.width()} x {lies.height()}")
-    return found
+    return found + [fault for kind, look in PAINTED.items() for one in _seen(window, kind) for fault in look(one)]
+
+
+def _seen(window: QWidget, kind: type[QWidget]) -> list[QWidget]:
+    """Those in sight; what scrolls is covered by the port that it is seen through."""
+    ports = [
+        (one, one.viewport() if isinstance(one, QAbstractScrollArea) else one) for one in window.findChildren(kind)
+    ]
+    return [one for one, port in ports if port.isVisible() and not port.visibleRegion().isEmpty()]
+
+
+def _of_plot(plot: pg.PlotWidget) -> list[str]:
+    """Names of axes, and the legend above, that reach out of their plot: no widget holds these, they are painted."""
+    item = plot.getPlotItem()
+    names = [axis["item"].label for axis in item.axes.values() if axis["item"].isVisible()]
+    texts = [one for one in (*names, item.titleLabel.item) if one.isVisible() and one.toPlainText().strip()]
+    room = QRectF(plot.rect().adjusted(-SLACK_PX, -SLACK_PX, SLACK_PX, SLACK_PX))
+    return [
+        f"{one.toPlainText()!r} reaches out of its plot: {_inner(plot, one)} of {plot.rect()}"
+        for one in texts
+        if not room.contains(_inner(plot, one))
+    ]
+
+
+def _inner(plot: pg.PlotWidget, text: QGraphicsTextItem) -> QRectF:
+    margin = text.document().documentMargin()
+    letters = text.boundingRect().adjusted(margin, margin, -margin, -margin)
+    return QRectF(plot.mapFromScene(text.mapToScene(letters)).boundingRect())
+
+
+def _of_mounting(drawing: Mounting) -> list[str]:
+    """Names of axes that lie over each other in the drawing."""
+    pairs = combinations(drawing.names.items(), 2)
+    return [f"{a!r} and {b!r} lie over each other" for (a, place), (b, other) in pairs if place.intersects(other)]
+
+
+def _of_table(table: QTableWidget) -> list[str]:
+    """Cells that are cut: one without its whole in a tip, or, where words are wrapped, at all."""
+    cells = (table.item(row, column) for row in range(table.rowCount()) for column in range(table.columnCount()))
+    return [f"cell {cell.text()!r} is cut" for cell in cells if cell is not None and _cell_is_cut(table, cell)]
+
+
+def _cell_is_cut(table: QTableWidget, cell: QTableWidgetItem) -> bool:
+    if not cell.text() or (not table.wordWrap() and cell.text() in cell.toolTip()):
+        return False
+    hint, metrics = table.sizeHintForIndex(table.indexFromItem(cell)), table.fontMetrics()
+    around, width = hint.width() - metrics.horizontalAdvance(cell.text()), table.columnWidth(cell.column())
+    if hint.width() <= width + SLACK_PX or not table.wordWrap():
+        return hint.width() > width + SLACK_PX
+    lines = metrics.boundingRect(QRect(0, 0, max(1, width - around), 0), WRAP, cell.text())
+    return lines.height() > table.rowHeight(cell.row()) + SLACK_PX
+
+
+PAINTED = {pg.PlotWidget: _of_plot, Mounting: _of_mounting, QTableWidget: _of_table}
 
 
 def _in_sight(one: QWidget) -> bool:

@@ -112,7 +112,7 @@ def test_the_time_that_is_left_is_not_promised_of_a_step_that_begins_with_a_ques
     running.app_state.run.answer("done")
     send(running, Step(9.0, 2, 4, "mount-z", 60.0, STEPS, 15.0, 0.0, "mount-z"))
     says(running, platform=stands())
-    assert headline(running) == "Hands off · mount-z"
+    assert headline(running) == "Hands off · body Z up"
 
 
 def test_nothing_is_promised_while_somebody_is_lost(running):

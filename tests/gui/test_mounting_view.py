@@ -1,12 +1,19 @@
 """The drawing of a mounting: the DUT stands as it would on the platform where that stands now."""
 
 import time
+from itertools import combinations
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF
 
 from labcal.bench.coils.state import LabState, PlatformReading, unread
+from labcal.bench.mounting import attitude
 from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets.mounting_view import Mounting
+from labcal.gui.widgets.placed_names import Tip, placed
 from labcal.record.stream import Prompt
 
 UP = {"body_from_cage": np.eye(3).tolist(), "axis_cage": [0.0, 0.0, 1.0]}
@@ -40,3 +47,28 @@ def test_where_it_stands_is_as_old_as_its_reading_says_beside_it(still):
     card = still.page("Run").live.prompt
     assert card.drawing.platform_words() == "platform at 137°"
     assert "platform stands at 137°, read 40 s ago" in card.stands.text()
+
+
+SIZES = ((128, 200), (300, 300), (260, 500), (620, 420))
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize("up", "xyz")
+def test_names_of_axes_lie_over_no_other_name_and_within_the_drawing(qtbot, size, up):
+    drawing = Mounting(LIGHT)
+    qtbot.addWidget(drawing)
+    drawing.resize(*size)
+    bench = SimpleNamespace(config=SimpleNamespace(platform=SimpleNamespace(axis_cage=(0.0, 0.0, 1.0))))
+    drawing.show_drawing({"body_from_cage": attitude(bench, up).tolist(), "axis_cage": [0.0, 0.0, 1.0]})
+    drawing.show_platform(0.0)
+    drawing.grab()
+    assert len(drawing.names) == 5
+    assert all(drawing.rect().toRectF().contains(place) for place in drawing.names.values())
+    assert [pair for pair in combinations(drawing.names.values(), 2) if pair[0].intersects(pair[1])] == []
+
+
+def test_a_name_stands_on_no_line_where_it_can_be_helped():
+    tip = Tip(QPointF(100, 100), 0.0, QSizeF(50, 16))
+    beside = QLineF(105, 100, 160, 100)
+    (place,) = placed([tip], [beside], QRectF(0, 0, 300, 300))
+    assert not any(place.contains(beside.pointAt(n / 50)) for n in range(51))

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from geometry import faults
 from lab_states import told
-from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QLocale, QRectF
+from PySide6.QtWidgets import QApplication, QHeaderView, QLabel, QPushButton, QVBoxLayout, QWidget
 from test_calibration_views import FOUND
 from test_choose import told_by_the_loop
 from test_compare import side
@@ -30,8 +30,12 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
 )
 from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.theming.theme import LIGHT
 from labcal.gui.translations import translate
 from labcal.gui.widgets.common import Card
+from labcal.gui.widgets.measurement_table import Table
+from labcal.gui.widgets.mounting_view import Mounting
+from labcal.gui.widgets.plots import plot
 from labcal.record import Segment
 from labcal.record.stream import Block, Measurement, Prompt, SegmentOpened, Step
 
@@ -55,6 +59,7 @@ ANOTHER = "EM-10: that is not the DUT of this run. Mount EM-09, then scan its se
 SCANNED = Prompt(1.0, "serial-mount-y", ANOTHER, (), True, {"serial": "EM-09"})
 SILENT = Fault("instrument", "reference: no sample for 3.1 s.", "Look at its power and at its cable.", "trace")
 WORST = Measurement(9.0, "closure x", 12.0, 3.0, "nT", 500.0)
+NAMED_AT_LENGTH = Measurement(9.0, "mount-z: DUT less reference, first position", 2.0, 1.0, "nT")
 
 
 def send(window, *items):
@@ -106,7 +111,7 @@ def compared(window):
 def begun(window, *items):
     window.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     told(window, (1.52, 0.0, -0.4))
-    send(window, Step(0.0, 3, 5, STEPS[2], 2460.0, STEPS, 20.0), WORST, *items)
+    send(window, Step(0.0, 3, 5, STEPS[2], 2460.0, STEPS, 20.0), WORST, NAMED_AT_LENGTH, *items)
     window.page("Run").live.draw()
     return "Run"
 
@@ -395,3 +400,36 @@ def test_what_is_cut_and_what_overlaps_is_found(qtbot):
     assert ["lie over each other" in one for one in faults(holder)] == [True]
     over.move(250, 200)
     assert ["is cut by what holds it" in one for one in faults(holder)] == [True]
+
+
+def test_what_is_painted_and_cut_is_found(qtbot):
+    picture, table = plot(LIGHT, "time  s", "field of the reference  nT"), Table(("name",))
+    qtbot.addWidget(holder := QWidget())
+    for n, one in enumerate((picture, table)):
+        one.setParent(holder)
+        one.setGeometry(10, 10 + 220 * n, 280, 200)
+    holder.resize(300, 440)
+    holder.show()
+    table.setRowCount(1)
+    table.set_cell(0, 0, "a name that is as long as this one is not")
+    settled(picture)
+    assert faults(holder) == []
+    table.item(0, 0).setToolTip("")
+    table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
+    table.setColumnWidth(0, 60)
+    picture.getPlotItem().getAxis("left").label.setScale(3.0)
+    name, cell = faults(holder)
+    assert "reaches out of its plot" in name
+    assert "is cut" in cell
+    drawing = Mounting(LIGHT)
+    drawing.names = {"body X": QRectF(0, 0, 50, 20), "cage X": QRectF(40, 0, 50, 20)}
+    drawing.setParent(holder)
+    drawing.show()
+    assert "'body X' and 'cage X' lie over each other" in faults(holder)
+
+
+def settled(picture):
+    """Plots lay out what is within them when they are drawn."""
+    for _ in range(3):
+        picture.grab()
+        QApplication.processEvents()

@@ -1,5 +1,6 @@
 """What a person reads while they work: news that is news, names in words, nothing cut where it can be helped."""
 
+import numpy as np
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
@@ -11,8 +12,11 @@ from labcal.errors import InputError
 from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
-from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.number_format import needed_title, step_title
 from labcal.gui.widgets.parameter_form import range_of
+from labcal.gui.widgets.plots import Traces
+from labcal.gui.widgets.study_plots import Residuals
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
@@ -26,13 +30,48 @@ def send(window, *items):
     [
         ("x-50uT-full", "x −50 µT full"),
         ("z+20uT-nominal: wrong signs", "z +20 µT nominal: wrong signs"),
-        ("closure-x", "closure-x"),
-        ("mount-y", "mount-y"),
+        ("closure-x", "closure x"),
+        ("mount-y", "body Y up"),
+        ("mount-y: DUT less reference, first position", "body Y up: DUT less reference, first position"),
         ("zero", "offset and first position"),  # the coils are energised before that step ends
     ],
 )
 def test_a_step_is_said_in_words(name, words):
     assert step_title(name) == words
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("i_eps  A", "current i_eps  A"),
+        ("temp_dut  degC", "temperature temp_dut  degC"),
+        ("wheel  rpm", "channel wheel  rpm"),
+        ("time  s", "time  s"),
+    ],
+)
+def test_a_channel_is_drawn_against_in_words(qtbot, name, words):
+    picture = Residuals(LIGHT)
+    qtbot.addWidget(picture)
+    picture.show_residual(name, np.ones(2), [], None)
+    assert picture.plot.getPlotItem().getAxis("bottom").labelText == words
+
+
+def test_no_curve_loses_its_name_at_the_top_of_a_picture(qtbot):
+    traces = Traces(LIGHT, "DUT  nT")
+    qtbot.addWidget(traces)
+    traces.plot.setYRange(0.0, 100.0, padding=0)
+    for _ in range(2):
+        traces.show_rows(np.array([[0.0, 0.0, 50.0, 99.0], [1.0, 20.0, 98.0, 99.0]]))
+    places = sorted(name.pos().y() for name in traces._names)
+    low, high = traces.plot.viewRange()[1]
+    assert low < places[0]
+    assert places[-1] < high
+    assert places[2] - places[1] > 0.1 * (high - low) * 14 / traces.plot.height()
+
+
+def test_a_mounting_is_needed_for_in_words():
+    assert needed_title("mount-y") == "mount it with body Y up"
+    assert needed_title("closing") == "closing"
 
 
 def test_a_small_limit_is_written_out():

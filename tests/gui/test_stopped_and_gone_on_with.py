@@ -176,7 +176,7 @@ def test_who_goes_on_sees_which_turns_are_kept_and_what_was_broken_off_for_good(
     assert [mark for _, mark in run.steps()] == ["done", "done", "done", "skipped", "now", "next"]
     step(6)
     worker.answer(ResumeRun, Ended("r1", "finished"))
-    assert run_verdict(run).rule.endswith("Not measured: closure-x.")
+    assert run_verdict(run).rule.endswith("Not measured: closure x.")
 
 
 def test_an_axis_whose_closure_is_made_up_is_to_be_mounted_again(running):

@@ -77,10 +77,11 @@ def test_a_traceback_is_said_to_be_for_others(qtbot):
     assert card.details.toPlainText() == "/lab/bench.toml: line 3"
 
 
-def test_a_plan_says_the_rate_that_was_typed():
-    for rate, said in ((20.2, "20 °/s"), (2.4, "2.4 °/s"), (0.5, "0.5 °/s"), (121.0, "120 °/s")):
-        plan = Rehearsal("preflight", "x", angles_deg=(0.0, 360.0), rate_deg_per_s=rate)
-        assert any(line.endswith(f"at up to {said}") for line in plan.lines())
+def test_a_plan_says_the_rate_that_was_typed_and_whose_limit_it_is_beside():
+    for rate, most, said in ((20.0, 20, "20"), (2.4, 20, "2.4"), (9.97, 20, "10"), (9.97, 9.97, "9.97")):
+        limit = (most, "platform's limit")
+        plan = Rehearsal("preflight", "x", angles_deg=(0.0, 360.0), rate_deg_per_s=rate, limit=limit)
+        assert f"the fastest at {said} °/s; the platform's limit is {most:g} °/s" in "\n".join(plan.lines())
 
 
 def failed(still, **said):
@@ -198,7 +199,7 @@ def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):
     still.app_state.run.skipped.add("closure-x")
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
     verdict = run_verdict(still.app_state.run)
-    assert (verdict.word, verdict.state) == ("▲ PASS, without closure-x", "warning")
+    assert (verdict.word, verdict.state) == ("▲ PASS, without closure x", "warning")
     assert live.verdict.isVisibleTo(live)
 
 

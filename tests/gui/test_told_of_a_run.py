@@ -24,7 +24,7 @@ def test_the_last_page_says_what_was_interrupted_how_long_what_again_and_where_n
     worker.answer(TellRecord, TOLD)
     words = told.interrupted.text()
     assert told.interrupted.isVisible()
-    assert words.startswith("▲ Interrupted 2 times: at x +20 µT nominal, for 4 min; at closure-x, for nobody knows")
+    assert words.startswith("▲ Interrupted 2 times: at x +20 µT nominal, for 4 min; at closure x, for nobody knows")
     assert words.endswith("Measured again: offset and first position, x +20 µT nominal.")
     assert told.noted.text() == "Noted, in the run's record (History shows it): lift moved"
 

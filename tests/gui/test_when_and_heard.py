@@ -93,7 +93,7 @@ def test_the_run_page_says_both_and_neither_while_somebody_is_asked(still):
     live.draw()
     needed, done = live.time_left.until.text().splitlines()
     assert needed.startswith("You are needed at ")
-    assert needed.endswith(": mount\N{NON-BREAKING HYPHEN}y")
+    assert needed.endswith(": mount it with body Y up")
     assert done.startswith("Done at about ")
     worker.items.emit((Prompt(101.0, "m", "Mount it."),))
     live.draw()
@@ -165,3 +165,12 @@ def test_of_what_takes_longer_than_planned_nothing_is_promised(still, monkeypatc
     live.draw()
     assert (live.headline.text(), live.time_left.until.text()) == ("Hands off · sphere", "")
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+
+
+def test_a_step_that_is_tried_again_is_left_as_a_whole(deaf):
+    run, worker = running(deaf)
+    key = "failed-x"
+    worker.items.emit((Event(250.0, "note", "it turns"), Prompt(250.0, key, "x: lost", ("stop", "retry", "skip"))))
+    assert run.left_s() == 460.0  # the bench's clock stood at 100 s as it began
+    worker.items.emit((Event(900.0, "answer", "retry", {"key": key}), Event(910.0, "note", "it turns")))
+    assert (run.left_s(), run.step_left_s(), run.needed_s()) == (600.0, 290.0, 290.0)

@@ -15,10 +15,11 @@ from labcal import session
 from labcal.bench.clock import RealClock
 from labcal.errors import InputError, LimitNotMet
 from labcal.fit.vector.ml import ml
-from labcal.record.stream import Event, Measurement, Prompt
+from labcal.record.stream import Event, Measurement, Prompt, Step
 from labcal.store import Store
 from labcal.twin.config import TwinTruth
 from labcal.twin.sensor import response
+from procedures.preflight_plan import PreflightPlan
 
 BenchFile = Callable[..., Path]
 SHORT = {"rate_deg_per_s": "20", "zero_s": "4", "dwell_s": "2"}
@@ -170,9 +171,22 @@ def test_an_axis_is_redone_before_it_is_dismounted_and_the_first_try_is_kept_but
         items = list(store.items(outcome.run_id))
     refused = next(i for i in items if isinstance(i, Event) and i.kind == "not-used")
     assert (refused.data["reason"], refused.data["segments"]) == ("lift moved", ["x+20uT-nominal", "x-20uT-nominal"])
+    steps = [item.name for item in items if isinstance(item, Step)]
+    turned = ["x+20uT-nominal", "x-20uT-nominal", "closure-x", "mount-y"]
+    assert steps[3:13] == ["mount-x", *turned, *turned, "y+20uT-nominal"]  # the mounting is asked for once more
     measured = {item.name: item for item in items if isinstance(item, Measurement)}
     assert [measured[f"x+20uT-nominal: {what}"].verdict for what in ("noise", "wrong signs")] == ["PASS"] * 2
     assert measured["delay x"].verdict == "PASS"
+
+
+def test_what_is_redone_after_an_interruption_is_in_the_time_that_is_left() -> None:
+    kept = frozenset({"x+20uT-nominal"})
+    plan = PreflightPlan(
+        ("x", "y"), (20e3,), ("nominal",), 50.0, True, 20.0, 8.0, 0.005, 0.0, 5.0, 10.0, 500.0, 0.5, None,  # type: ignore[arg-type]
+        kept,
+    )  # fmt: skip
+    assert dict(plan.plan().steps)["x+20uT-nominal"] == 0.0
+    assert dict(plan.without("x").plan().steps)["x+20uT-nominal"] == 18.0
 
 
 @pytest.mark.slow

@@ -68,7 +68,7 @@ def kept() -> list[Item]:
 
 def of_axes() -> list[str]:
     """The verdicts of the DUT's z axis, in the order in which it was looked at."""
-    return [i.verdict for i in kept() if isinstance(i, Measurement) and i.name == "DUT z points beside by"]
+    return [i.verdict for i in kept() if isinstance(i, Measurement) and i.name == "DUT z axis: angle off its direction"]
 
 
 def test_mounted_again_the_run_begins_anew_and_both_checks_stay_in_the_record(bench_file: BenchFile) -> None:

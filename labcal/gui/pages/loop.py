@@ -15,6 +15,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
@@ -353,11 +354,10 @@ class LoopPage(QWidget):
 
     def _fill_against(self, loop: Loop) -> None:
         against, chosen = loop.change.against, self.picked()
-        effects: tuple[Cause, ...] = loop.accepted if chosen is None else (chosen[1],)
-        channels = [c for effect in effects for c in effect.channels]
-        driven = channels or [loop.drawn_against.get(effect.effect, "time") for effect in effects]
-        first = [name for name in against if name.split("  ")[0] in driven]
-        offer(self.against, first + [name for name in against if name not in first])
+        effects: tuple[Cause, ...] = (chosen[1],) if chosen else loop.accepted
+        channels = [c for one in effects for c in one.channels]
+        driven = channels or [loop.drawn_against.get(one.effect, "time") for one in effects]
+        offer(self.against, sorted(against, key=lambda name: name.split("  ")[0] not in driven), against_words)
 
     def _show_left(self) -> None:
         if (said := self._study.loop) is not None:
@@ -377,7 +377,7 @@ class LoopPage(QWidget):
     def _name_change(self) -> None:
         """Whose change it is, why it stands as it does, and how much it is."""
         chosen, one = self.picked(), self._one()
-        title = self.tr("3  What it changes") if chosen is None else f"3  + {cause(chosen[1])}"
+        title = self.tr("3  What it changes") if chosen is None else self.tr("3  With {0}").format(cause(chosen[1]))
         self.change_heading.setText(title)
         self.change_heading.setToolTip(title)
         self.change_why.setText("" if chosen is None else chosen[2])

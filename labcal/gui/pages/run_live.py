@@ -189,7 +189,7 @@ class Live(QWidget):
     def _below(self) -> Card:
         card = Card()
         self.table = Measurements(self._theme)
-        self.table.setMinimumHeight(18 * GRID)
+        self.table.setMinimumHeight(14 * GRID)
         card.body.addWidget(self.table)
         return card
 

@@ -4654,7 +4654,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>turns between {0} and {1}°, at up to {2} °/s</source>
+        <source>turns between {0} and {1}°, the fastest at {2} °/s; the platform&apos;s limit is {3} °/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns between {0} and {1}°, the fastest at {2} °/s; the DUT&apos;s limit in bench.toml is {3} °/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT {0} axis: angle off its direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference {0} axis: angle off its direction</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4727,14 +4739,6 @@
     </message>
     <message>
         <source>rotation rate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>DUT {0} points beside by</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>reference {0} points beside by</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4979,10 +4983,6 @@
     </message>
     <message>
         <source>sync-check</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mount-{0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5917,6 +5917,10 @@ after this step …</source>
     </message>
     <message>
         <source>Nothing that this run could show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3  With {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7366,6 +7370,30 @@ after this step …</source>
     </message>
     <message>
         <source>body {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body {0} up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mount it with body {0} up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>temperature {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voltage {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4654,8 +4654,20 @@
         <translation>größtes Feld am Prüfling {0} µT</translation>
     </message>
     <message>
-        <source>turns between {0} and {1}°, at up to {2} °/s</source>
-        <translation>dreht zwischen {0} und {1}°, mit bis zu {2} °/s</translation>
+        <source>turns between {0} and {1}°, the fastest at {2} °/s; the platform&apos;s limit is {3} °/s</source>
+        <translation>dreht zwischen {0} und {1}°, am schnellsten mit {2} °/s; die Grenze der Plattform ist {3} °/s</translation>
+    </message>
+    <message>
+        <source>turns between {0} and {1}°, the fastest at {2} °/s; the DUT&apos;s limit in bench.toml is {3} °/s</source>
+        <translation>dreht zwischen {0} und {1}°, am schnellsten mit {2} °/s; die Grenze des Prüflings in bench.toml ist {3} °/s</translation>
+    </message>
+    <message>
+        <source>DUT {0} axis: angle off its direction</source>
+        <translation>Prüfling, Achse {0}: Winkel zu ihrer Richtung</translation>
+    </message>
+    <message>
+        <source>reference {0} axis: angle off its direction</source>
+        <translation>Referenz, Achse {0}: Winkel zu ihrer Richtung</translation>
     </message>
     <message>
         <source>the platform rests</source>
@@ -4728,14 +4740,6 @@
     <message>
         <source>rotation rate</source>
         <translation>Drehrate</translation>
-    </message>
-    <message>
-        <source>DUT {0} points beside by</source>
-        <translation>Prüfling {0} zeigt daneben um</translation>
-    </message>
-    <message>
-        <source>reference {0} points beside by</source>
-        <translation>Referenz {0} zeigt daneben um</translation>
     </message>
     <message>
         <source>turn seen by the DUT, less turn made</source>
@@ -4980,10 +4984,6 @@
     <message>
         <source>sync-check</source>
         <translation>Zeitprüfung</translation>
-    </message>
-    <message>
-        <source>mount-{0}</source>
-        <translation>Einbau {0}</translation>
     </message>
     <message>
         <source>closure-{0}</source>
@@ -5919,6 +5919,10 @@ diesem Schritt …</translation>
     <message>
         <source>Measure what would tell them apart</source>
         <translation>Messen, was sie unterscheidet</translation>
+    </message>
+    <message>
+        <source>3  With {0}</source>
+        <translation>3  Mit {0}</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -7368,6 +7372,30 @@ diesem Schritt …</translation>
     <message>
         <source>body {0}</source>
         <translation>Körper {0}</translation>
+    </message>
+    <message>
+        <source>body {0} up</source>
+        <translation>Körper {0} oben</translation>
+    </message>
+    <message>
+        <source>mount it with body {0} up</source>
+        <translation>mit Körper {0} oben einbauen</translation>
+    </message>
+    <message>
+        <source>current {0}</source>
+        <translation>Strom {0}</translation>
+    </message>
+    <message>
+        <source>temperature {0}</source>
+        <translation>Temperatur {0}</translation>
+    </message>
+    <message>
+        <source>voltage {0}</source>
+        <translation>Spannung {0}</translation>
+    </message>
+    <message>
+        <source>channel {0}</source>
+        <translation>Kanal {0}</translation>
     </message>
     <message>
         <source>cage X</source>

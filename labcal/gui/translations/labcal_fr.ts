@@ -4654,8 +4654,20 @@
         <translation>plus grand champ au DUT {0} µT</translation>
     </message>
     <message>
-        <source>turns between {0} and {1}°, at up to {2} °/s</source>
-        <translation>tourne entre {0} et {1}°, jusqu&apos;à {2} °/s</translation>
+        <source>turns between {0} and {1}°, the fastest at {2} °/s; the platform&apos;s limit is {3} °/s</source>
+        <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s ; la limite du plateau est {3} °/s</translation>
+    </message>
+    <message>
+        <source>turns between {0} and {1}°, the fastest at {2} °/s; the DUT&apos;s limit in bench.toml is {3} °/s</source>
+        <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s ; la limite du DUT dans bench.toml est {3} °/s</translation>
+    </message>
+    <message>
+        <source>DUT {0} axis: angle off its direction</source>
+        <translation>DUT, axe {0} : angle avec sa direction</translation>
+    </message>
+    <message>
+        <source>reference {0} axis: angle off its direction</source>
+        <translation>référence, axe {0} : angle avec sa direction</translation>
     </message>
     <message>
         <source>the platform rests</source>
@@ -4728,14 +4740,6 @@
     <message>
         <source>rotation rate</source>
         <translation>vitesse de rotation</translation>
-    </message>
-    <message>
-        <source>DUT {0} points beside by</source>
-        <translation>DUT {0} pointe à côté de</translation>
-    </message>
-    <message>
-        <source>reference {0} points beside by</source>
-        <translation>référence {0} pointe à côté de</translation>
     </message>
     <message>
         <source>turn seen by the DUT, less turn made</source>
@@ -4980,10 +4984,6 @@
     <message>
         <source>sync-check</source>
         <translation>contrôle des temps</translation>
-    </message>
-    <message>
-        <source>mount-{0}</source>
-        <translation>montage {0}</translation>
     </message>
     <message>
         <source>closure-{0}</source>
@@ -5919,6 +5919,10 @@ cette étape …</translation>
     <message>
         <source>Measure what would tell them apart</source>
         <translation>Mesurer ce qui les distingue</translation>
+    </message>
+    <message>
+        <source>3  With {0}</source>
+        <translation>3  Avec {0}</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -7368,6 +7372,30 @@ cette étape …</translation>
     <message>
         <source>body {0}</source>
         <translation>corps {0}</translation>
+    </message>
+    <message>
+        <source>body {0} up</source>
+        <translation>corps {0} en haut</translation>
+    </message>
+    <message>
+        <source>mount it with body {0} up</source>
+        <translation>le monter avec corps {0} en haut</translation>
+    </message>
+    <message>
+        <source>current {0}</source>
+        <translation>courant {0}</translation>
+    </message>
+    <message>
+        <source>temperature {0}</source>
+        <translation>température {0}</translation>
+    </message>
+    <message>
+        <source>voltage {0}</source>
+        <translation>tension {0}</translation>
+    </message>
+    <message>
+        <source>channel {0}</source>
+        <translation>voie {0}</translation>
     </message>
     <message>
         <source>cage X</source>

@@ -180,7 +180,10 @@ BENCH = (  # what a setting of bench.toml means
 )
 PLAN = (
     QT_TRANSLATE_NOOP("Data", "largest field at the DUT {0} µT"),
-    QT_TRANSLATE_NOOP("Data", "turns between {0} and {1}°, at up to {2} °/s"),
+    QT_TRANSLATE_NOOP("Data", "turns between {0} and {1}°, the fastest at {2} °/s; the platform's limit is {3} °/s"),
+    QT_TRANSLATE_NOOP(
+        "Data", "turns between {0} and {1}°, the fastest at {2} °/s; the DUT's limit in bench.toml is {3} °/s"
+    ),
     QT_TRANSLATE_NOOP("Data", "the platform rests"),
     QT_TRANSLATE_NOOP("Data", "DUT kept within {0} to {1} °C"),
     QT_TRANSLATE_NOOP("Data", "no temperature limits are stated"),
@@ -201,8 +204,8 @@ MEASUREMENTS = (
     QT_TRANSLATE_NOOP("Data", "DUT less reference, first position"),
     QT_TRANSLATE_NOOP("Data", "DUT less reference"),
     QT_TRANSLATE_NOOP("Data", "rotation rate"),
-    QT_TRANSLATE_NOOP("Data", "DUT {0} points beside by"),
-    QT_TRANSLATE_NOOP("Data", "reference {0} points beside by"),
+    QT_TRANSLATE_NOOP("Data", "DUT {0} axis: angle off its direction"),
+    QT_TRANSLATE_NOOP("Data", "reference {0} axis: angle off its direction"),
     QT_TRANSLATE_NOOP("Data", "turn seen by the DUT, less turn made"),
     QT_TRANSLATE_NOOP("Data", "DUT behind the set-point"),
     QT_TRANSLATE_NOOP("Data", "reference behind the set-point"),
@@ -266,7 +269,6 @@ MEASUREMENTS = (
 STEPS = (
     QT_TRANSLATE_NOOP("Data", "axes-check"),
     QT_TRANSLATE_NOOP("Data", "sync-check"),
-    QT_TRANSLATE_NOOP("Data", "mount-{0}"),
     QT_TRANSLATE_NOOP("Data", "closure-{0}"),
     QT_TRANSLATE_NOOP("Data", "closing"),
     QT_TRANSLATE_NOOP("Data", "coil {0}"),

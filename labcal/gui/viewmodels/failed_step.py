@@ -18,6 +18,7 @@ from labcal.record.stream import FAULT, Event, Prompt
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
 LINK = re.compile(r" \([a-z-]+://[^()]*\)")  # where an instrument is plugged in, after its name
+FAILED = "failed-"  # before the name of a step, in the key of its question
 AGAIN = "begin this step again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")

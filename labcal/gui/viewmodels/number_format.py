@@ -16,6 +16,7 @@ FieldUnit = Literal["nT", "µT", "mG"]
 PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
 DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
 FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
+MOUNTED, CLOSED = re.compile(r"mount-([xyz])(?:: (.+))?"), re.compile(r"closure-([xyz])")
 TURN = re.compile(r"\b([xyz])([+-])(\d+(?:\.\d+)?)uT(?:-(\w+))?")
 
 
@@ -53,11 +54,21 @@ def clock_time(now: datetime, in_s: float) -> str:
 def step_title(name: str) -> str:
     """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full".
 
-    The step "zero" ends in a field: by that name alone it would say of energised coils that they are at zero.
+    The step "zero" ends in a field: by that name alone it would say of energised coils that they are at zero. That of a
+    mounting says how the DUT stands while it goes on: the first one is asked for in the step before.
     """
     if name == "zero":
         return translated("offset and first position")
-    return turns_written(name_in_words(name))
+    if found := MOUNTED.fullmatch(name):
+        stands = translated("body {0} up").format(found[1].upper())
+        return f"{stands}: {name_in_words(found[2])}" if found[2] else stands
+    return turns_written(name_in_words(CLOSED.sub(r"closure \1", name)))
+
+
+def needed_title(name: str) -> str:
+    """What a person is needed for, where the step `name` begins with a question."""
+    found = MOUNTED.fullmatch(name)
+    return translated("mount it with body {0} up").format(found[1].upper()) if found else step_title(name)
 
 
 def turns_written(text: str) -> str:

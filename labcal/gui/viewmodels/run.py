@@ -32,7 +32,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
 from labcal.gui.viewmodels.covered import Covered
-from labcal.gui.viewmodels.failed_step import asked_text, ended_by_off, said_of
+from labcal.gui.viewmodels.failed_step import FAILED, asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.hands import STOP, says_hands_off
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
@@ -292,9 +292,9 @@ class RunViewModel(QObject):
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
-                if item.key.startswith("failed-"):  # what was seen of this turn counts no more
+                if item.key.startswith(FAILED):  # what was seen of this turn counts no more
                     self.covered.begin()
-                    self._forget_turn(item.key.removeprefix("failed-"))
+                    self._forget_turn(item.key.removeprefix(FAILED))
                 self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
@@ -319,7 +319,9 @@ class RunViewModel(QObject):
     def _event(self, event: Event) -> None:
         if event.kind == "answer":
             self._waits_no_more(event.t_s)
-            self.hands_off = says_hands_off(str(event.data.get("key")), event.text)  # also before a window came back
+            self.hands_off = says_hands_off(key := str(event.data.get("key")), event.text)  # also before it came back
+            if self.step is not None and key.startswith(FAILED) and event.text == "retry":  # the whole of it is left
+                self._waited_s = event.t_s - self.step.t_s
         if event.kind == "pause":
             paused, self.pausing, self.hands_off = event.text != "goes on", False, False
             self._waits(event.t_s) if paused else self._waits_no_more(event.t_s)

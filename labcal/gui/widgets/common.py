@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from html import escape
 from typing import TypeVar
@@ -73,12 +73,12 @@ def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     return widget
 
 
-def offer(chooser: QComboBox, names: Sequence[str]) -> None:
-    """Have these to choose from, each shown in the window's language, its name as data."""
+def offer(chooser: QComboBox, names: Sequence[str], words: Callable[[str], str] = translated) -> None:
+    """Have these to choose from, each shown by its `words` in the window's language, its name as data."""
     if [chooser.itemData(n) for n in range(chooser.count())] != list(names):
         chooser.clear()
         for name in names:
-            chooser.addItem(translated(name), name)
+            chooser.addItem(words(name), name)
 
 
 def say_wanted(chooser: QComboBox, wanted: str) -> None:

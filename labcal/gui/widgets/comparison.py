@@ -13,6 +13,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import change_rows
+from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.loop_words import verdict_word
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, offer
@@ -74,7 +75,7 @@ class ComparisonView(QWidget):
         self._alike = len({bool(said.get(one.run_id, "")) for _, one in sides}) == 1
         self._explained = all(said.get(one.run_id, "clean") in EXPLAINED for _, one in sides)
         names = [name for name in found.older.against if name in found.newer.against]
-        offer(self.against, names)
+        offer(self.against, names, against_words)
         self._draw()
 
     def _source(self, one: Compared) -> str:

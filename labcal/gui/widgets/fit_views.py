@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedWidget, QWidget
 
 from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
+from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import DASHED, Loci, apply_theme, legend_above, named_curves, plot
@@ -128,7 +129,7 @@ class FitViews(Card):
     def show_fit(self, look: Look | None, method: str, said: Fitted | None) -> None:
         """Draw what is known of a run (`look`) and of one method's answer (`said`)."""
         self._look, self._method, self._said = look, method, said
-        offer(self.against, list(look.against) if look else [])
+        offer(self.against, list(look.against) if look else [], against_words)
         self._draw()
 
     def show_growth(self, method: str, said: Growth | None) -> None:

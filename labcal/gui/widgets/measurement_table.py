@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
 
@@ -16,6 +16,7 @@ from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
+NAME_PADDING_PX = 26  # of a cell by the style sheet, and what Qt keeps beside it
 FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
@@ -141,7 +142,8 @@ class Measurements(Table):
     def __init__(self, theme: Theme) -> None:
         super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
         self.right_heading(1, 2, 4)
-        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
+        self.setWordWrap(True)  # names differ at their ends
+        self.horizontalHeader().sectionResized.connect(self._fit_rows)
         self._theme = theme
         self._shown: tuple[Theme, list[Measurement]] | None = None
 
@@ -154,6 +156,21 @@ class Measurements(Table):
         header.setSectionResizeMode(0, mode.Interactive if narrow else mode.Stretch)
         if narrow:
             header.resizeSection(0, NAME_PX)
+        self._fit_rows()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Letters of another size."""
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._fit_rows()
+
+    def _fit_rows(self) -> None:
+        """Each as high as its name in the room that there is: no name is cut."""
+        metrics, one_line = self.fontMetrics(), self.verticalHeader().defaultSectionSize()
+        for row in range(self.rowCount()):
+            width = max(1, self.columnWidth(0) - NAME_PADDING_PX)  # a higher row may have brought a scroll bar
+            lines = metrics.boundingRect(0, 0, width, 0, Qt.TextFlag.TextWordWrap, self.text(row, 0))
+            self.setRowHeight(row, max(one_line, lines.height() + one_line - metrics.height()))
 
     def set_theme(self, theme: Theme) -> None:
         """What is shown next has the theme's colours."""
@@ -168,6 +185,7 @@ class Measurements(Table):
         self.setRowCount(len(newest))
         for row, one in enumerate(newest):
             self._show(row, one)
+        self._fit_rows()
 
     def _show(self, row: int, one: Measurement) -> None:
         decimals = decimals_for(2 * one.u, one.value)

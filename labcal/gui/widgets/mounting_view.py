@@ -8,13 +8,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QPen, QPolygonF
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from labcal.geometry import rotate, unit
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.placed_names import Tip, placed
 
 Array = NDArray[np.float64]
 TURN, TILT = radians(25), radians(24)  # of the eye, about the vertical and above the horizon
@@ -22,6 +23,8 @@ RIGHT = np.array([cos(TURN), sin(TURN), 0.0])
 UP = np.array([-sin(TURN) * sin(TILT), cos(TURN) * sin(TILT), cos(TILT)])
 TOWARD = np.cross(RIGHT, UP)
 BOX = np.array([0.46, 0.36, 0.28])  # half sizes along body x, y, z
+EDGE_PX = 2.0
+BELOW = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
 FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]
 
 
@@ -33,6 +36,9 @@ class Mounting(QWidget):
         self._theme = theme
         self._drawing: dict[str, Any] = {}
         self.platform_deg: float | None = None  # None: not known
+        self._lines: list[QLineF] = []
+        self._wanted: list[tuple[QPointF, float, str, str]] = []  # names of arrows: tip, angle, name, colour
+        self.names: dict[str, QRectF] = {}  # where each stands
         self.setMinimumSize(QSize(128, 200))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -95,20 +101,25 @@ class Mounting(QWidget):
 
     def _paint_mounting(self, painter: QPainter) -> None:
         body, axis = self.body(), self._axis()
+        self._lines, self._wanted = [], []
         self._paint_platform(painter, axis)
         centre = axis * float(np.abs(body @ axis) @ BOX)
         self._paint_box(painter, body, centre)
         self._paint_axes(painter, body, centre)
         self._paint_turn(painter, axis)
+        self._paint_names(painter)
         self._paint_words(painter)
 
     def _paint_words(self, painter: QPainter) -> None:
         """Below the platform, at which angle of it this is."""
         painter.setPen(QColor(self._theme.muted))
         painter.setFont(self.font())
-        top = self._at(-0.9 * UP).y()
-        below = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
-        painter.drawText(QRectF(0, top, self.width(), self.height() - top), below, self.platform_words())
+        top = self._words_top()
+        painter.drawText(QRectF(0, top, self.width(), self.height() - top), BELOW, self.platform_words())
+
+    def _words_top(self) -> float:
+        needed = QFontMetricsF(self.font()).boundingRect(QRectF(0, 0, self.width(), 1e4), BELOW, self.platform_words())
+        return min(self._at(-0.9 * UP).y(), self.height() - needed.height())
 
     def _paint_platform(self, painter: QPainter, axis: Array) -> None:
         side = unit(np.cross(axis, (0.3, 0.9, 0.2)))
@@ -146,33 +157,41 @@ class Mounting(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(self._theme.text), 2.4))
         painter.drawPolyline(QPolygonF([self._at(p) for p in path]))
+        self._lines.append(QLineF(self._at(path[0]), self._at(path[-1])))
         self._arrow(painter, path[-3], path[-1] + 1.5 * (path[-1] - path[-2]), self._theme.text, "", 2.4)
 
     def _arrow(self, painter: QPainter, start: Array, end: Array, colour: str, name: str, width: float) -> None:
         a, b = self._at(start), self._at(end)
         painter.setPen(QPen(QColor(colour), width))
         painter.drawLine(a, b)
+        self._lines.append(QLineF(a, b))
         angle = atan2(b.y() - a.y(), b.x() - a.x())
         head = 4 + 2.5 * width
         wings = [QPointF(b.x() - head * cos(angle + s), b.y() - head * sin(angle + s)) for s in (0.42, -0.42)]
         painter.setBrush(QColor(colour))
         painter.drawPolygon(QPolygonF([b, *wings]))
         if name:
-            self._name(painter, b, angle, name)
+            self._wanted.append((b, angle, name, colour))
 
-    def _name(self, painter: QPainter, tip: QPointF, angle: float, name: str) -> None:
+    def _font(self, name: str) -> QFont:
         font = QFont(self.font())
-        font.setBold(name.startswith("body"))
-        painter.setFont(font)
-        size = painter.fontMetrics().size(0, name)
-        x = tip.x() + 8 * cos(angle) - size.width() * (1 - cos(angle)) / 2
-        y = tip.y() + 8 * sin(angle) - size.height() * (1 - sin(angle)) / 2
-        y += 0 if font.bold() else 0.9 * size.height()  # the cage's axes are named below: a body axis may lie on them
-        x = min(max(x, 2.0), self.width() - size.width() - 2.0)
-        letters = QPainterPath()
-        letters.addText(QPointF(x, y + painter.fontMetrics().ascent()), font, name)
-        painter.strokePath(letters, QPen(QColor(self._theme.surface), 4.0))  # no line runs through them
-        painter.fillPath(letters, painter.pen().color())
+        font.setBold(name.startswith(translated("body {0}").format("")))
+        return font
+
+    def _paint_names(self, painter: QPainter) -> None:
+        """Those of the body's axes first: they are what is looked for."""
+        wanted = sorted(self._wanted, key=lambda one: not self._font(one[2]).bold())
+        sizes = [QFontMetricsF(self._font(name)).size(0, name) for _, _, name, _ in wanted]
+        tips = [Tip(tip, angle, size) for (tip, angle, _, _), size in zip(wanted, sizes, strict=True)]
+        within = QRectF(EDGE_PX, 0.0, self.width() - 2 * EDGE_PX, self._words_top())
+        places = placed(tips, self._lines, within)
+        self.names = {name: place for (_, _, name, _), place in zip(wanted, places, strict=True)}
+        for (_, _, name, colour), place in zip(wanted, places, strict=True):
+            font = self._font(name)
+            letters = QPainterPath()
+            letters.addText(QPointF(place.left(), place.top() + QFontMetricsF(font).ascent()), font, name)
+            painter.strokePath(letters, QPen(QColor(self._theme.surface), 4.0))  # no line runs through them
+            painter.fillPath(letters, QColor(colour))
 
     def _paint_dial(self, painter: QPainter, angle_deg: float) -> None:
         radius = 0.38 * min(self.width(), self.height())

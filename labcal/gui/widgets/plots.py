@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
@@ -18,6 +18,7 @@ from labcal.gui.viewmodels.number_format import MINUS
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
+LEAST_PX = 96  # of traces: their axis bears its name
 GAP_S = 2.0  # without a reading: no line
 MAX_POINTS = 1500  # points of a locus
 REPAINT_DELAY_MS = 30
@@ -32,7 +33,29 @@ _making: list[Iterator[None]] = [iter(())]  # the one under way
 
 
 class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
-    """Figures with the minus sign that tables have."""
+    """Figures with the minus sign that tables have; where there is little room its name is smaller, none overlap."""
+
+    def resizeEvent(self, event: object = None) -> None:
+        """The name in the middle, and as long as the axis at most: what is longer would be cut."""
+        super().resizeEvent(event)
+        if self.label is None:
+            return
+        upright = self.orientation in ("left", "right")
+        length, needed = (self.size().height() if upright else self.size().width()), self.label.boundingRect().width()
+        self.label.setScale(scale := min(1.0, length / needed) if length > 0 else 1.0)
+        middle = (length + scale * needed) / 2 if upright else (length - scale * needed) / 2
+        (self.label.setY if upright else self.label.setX)(middle)
+
+    def generateDrawSpecs(self, painter: object) -> object:
+        """As pyqtgraph has them, without a figure that would lie over another."""
+        if (specs := super().generateDrawSpecs(painter)) is None:
+            return None
+        *lines, texts = specs
+        kept: list[tuple[QRectF, object, str]] = []
+        for text in texts:
+            if not any(text[0].intersects(other[0]) for other in kept):
+                kept.append(text)
+        return *lines, kept
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
         """As pyqtgraph writes them."""
@@ -130,6 +153,7 @@ class Traces(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         self.plot = plot(theme, "time  s", left)
+        self.plot.setMinimumHeight(LEAST_PX)
         row.addWidget(self.plot)
         self._curves = [self.plot.plot() for _ in AXES]
         self._names = [pg.TextItem(name, anchor=(0, 0.5)) for name in AXES]
@@ -159,7 +183,9 @@ class Traces(QWidget):
             curve.setData(drawn[:, 0], drawn[:, 1 + axis], connect="finite")
         low, high = self.plot.viewRange()[1]
         least = (high - low) * NAME_PX / max(1, self.plot.height())
-        at = spread(rows[-1, 1:], least) if len(rows) else ()
+        at = spread(rows[-1, 1:], least) if len(rows) else []
+        if at and max(at) > high - least / 2:  # no room above: from the top one downwards
+            at = [-place for place in spread(-np.minimum(rows[-1, 1:], high - least / 2), least)]
         for name in self._names:
             name.setVisible(len(rows) > 0)
         for name, value in zip(self._names, at, strict=False):

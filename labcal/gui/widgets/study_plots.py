@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 from labcal.gui.widgets.plots import with_alpha as with_alpha
 
@@ -61,7 +62,7 @@ class Residuals(QWidget):
         legend_above(self.plot, [(name, colour) for name, colour, _, _ in clouds])
         self._band.setRegion((-2 * (noise_nT or 0.0), 2 * (noise_nT or 0.0)))
         self._band.setVisible(noise_nT is not None)
-        self.plot.getPlotItem().setLabel("bottom", translated(against), color=self._theme.muted)
+        self.plot.getPlotItem().setLabel("bottom", against_words(against), color=self._theme.muted)
         self.plot.autoRange()
 
     def _add(self, colour: str, x: Array, values: Array) -> None:

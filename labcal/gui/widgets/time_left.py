@@ -10,7 +10,7 @@ from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, alarm_of
-from labcal.gui.viewmodels.number_format import clock_time, format_duration, step_title
+from labcal.gui.viewmodels.number_format import clock_time, format_duration, needed_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import label
 
@@ -67,6 +67,6 @@ class TimeLeft(QWidget):
         if needed_s is None or run.step is None:
             return done
         needed = self.tr("You are needed at {0}: {1}").format(
-            clock_time(now, needed_s), step_title(run.step.needed_for).replace("-", UNBROKEN)
+            clock_time(now, needed_s), needed_title(run.step.needed_for).replace("-", UNBROKEN)
         )
         return f"{needed}\n{done}"
