@@ -1,7 +1,7 @@
 """A platform that nobody stops any more is stopped beside the way to zero: it waits for no supply, dead or not.
 
 By a process of its own, begun once zero is ordered: what is slow or fails there keeps no coil on. A run that lives has
-the platform's line and stops it itself.
+the platform's line, stops it itself and lets go; of one that hangs, and is not ended, nobody has it: that is said.
 """
 
 from __future__ import annotations
@@ -24,10 +24,12 @@ from labcal.files.toml_file import read_toml
 if TYPE_CHECKING:
     from labcal.bench.coils.state import PlatformReading
     from labcal.bench.driver_kit.roles import RotationPlatform
-LINE_S = 1.0  # a run that was killed has its line no longer; one that lives keeps it
-ENDED_S = 12.0  # to load, to stop and to see it stand
+LINE_S = 1.0  # a run that was killed has its line no longer
+LETS_GO_S = 8.0  # one that lives is at its end by then, and the platform at rest
+ENDED_S = 20.0  # to load, to wait for the line, to stop and to see it stand
 AGAIN_S = 0.05
 NOT_YET = "not yet"  # the fault of one that was not seen to stand in time
+KEPT = "another process ({}) keeps the platform's line and does not stop it"
 _going_on: list[subprocess.Popen[bytes]] = []  # kept: they go on when this process has forgotten them
 
 
@@ -56,7 +58,7 @@ class StageStop:
                 )  # fmt: skip
 
     def ended(self, within_s: float = ENDED_S) -> PlatformReading | None:
-        """How the platform is; None where none with a motor is known, or whoever has its line stops it.
+        """How the platform is; None where none with a motor is known, or its line is a guardian's.
 
         Where that takes longer it is not known; it goes on.
         """
@@ -91,6 +93,8 @@ def stopped(path: Path) -> PlatformReading | None:
     from labcal.bench.coils.state import PlatformReading
     from labcal.bench.config import read_config
     from labcal.bench.driver_kit.roles import ByHand
+    from labcal.bench.guardian.hung import stands_still
+    from labcal.bench.links import ports
     from labcal.bench.loading import Loader
     from labcal.bench.platform import BenchPlatform
     from labcal.bench.reading import held
@@ -98,10 +102,10 @@ def stopped(path: Path) -> PlatformReading | None:
     config = read_config(path)
     name = next(name for name, one in config.instruments.items() if one.role == "platform")
     loader = Loader(path, config, RealClock(), 0)
-    if loader.line_of(name) in config.guarded_links:  # its guardian's
+    line, begun_s = loader.line_of(name), time.monotonic()
+    if line in config.guarded_links:  # its guardian's
         return None
     loader.meet_group()
-    until_s = time.monotonic() + LINE_S
     while True:
         try:
             with closing(loader), held(loader, name):
@@ -114,8 +118,9 @@ def stopped(path: Path) -> PlatformReading | None:
         except InstrumentError as fault:
             if fault.fault != "in use":
                 return PlatformReading(fault=fault.what)
-            if time.monotonic() > until_s:
-                return None
+            holder, waited_s = ports.holding(line), time.monotonic() - begun_s
+            if waited_s > (LINE_S if stands_still(holder) else LETS_GO_S):
+                return PlatformReading(fault=KEPT.format(holder or "?"))
             time.sleep(AGAIN_S)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 import threading
@@ -106,3 +107,16 @@ def test_by_labcal_bench_off(lab: Served) -> None:
     said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
     assert not turning(lab)
     assert "platform stands at " in said.stderr
+
+
+def test_of_a_run_that_hangs_and_keeps_the_line_it_is_said(lab: Served) -> None:
+    with subprocess.Popen([sys.executable, "-c", TURNS, str(lab.file)], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "turns\n"
+        until(lambda: turning(lab))
+        child.send_signal(signal.SIGSTOP)
+        said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
+        assert turning(lab)
+        kept = f"platform NOT confirmed at a standstill (another process ({child.pid}) keeps the platform's line"
+        assert kept in said.stderr
+        child.kill()

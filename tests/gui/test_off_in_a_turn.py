@@ -20,6 +20,7 @@ AT_ONCE_S = 1.5
 OF_A_PROCESS_S = 4.5  # to end it, and for another to load and to open the line
 SAID_S = 8.0  # after it stands: it is read, or a later look finds who has its line
 WAITED_FOR_S = 6.0  # a supply
+HANDS_OFF = "✕ HANDS OFF: the platform may still turn"
 KEPT = """
 import sys, time
 from pathlib import Path
@@ -109,7 +110,12 @@ def test_of_a_run_of_somebody_else_that_hangs_the_window_says_that_it_may_turn(q
             qtbot.keyClick(opened, Qt.Key.Key_F12)
             may_turn = "platform NOT confirmed at a standstill"
             qtbot.waitUntil(lambda: may_turn in opened.side.platform.text(), timeout=int(LONG_S * 1000))
+            qtbot.waitUntil(lambda: opened.fault.heading.text() == HANDS_OFF, timeout=int(LONG_S * 1000))
+            assert opened.fault.turning.isVisible()
             assert turning(served)
+            assert at_zero(served)
         finally:
             other.kill()
+    assert pressed(qtbot, opened, served) < OF_A_PROCESS_S
     qtbot.waitUntil(lambda: "platform stands at " in opened.side.platform.text(), timeout=int(LONG_S * 1000))
+    qtbot.waitUntil(lambda: not opened.fault.isVisible(), timeout=int(SAID_S * 1000))

@@ -151,7 +151,8 @@ class AppState(QObject):
 
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
-        self._taken = self.off.unconfirmed = None
+        self._taken = None
+        self.off.forget()
         self.kept = KnownLab()
         self.named_serials.forget()
 
@@ -300,8 +301,8 @@ class AppState(QObject):
         return self.kept.answered()
 
     def says_unconfirmed(self, fault: Fault | None) -> bool:
-        """Whether this card is about coils that are not known to be at zero."""
-        return fault is not None and fault is self.off.unconfirmed
+        """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""
+        return fault is not None and fault in (self.off.unconfirmed, self.off.turning)
 
     def now_s(self) -> float:
         """On the computer's monotonic clock."""
@@ -343,6 +344,7 @@ class AppState(QObject):
             self.fault_over.emit(over)
             if not lifted:  # the supplies say so, and the reference has not been asked since
                 self.off.read_again()
+        self.off.look_at_platform()
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""

@@ -240,8 +240,15 @@ def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None)
     if said.doubt:
         witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
     coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
-    platform = said.platform or before.platform
+    platform = _stopped(before.platform, said.platform)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
+
+
+def _stopped(before: state.PlatformReading | None, said: state.PlatformReading | None) -> state.PlatformReading | None:
+    """The platform after it was told to stop: where nobody saw it stand, where it turned when it was read last."""
+    if said is not None and said.moving is None and before is not None and before.moving:
+        return replace(before, fault=said.fault)
+    return said or before
 
 
 def heard_from(

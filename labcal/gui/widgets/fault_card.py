@@ -23,6 +23,7 @@ TITLES = {
     "guardian": "✕ The guardian failed",
     "clock": "✕ The clock was set back",
     "coils": "✕ HANDS OFF: the coils may be on",
+    "platform": "✕ HANDS OFF: the platform may still turn",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
     "left": "▲ Interrupted",
