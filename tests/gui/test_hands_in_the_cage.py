@@ -15,6 +15,7 @@ from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import Identify, ResumeRun, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.known_lab import AMBIENT_S, ANSWERS_S, LOST_FIRST_S, KnownLab
+from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
@@ -330,6 +331,46 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     says(running, platform=stands(age_s=5.0), faulty=("stage",))
     assert card.hands.text() == "▲ Hands out: the platform is not being read"
     assert card.hands.isVisibleTo(card)
+
+
+def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_with_the_age_of_what_was_read(
+    real, running, later
+):
+    app_state, card = running.app_state, running.page("Run").live.fault
+    says(running, platform=stands(), faulty=("dut",))
+    silent = Fault("instrument", "dut: no sample for 5.0 s.", "Is its plug in at both ends?")
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", silent))
+    assert card.isVisibleTo(running.page("Run").live)
+    assert card.hands.text().startswith("✓ Hands may go in: coils read back at zero by their supplies")
+    later(5.0)
+    card.say_hands()
+    assert card.hands.text() == "✓ Hands may go in: coils read back at zero by their supplies, 5 s ago"
+    assert card.hands.isVisibleTo(card)
+    later(WATCHED_S)
+    card.say_hands()
+    assert card.hands.text() == "▲ Hands out: the platform is not being read"
+    app_state.watch.look()
+    read(running, AMBIENT)
+    says(running, platform=stands(moving=True))
+    app_state.take_lab(lab(platform=stands(moving=True)))
+    card.say_hands()
+    assert card.hands.text().startswith("▲ Hands out: platform NOT confirmed at a standstill")
+
+
+def test_while_such_a_card_is_up_the_coils_are_read_again_beside_who_is_lost(real, running):
+    app_state = running.app_state
+    says(running, platform=stands(), faulty=("dut",))
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("instrument", "dut: silent.")))
+    app_state.watch.look()
+    (asked,) = app_state.watch_worker.commands(ReadLab)
+    assert {"dut", "stage", "supply_x", "supply_y", "supply_z"} <= set(asked.names)
+
+
+def test_no_other_card_speaks_of_hands(still):
+    still.app_state.fault.emit(Fault("input", "This cannot be done."))
+    assert not still.fault.hands.isVisibleTo(still.fault)
+    still.app_state.fault.emit(Fault("instrument", "dut: silent."))
+    assert still.fault.hands.text() == "▲ Hands out: coils not read back in this session"
 
 
 def test_nobody_is_sent_to_a_plug_that_is_in_again(running):

@@ -131,7 +131,8 @@ class Live(QWidget):
         return Flow(self.pause, self.stop, self.close_run, self.go_on, self.fit)
 
     def _middle(self) -> QWidget:
-        self.prompt, self.fault = PromptCard(self._theme), FaultCard(closable=False)
+        self.prompt = PromptCard(self._theme)
+        self.fault = FaultCard(closable=False, hands=self._app_state.hands)
         self.prompt.answered.connect(self._answer)
         self._app_state.bench_changed.connect(self._take_camera)
         self._take_camera()

@@ -29,7 +29,7 @@ from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import reference_U
+from labcal.gui.viewmodels.lab_now import hands_after_run, reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.named_serials import NamedSerials
@@ -174,8 +174,11 @@ class AppState(QObject):
             self.off.look_again()
 
     def _to_be_read(self) -> tuple[str, ...]:
-        """Who is wrong; after COILS OFF in a run, until the next one, whoever tells that it is still so."""
-        return lab_heard.wrong(self.known, self.facts) or (self.off.tellers() if self.run.by_off else ())
+        """Who is wrong; after COILS OFF in a run, or where that sends hands to a plug, who tells how the lab is, too."""
+        run = self.run
+        lost = run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
+        tell = self.off.tellers() if run.by_off or lost else ()
+        return tuple(dict.fromkeys((*lab_heard.wrong(self.known, self.facts), *tell)))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""
@@ -321,6 +324,12 @@ class AppState(QObject):
         instruments = {} if self.facts is None else self.facts.instruments
         motor = any(one.role == "platform" and not one.link.startswith("manual://") for one in instruments.values())
         return self.lab.state.now.platform_words or (state.MAY_TURN if motor else "")
+
+    def hands(self) -> tuple[str, str]:
+        """Whether hands may go near now, in words, and the state that goes with it; of a simulated bench by its coils."""
+        now = self.lab.state.now
+        emulated = self.facts is not None and self.facts.virtual_time and not now.driven
+        return hands_after_run(replace(now, platform_words="", platform_old_s=None) if emulated else now)
 
     @property
     def known(self) -> state.LabState | None:

@@ -25,6 +25,7 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "absent": ("○", "", "not asked"),
 }
 SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
+WATCHED_S = 15  # what is read again and again while no run goes on is no older, also where somebody silent is waited for
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
 TEXTS = (
@@ -60,6 +61,7 @@ class LabNow:
     in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
     platform_deg: float | None = None  # as it was read last; None where it is not known
+    platform_old_s: int | None = None
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
@@ -104,6 +106,7 @@ def lab_now(
         driven=driven,
         platform_words=lab.platform_sentence(now_s),
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
+        platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
         field_old_s=old_s(lab.field.read_s, now_s),
@@ -168,6 +171,18 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
         return translated("▲ Hands out: the coils are not being read"), "warning"
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+
+
+def hands_after_run(now: LabNow) -> tuple[str, str]:
+    """As `hands_words`, while no run goes on: for who goes to the plug of what was lost. What is watched has its age."""
+    seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
+    zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
+    stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
+    age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
+    if now.driven or not zero or not stands or not 0 < age_s <= WATCHED_S:
+        return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
+    said = in_words(state.AT_ZERO if seen else state.BY_SUPPLIES)
+    return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
 
 
 def off_words(coils: str, platform_words: str) -> str:
