@@ -366,6 +366,21 @@ def test_while_such_a_card_is_up_the_coils_are_read_again_beside_who_is_lost(rea
     assert {"dut", "stage", "supply_x", "supply_y", "supply_z"} <= set(asked.names)
 
 
+def test_contacts_are_not_said_to_answer_because_their_supplies_do(real):
+    def light():
+        return next(one for one in real.app_state.lab.state.now.lights if one[0] == "reversers")
+
+    real.app_state.coils_off()
+    real.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros()))
+    assert light()[1] == "absent"
+    (asked,) = real.app_state.watch_worker.commands(ReadLab)
+    assert "reversers" in asked.names
+    silent = InstrumentRead("reversers", "polarity", "modbus-rtu:///dev/ttyUSB1", "",
+                            Fault("instrument", "reversers: no valid Modbus reply."), False, time.monotonic())  # fmt: skip
+    real.app_state.watch_worker.answer(ReadLab, (silent,))
+    assert light()[1] == "fault"
+
+
 def test_no_other_card_speaks_of_hands(still):
     still.app_state.fault.emit(Fault("input", "This cannot be done."))
     assert not still.fault.hands.isVisibleTo(still.fault)

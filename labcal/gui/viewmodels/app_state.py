@@ -175,10 +175,10 @@ class AppState(QObject):
 
     def _to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; after COILS OFF in a run, or where that sends hands to a plug, who tells how the lab is, too."""
-        run = self.run
-        lost = run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
+        run, wrong = self.run, lab_heard.wrong(self.known, self.facts)
+        lost = bool(wrong) and run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
         tell = self.off.tellers() if run.by_off or lost else ()
-        return tuple(dict.fromkeys((*lab_heard.wrong(self.known, self.facts), *tell)))
+        return tuple(dict.fromkeys((*wrong, *tell)))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""

@@ -88,7 +88,8 @@ class KnownLab:
         """What may be said at `now_s`; `driven`: by a run of this window."""
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
         known = self.as_now(facts, now_s)
-        now = lab_now(known, self._received_s, roles, now_s, driven=driven)
+        by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
+        now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run)
         now = replace(now, in_common=_in_common(known, facts))
         if known is None and driven:
             now = replace(now, coil_words=state.NOT_YET)

@@ -27,7 +27,7 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
 SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
 WATCHED_S = 15  # what is read again and again while no run goes on is no older, also where somebody silent is waited for
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
-WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
+WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "heard before"),
     QT_TRANSLATE_NOOP("Words", "{0} s ago"),
@@ -88,11 +88,17 @@ def shown_name(name: str) -> str:
 
 
 def lab_now(
-    lab: state.LabState | None, received_s: float, roles: Mapping[str, str], now_s: float, *, driven: bool = False
+    lab: state.LabState | None,
+    received_s: float,
+    roles: Mapping[str, str],
+    now_s: float,
+    *,
+    driven: bool = False,
+    contacts_heard: bool = True,
 ) -> LabNow:
     """The state `lab` at `received_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in.
 
-    `driven`: by a run of this window.
+    `driven`: by a run of this window. `contacts_heard`: whoever read the coils heard their contacts, as a run does.
     """
     if lab is None:
         return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
@@ -110,7 +116,7 @@ def lab_now(
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
         field_old_s=old_s(lab.field.read_s, now_s),
-        lights=_lights(lab, received_s, roles, now_s),
+        lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
 
@@ -217,9 +223,11 @@ def old_s(read_s: float | None, now_s: float) -> int | None:
     return int(now_s - read_s) if old and read_s is not None else None
 
 
-def _lights(lab: state.LabState, received_s: float, roles: Mapping[str, str], now_s: float) -> Lights:
+def _lights(
+    lab: state.LabState, received_s: float, roles: Mapping[str, str], now_s: float, *, contacts_heard: bool
+) -> Lights:
     heard = {one.name: one for one in lab.instruments}
-    coils_s = min((c.read_s for c in lab.coils if c.read_s is not None), default=None)
+    coils_s = min((c.read_s for c in lab.coils if c.read_s is not None and contacts_heard), default=None)
     lights = [_light(name, role, heard.get(name), coils_s, now_s) for name, role in roles.items()]
     if lab.guardian is not None:
         one = state.Heard(GUARDIAN, received_s, "" if lab.guardian else translated("lost"))
