@@ -9,6 +9,7 @@ from lab_states import told
 
 from labcal.bench.coils.agreement import NO_AMBIENT
 from labcal.bench.coils.state import AT_ZERO, CoilReading, Heard, LabState, PlatformReading, Witness
+from labcal.bench.links.heard_before import LINE, PLUG
 from labcal.errors import InstrumentError
 from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
@@ -375,10 +376,22 @@ def test_contacts_are_not_said_to_answer_because_their_supplies_do(real):
     assert light()[1] == "absent"
     (asked,) = real.app_state.watch_worker.commands(ReadLab)
     assert "reversers" in asked.names
-    silent = InstrumentRead("reversers", "polarity", "modbus-rtu:///dev/ttyUSB1", "",
-                            Fault("instrument", "reversers: no valid Modbus reply."), False, time.monotonic())  # fmt: skip
+    fault, now = Fault("instrument", "reversers: no valid Modbus reply."), time.monotonic()
+    silent = InstrumentRead("reversers", "polarity", "modbus-rtu:///dev/ttyUSB1", "", fault, False, now)
     real.app_state.watch_worker.answer(ReadLab, (silent,))
     assert light()[1] == "fault"
+
+
+def test_who_was_heard_in_this_window_is_looked_for_at_its_plug_and_not_in_the_file(real):
+    def dut(identity="", fault=None):
+        one = InstrumentRead("dut", "dut", "serial:///dev/ttyUSB0", identity, fault, False, time.monotonic())
+        real.app_state._take_read((one,))
+        return real.app_state.answered["dut"].fault
+
+    silent = Fault("instrument", "dut: no reply in 1 s, nothing came.", f"{LINE} This line is set to 9600 baud, 8N1.")
+    assert dut(fault=silent).remedy == silent.remedy
+    assert dut(identity="CSV lines") is None
+    assert dut(fault=silent).remedy == PLUG
 
 
 def test_no_other_card_speaks_of_hands(still):

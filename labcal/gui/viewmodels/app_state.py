@@ -158,13 +158,13 @@ class AppState(QObject):
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered = {one.name: one for one in said.instruments}
+        self.answered = lab_heard.plug_or_power({one.name: one for one in said.instruments}, self.kept.heard)
         self.named_serials.take(self.answered)
         known, lifted = lab_heard.identified(self.known, said)
         self.take_lab(known, lifted=lifted)
 
     def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
-        self.answered |= lab_heard.answers(said)
+        self.answered |= lab_heard.plug_or_power(lab_heard.answers(said), self.kept.heard)
         self.named_serials.take(self.answered)
         known = lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
@@ -174,7 +174,7 @@ class AppState(QObject):
             self.off.look_again()
 
     def _to_be_read(self) -> tuple[str, ...]:
-        """Who is wrong; after COILS OFF in a run, or where that sends hands to a plug, who tells how the lab is, too."""
+        """Who is wrong; after COILS OFF in a run, or where it sends hands to a plug, who tells how the lab is, too."""
         run, wrong = self.run, lab_heard.wrong(self.known, self.facts)
         lost = bool(wrong) and run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
         tell = self.off.tellers() if run.by_off or lost else ()
@@ -326,7 +326,7 @@ class AppState(QObject):
         return self.lab.state.now.platform_words or (state.MAY_TURN if motor else "")
 
     def hands(self) -> tuple[str, str]:
-        """Whether hands may go near now, in words, and the state that goes with it; of a simulated bench by its coils."""
+        """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
         now = self.lab.state.now
         emulated = self.facts is not None and self.facts.virtual_time and not now.driven
         return hands_after_run(replace(now, platform_words="", platform_old_s=None) if emulated else now)

@@ -164,9 +164,9 @@ class CoilsOff(QObject):
         late = self._off_s is not None and time.monotonic() - self._off_s > STOPS_S
         if turns and late and not self._window.run.alive and self.turning is None and self.unconfirmed is None:
             why = "" if known is None or known.platform is None else known.platform.fault.replace(NOT_YET, "")
-            text = in_words(why) or self.tr("Nobody has seen it stand since COILS OFF; another program may keep its line.")
+            unseen = self.tr("Nobody has seen it stand since COILS OFF; another program may keep its line.")
             remedy = self.tr("Hands out until you see it stand. Then press COILS OFF (F12) again.")
-            self.turning = Fault("platform", text, remedy)
+            self.turning = Fault("platform", in_words(why) or unseen, remedy)
             self._window.fault.emit(self.turning)
 
     def forget(self) -> None:

@@ -29,10 +29,12 @@ class KnownLab:
         self.asked = False  # another worker was asked to switch the coils off, and has not answered
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
+        self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
     def take(self, known: state.LabState, now_s: float) -> None:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
+        self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
         if known.reference.verdict == "agrees" or mounted_anew(known):
             self._agreed = None if mounted_anew(known) else known
 

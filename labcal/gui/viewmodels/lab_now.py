@@ -25,7 +25,7 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "absent": ("○", "", "not asked"),
 }
 SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
-WATCHED_S = 15  # what is read again and again while no run goes on is no older, also where somebody silent is waited for
+WATCHED_S = 15  # what is read on while no run goes on is no older, also where somebody silent is waited for
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
@@ -180,7 +180,7 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
 
 
 def hands_after_run(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, while no run goes on: for who goes to the plug of what was lost. What is watched has its age."""
+    """As `hands_words`, while no run goes on: for who goes to the plug of what was lost. What was read has its age."""
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
