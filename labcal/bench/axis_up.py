@@ -2,9 +2,9 @@
 
 In a turn through a steady field a reading changes across the axis of the turn and not along it, whatever zero and
 sensitivities the DUT has: the direction in which its readings scatter least is that axis. An arc lies in the plane of
-its circle, so that 60° of a turn tell it as well, if more clearly: seen from above, an arc of 60° is 0.13 times as high as
-it is wide (standard deviations; θ²/8 · 0.30 beside θ · 0.29), so readings that are thinner than a twentieth see it from
-its edge, and no spike or step that came along the axis makes them so.
+its circle, so that 60° of a turn tell it as well. Seen from above such an arc is 0.13 times as high as it is wide
+(standard deviations: θ²/8 · 0.30 beside θ · 0.29): readings that are thinner than a twentieth see their plane from its
+edge, and no spike or step that came along the axis meanwhile makes them so.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FEWEST = 20  # samples of a turn that says anything
 LEAST_TURN_DEG = 180.0
 FLAT = 0.3  # of the scatter across: a turn whose readings leave their plane by more tells no axis
 EARLIEST_DEG, FARTHEST_EARLY_DEG = 60.0, 60.0  # sensitivities that bend an axis so far differ sevenfold
-THIN, CLEAR = 0.05, 20.0  # of the scatter across the arc; of the noise
+THIN = 0.05  # of the scatter across the arc
 DEAD = 0.1  # of the noise: what scatters less is a component that repeats itself
 CALM = 0.3  # of that scatter may be the field's own: what comes and goes along the axis leans the plane by 17° at most
 FARTHEST_DEG = 45.0  # nominal sensitivities and a mounting by hand are off by a few degrees
@@ -68,7 +68,7 @@ def turned_about_early(values: Array, noise_nT: float, field_wander_nT: float) -
         return None
     variances, directions = np.linalg.eigh(np.cov(values.T))
     thick, high = np.sqrt(np.maximum(variances[:2], 0.0))
-    clear = DEAD * noise_nT < thick < THIN * high and high > CLEAR * noise_nT and field_wander_nT < CALM * high
+    clear = DEAD * noise_nT < thick < THIN * high and field_wander_nT < CALM * high
     return np.asarray(directions[:, 0]) if clear else None
 
 

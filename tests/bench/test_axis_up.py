@@ -18,7 +18,7 @@ ARCS_DEG = (EARLIEST_DEG, 90.0, 150.0)
 
 
 def arc(rng: np.random.Generator, up: Array, arc_deg: float, tilt_deg: float, soft_iron: float) -> Array:
-    """Readings (n, 3) [nT] of a stretch of a turn about `up`, from any phase on, by a poor sensor at any inclination."""
+    """Readings (n, 3) [nT] of a stretch of a turn about `up`, from any phase on, by a poor sensor in any field."""
     tilted = rotate(np.roll(up, 1), np.radians([tilt_deg]), up)[0]
     tilted = rotate(up, rng.uniform(0, 2 * np.pi, 1), tilted)[0]
     across = np.linalg.svd(tilted[None, :])[2][1]
@@ -82,7 +82,7 @@ def test_another_axis_is_told_wherever_the_stretch_begins(up: Array, arc_deg: fl
 
 
 def test_an_arc_is_higher_than_an_alarm_has_it_thick() -> None:
-    """An arc of `EARLIEST_DEG` seen from above: its smaller scatter over its larger, with a fifth of soft iron to spare."""
+    """Seen from above: its smaller scatter over its larger, with a fifth of soft iron to spare."""
     theta = np.radians(np.linspace(0, EARLIEST_DEG, 1000))
     small, large = np.sqrt(np.linalg.eigvalsh(np.cov(np.cos(theta), np.sin(theta))))
     assert 0.12 < small / large < 0.14
