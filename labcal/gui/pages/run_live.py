@@ -293,10 +293,8 @@ class Live(QWidget):
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
-        goes_on = self.tr(
-            "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. "
-            "Or Close, and begin anew."
-        )
+        next_words = run_verdict(self._run, self._app_state.resumable).next
+        goes_on = self.tr("{0} Or Close, and begin anew.").format(next_words)
         return self.fault.text.setText(goes_on if self._goes_on else kept)
 
     def _where_to_begin_again(self) -> str:
