@@ -73,6 +73,8 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "nothing"),
     QT_TRANSLATE_NOOP("Data", "only {0}"),
     QT_TRANSLATE_NOOP("Data", "Is it switched on, and is the link in bench.toml the right one?"),
+    QT_TRANSLATE_NOOP("Data", "Is it switched on, are address and baud rate right, are A and B not swapped?"),
+    QT_TRANSLATE_NOOP("Data", "another process ({0}) keeps the platform's line and does not stop it"),
     QT_TRANSLATE_NOOP("Data", "It has answered at this link before: is its plug in at both ends, and has it power?"),
     QT_TRANSLATE_NOOP("Data", "{0}: the link was lost ({1})."),
     QT_TRANSLATE_NOOP("Data", "{0}: the link was lost."),

@@ -24,7 +24,7 @@ from labcal.gui.viewmodels.run import RunViewModel
 
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 STANDS_S = 30.0  # and where they are there this long to end: a large platform comes to rest, the reference is asked
-STOPS_S = 6.0  # a platform that no run has is seen to stand by then, where it can be reached
+STOPS_S = 8.0  # a platform that no run has is seen to stand by then, where it can be reached
 READ_AFTER = ("coil-", "reference", "platform", "polarity")  # roles that tell, after a zero, whether hands may go in
 
 
