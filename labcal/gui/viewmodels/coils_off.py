@@ -79,13 +79,14 @@ class CoilsOff(QObject):
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
         self._ordered_s, self._looked = 0.0, False
-        self._off_s: float | None = None  # when it was begun by another worker than a run's; None where never
+        self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
 
     def order(self) -> None:
         """Every coil to zero now. A run that does not get there itself is ended, and switched off."""
         window, self._ordered_s, self._looked = self._window, time.monotonic(), False
+        self._off_s = self._ordered_s
         window.watch.stop()
         window.kept.order(window.now_s())
         if window.run.alive:
@@ -156,8 +157,11 @@ class CoilsOff(QObject):
 
     def look_at_platform(self) -> None:
         """One that nobody has seen to stand since it was stopped is a card of its own, until somebody has."""
-        known, now = self._window.known, self._window.lab.state.now
-        turns = platform_mark(now.platform_words)[1] in ("bad", "warning")
+        known, facts = self._window.known, self._window.facts
+        mark = platform_mark(self._window.lab.state.now.platform_words)[1]
+        turns = mark in ("bad", "warning") and facts is not None and not facts.virtual_time  # emulated: it is no more
+        if self._window.kept.ordered_s is None and (mark == "good" or self._window.run.alive):
+            self._off_s = None
         if self.turning is not None and (not turns or self._window.run.alive or self.unconfirmed is not None):
             over, self.turning = self.turning, None  # a card about the coils says it as well
             self._window.fault_over.emit(over)

@@ -31,8 +31,8 @@ NEXT = {
     ),
     "lost": QT_TRANSLATE_NOOP(
         "Words",
-        "Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that "
-        "broke off are measured again.",
+        "Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step "
+        "that broke off are measured again.",
     ),
     "lost, not begun": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then Go on."),
     "interrupted, no turn": QT_TRANSLATE_NOOP(
