@@ -385,7 +385,8 @@ def test_contacts_are_not_said_to_answer_because_their_supplies_do(real):
 def test_who_was_heard_in_this_window_is_looked_for_at_its_plug_and_not_in_the_file(real):
     def dut(identity="", fault=None):
         one = InstrumentRead("dut", "dut", "serial:///dev/ttyUSB0", identity, fault, False, time.monotonic())
-        real.app_state._take_read((one,))
+        real.app_state.watch.read_again(("dut",))
+        real.app_state.watch_worker.answer(ReadLab, (one,))
         return real.app_state.answered["dut"].fault
 
     silent = Fault("instrument", "dut: no reply in 1 s, nothing came.", f"{LINE} This line is set to 9600 baud, 8N1.")
