@@ -48,6 +48,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: (item.path.name not in LONGEST, place[item.path]))
 
 
+@pytest.fixture(autouse=True)
+def nobody_heard() -> None:
+    """Ports and terminals are given out again: who answered at one in another test has not answered in this."""
+    from labcal.bench.links import heard_before
+
+    heard_before.forget()
+
+
 @pytest.fixture(scope="session")
 def shared() -> Path:
     """The folder of measured data and schemas beside the project; skips where it is absent."""

@@ -263,6 +263,7 @@ class Bench:
         """Stop the platform, see that it stands, and say so; "" of one without a motor."""
         if self.by_hand is not None or not isinstance(self.platform, BenchPlatform):
             return ""
+        self.homed = self.homed and not self.platform.may_turn  # one that was stopped looks for its zero again
         self._stands = self.platform.brought_to_rest(self.clock)
         if self._stands.read_s is not None:
             self._heard_s[self.platform.name] = self._stands.read_s

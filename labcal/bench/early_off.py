@@ -85,7 +85,8 @@ def reported(file: Path, ended: list[AtZero]) -> int:
         aloud(f"! {why}. Reported above is {NAMED}.")
     print(one_line(left_so(file, ended)), flush=True)
     if file in _stage and (platform := _stage.pop(file).ended()) is not None:
-        aloud(platform.sentence(time.monotonic()))
+        why = f" ({platform.fault})" if platform.fault else ""
+        aloud(platform.sentence(time.monotonic()) + why)
     return INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE
 
 

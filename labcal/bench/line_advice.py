@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from labcal.bench.config import InstrumentConfig
+from labcal.bench.links.heard_before import PLUG
 from labcal.bench.links.urls import SERIAL, split
 from labcal.errors import InputError, InstrumentError
 
@@ -23,7 +24,9 @@ PLAIN = {"bytesize": "8", "parity": "N", "stopbits": "1", "rtscts": "0", "xonxof
 
 def advised(fault: InstrumentError, entry: InstrumentConfig) -> InstrumentError:
     """The same fault, with how its line is set and how it should be where that may be what is wrong."""
-    if fault.fault not in LOOKS_WRONG or not (words := advice(entry.driver, entry.link, fault.what)):
+    if fault.fault not in LOOKS_WRONG or fault.remedy == PLUG:
+        return fault
+    if not (words := advice(entry.driver, entry.link, fault.what)):
         return fault
     return InstrumentError(fault.what, fault=fault.fault, remedy=f"{fault.remedy} {words}".strip())
 

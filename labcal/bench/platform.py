@@ -74,6 +74,11 @@ class BenchPlatform:
         self._may_turn = moving
         return self._sign * angle, moving
 
+    @property
+    def may_turn(self) -> bool:
+        """Whether it was sent somewhere, and has not said since that it stands."""
+        return self._may_turn
+
     def make_safe(self) -> None:
         """Stop."""
         self._stage.make_safe()

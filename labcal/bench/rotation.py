@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from labcal.bench.axis_up import refuse_another_axis
+from labcal.bench.axis_up import WrongAxis, refuse_another_axis, refuse_another_axis_early
 from labcal.bench.bench import Bench
 from labcal.bench.coverage import SECTOR_DEG, gaps, in_words, missing_sectors, unseen
 from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
@@ -98,12 +98,22 @@ def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
 
 
 def _by_motor(bench: Bench, rotation: Rotation) -> Work[Blocks]:
-    if not rotation.step_deg:
-        return (yield from turn(bench, rotation.to_deg, rotation.rate_deg_per_s))
+    """A turn about another axis is stopped as soon as that is plain."""
     kept: Blocks = []
-    for angle in stops(bench.platform.angle_deg(), rotation.to_deg, rotation.step_deg):
-        kept += yield from turn(bench, angle, rotation.rate_deg_per_s)
-        kept += yield from record(bench, rotation.dwell_s)
+
+    def look(blocks: Blocks) -> None:
+        refuse_another_axis_early(bench, rotation.name, rotation.axis_body, [*kept, *blocks])
+
+    ends = [rotation.to_deg]
+    if rotation.step_deg:
+        ends = stops(bench.platform.angle_deg(), rotation.to_deg, rotation.step_deg)
+    try:
+        for angle in ends:
+            kept += yield from turn(bench, angle, rotation.rate_deg_per_s, look)
+            kept += yield from record(bench, rotation.dwell_s if rotation.step_deg else 0.0)
+    except WrongAxis:
+        bench.stop_platform()
+        raise
     return kept
 
 
@@ -123,6 +133,7 @@ def _by_hand(bench: Bench, rotation: Rotation) -> Work[Blocks]:
         for angle in wanted:
             yield from turn_by_hand(bench, angle)
             kept += yield from record(bench, rotation.dwell_s)
+            refuse_another_axis_early(bench, rotation.name, rotation.axis_body, kept)
         wanted = [float(a) + SECTOR_DEG / 2 for a in missing_sectors(kept)]
         if not wanted:
             return kept

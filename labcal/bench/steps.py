@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, TypeVar
 
 import numpy as np
@@ -18,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.coils.state import LabState
 from labcal.bench.streams.samples import Samples, samples
-from labcal.errors import InputError, InstrumentError
+from labcal.errors import InputError, InstrumentError, LimitNotMet
 from labcal.record.run import Segment
 from labcal.record.stream import (
     BY,
@@ -84,24 +85,37 @@ class Resume:
     times: int = 1
 
 
-def record(bench: Bench, seconds: float, *, from_s: float | None = None) -> Work[Blocks]:
+def record(
+    bench: Bench, seconds: float, *, from_s: float | None = None, look: Callable[[Blocks], None] | None = None
+) -> Work[Blocks]:
     """Hand on what the streams send for `seconds`; return what is stamped from now, or from `from_s` on.
 
-    The frames as they came over the wire are for the record alone: what is returned goes without.
+    The frames as they came over the wire are for the record alone: what is returned goes without. `look`, at each tick,
+    at what came until then; what it raises ends it.
     """
     kept: Blocks = []
-    yield from listen(bench, seconds, lambda block: kept.append(replace(block, raw=b"")), from_s=from_s)
+    then = None if look is None else partial(look, kept)
+    yield from listen(bench, seconds, lambda block: kept.append(replace(block, raw=b"")), from_s=from_s, then=then)
     return kept
 
 
-def listen(bench: Bench, seconds: float, see: Callable[[Block], None], *, from_s: float | None = None) -> Work[None]:
-    """As `record`, for hours: what comes is shown to `see` and not kept."""
+def listen(
+    bench: Bench,
+    seconds: float,
+    see: Callable[[Block], None],
+    *,
+    from_s: float | None = None,
+    then: Callable[[], None] | None = None,
+) -> Work[None]:
+    """As `record`, for hours: what comes is shown to `see` and not kept; `then`, once it is in the record."""
     begun, tick_s = bench.clock.now(), VIRTUAL_TICK_S if np.isinf(bench.clock.listen_s) else TICK_S
     while (now := bench.clock.now()) < begun + seconds:
         blocks = bench.stream_until(min(now + tick_s, begun + seconds))
         for block in blocks:
             see(since(begun if from_s is None else from_s, block))
         yield from blocks
+        if then is not None:
+            then()
 
 
 def since(start_s: float, block: Block) -> Block:
@@ -110,8 +124,10 @@ def since(start_s: float, block: Block) -> Block:
     return block if rows.all() else replace(block, t_s=block.t_s[rows], values=block.values[rows])
 
 
-def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
-    """Turn the platform to `to_deg` while the streams are handed on; return what they sent."""
+def turn(
+    bench: Bench, to_deg: float, rate_deg_per_s: float, look: Callable[[Blocks], None] | None = None
+) -> Work[Blocks]:
+    """Turn the platform to `to_deg` while the streams are handed on; return what they sent. `look`: as `record`."""
     limit = bench.config.dut.limits.rate_deg_per_s
     if limit is not None and rate_deg_per_s > limit:
         raise InputError(f"{rate_deg_per_s:g} deg/s is beyond the DUT's limit of {limit:g} deg/s; nothing was moved.")
@@ -119,7 +135,7 @@ def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
         yield from hands_off(bench, f"The platform turns to {to_deg:g}°.")
     seconds = abs(to_deg - bench.platform.angle_deg()) / rate_deg_per_s
     bench.platform.move_to(to_deg, rate_deg_per_s)
-    kept = yield from record(bench, seconds)
+    kept = yield from record(bench, seconds, look=look)
     while bench.platform.moving():
         kept += yield from record(bench, TICK_S)
     return kept
@@ -145,6 +161,8 @@ def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
         return
     if not bench.homed:
         yield from hands_off(bench, f"The platform looks for its zero and turns to {angle_deg:g}°.")
+    elif abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:  # to find its zero it turns as well
+        yield from hands_off(bench, f"The platform turns to {angle_deg:g}°.")
     bench.platform.home()
     bench.homed = True
     while bench.platform.moving():
@@ -159,7 +177,7 @@ def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
     yield SegmentOpened(bench.clock.now(), segment)
     try:
         result = yield from work
-    except InstrumentError:
+    except (InstrumentError, LimitNotMet):
         yield SegmentClosed(bench.clock.now())
         raise
     yield SegmentClosed(bench.clock.now())

@@ -93,7 +93,7 @@ class Window(Frame):
         self.prebuild_timer.timeout.connect(self.prebuild)
         self.imports = Thread(target=import_pages, daemon=True, name="imports")
         self._before_wall: QSize | None = None
-        self.fault = FaultCard()
+        self.fault = FaultCard(hands=app_state.hands)
         self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
         self.scan_card = ScanCard(app_state.scan_vm)
         self.scan_card.setContentsMargins(0, 2 * GRID, 0, 0)

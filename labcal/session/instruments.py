@@ -10,7 +10,7 @@ from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.coils.state import PlatformReading
 from labcal.bench.identify import Identified, identify_all
-from labcal.bench.stage_off import NOT_YET, StageStop
+from labcal.bench.stage_off import StageStop
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
@@ -89,11 +89,13 @@ def coils_off(bench: Path) -> list[AtZero]:
 
 
 def coils_off_and_stopped(bench: Path) -> tuple[list[AtZero], PlatformReading | None]:
-    """As `coils_off`; and a platform that no run has any more is stopped meanwhile. None where it turns still."""
+    """As `coils_off`; and a platform that no run has any more is stopped meanwhile. None where that has no motor.
+
+    Where it was not seen to stand soon after the coils were down, its reading has a fault that says so.
+    """
     stage = StageStop(bench)
     try:
         ended = shutdown.coils_off(bench, stage.meanwhile, stage.begin)
     finally:
         stage.begin()  # whatever became of the coils
-    platform = stage.ended(STANDS_S)
-    return ended, None if platform is None or platform.fault == NOT_YET else platform
+    return ended, stage.ended(STANDS_S)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from other_users import common_folder, group_folder
-from served_lab import Served, Sessions, example
+from served_lab import Served, Sessions, end_guardians, example
 
 
 @pytest.fixture
@@ -21,6 +21,7 @@ def lab(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, bench_text: str) -> Ite
     """A bench on real lines."""
     served = Served(tmp_path, monkeypatch, bench_text)
     yield served
+    end_guardians(served)
     served.close()
 
 

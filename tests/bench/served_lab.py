@@ -244,6 +244,15 @@ def all_gone(bench: Path) -> None:
             os.kill(pid, signal.SIGKILL)
 
 
+def end_guardians(lab: Served) -> None:
+    """Where supplies stay dead their guardians would try for ever, long after the test."""
+    while left := of_bench(lab.file):
+        for pid in left:
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        time.sleep(0.05)
+
+
 def of_bench(bench: Path) -> list[int]:
     """The guardians of this bench file, with those that stand by."""
     found = list[int]()

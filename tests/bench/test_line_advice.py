@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import socket
 import sys
 from contextlib import suppress
 from importlib.metadata import entry_points
@@ -11,8 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from labcal.bench.clock import RealClock
 from labcal.bench.config import InstrumentConfig
 from labcal.bench.line_advice import USUAL, advice, advised
+from labcal.bench.links import Link, open_link
+from labcal.bench.links.heard_before import LINE, PLUG
 from labcal.cli import execute
 from labcal.errors import InstrumentError
 
@@ -89,3 +93,26 @@ def test_bench_check_says_it(
     for end in (nobody, line):
         with suppress(OSError):
             os.close(end)
+
+
+def test_who_has_answered_there_before_is_looked_for_at_its_plug_and_not_in_the_file() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        url = f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        link = open_link(url, RealClock())
+        other, _ = server.accept()
+        with other:
+            assert silence(link).remedy == LINE
+            other.sendall(b"here\n")
+            assert link.ask(b"?\n", end=b"\n", timeout_s=20.0) == b"here\n"
+            lost = silence(link)
+        link.close()
+    assert lost.remedy == PLUG
+    entry = InstrumentConfig(driver="zaber", link=f"{DEV}?baud=9600", role="platform")
+    assert advised(lost, entry) is lost, "how the line is set was right before"
+
+
+def silence(link: Link) -> InstrumentError:
+    with pytest.raises(InstrumentError) as caught:
+        link.ask(b"?\n", end=b"\n", timeout_s=0.05)
+    assert caught.value.fault == "silent"
+    return caught.value

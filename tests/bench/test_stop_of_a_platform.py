@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 import threading
@@ -10,7 +11,7 @@ from contextlib import closing, suppress
 from typing import Any
 
 import pytest
-from served_lab import LABCAL, LONG_S, Served, at_zero, example, until
+from served_lab import LABCAL, LONG_S, Served, at_zero, example, three_on_one_pair, until
 
 from labcal import session as labcal_session
 from labcal.bench import open_bench
@@ -27,6 +28,11 @@ def bench_text() -> str:
     return example(WAITED_FOR_S)
 
 
+AFTER_ZERO_S = 15.0  # the guardian lets go of the line once the coils are at zero
+ON_THE_SAME_PAIR = three_on_one_pair().replace(
+    'driver = "zaber"\nlink = "emulated://"\nrole = "platform"',
+    'driver = "oriental-az"\nlink = "emulated://pair"\nrole = "platform"\nsettings = { address = 4 }',
+)
 TURNS = """
 import sys, time
 from pathlib import Path
@@ -106,3 +112,34 @@ def test_by_labcal_bench_off(lab: Served) -> None:
     said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
     assert not turning(lab)
     assert "platform stands at " in said.stderr
+
+
+@pytest.mark.parametrize("bench_text", [ON_THE_SAME_PAIR], ids=["one pair"])
+@pytest.mark.parametrize("energised", [True, False], ids=["driven", "dark"])
+def test_on_the_line_of_the_supplies_it_is_stopped_once_the_coils_are_at_zero(lab: Served, energised: bool) -> None:
+    moves = TURNS.replace("bench.platform.move_to", "bench.cage.set_currents([0.3, 0.2, 0.2])\nbench.platform.move_to")
+    with subprocess.Popen(
+        [sys.executable, "-c", moves if energised else TURNS, str(lab.file)], stdout=subprocess.PIPE, text=True
+    ) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "turns\n"
+        until(lambda: turning(lab))
+        child.kill()
+    read = list[Any]()
+    took = stopped_after(lab, lambda: read.append(labcal_session.coils_off_and_stopped(lab.file)))
+    assert took < AFTER_ZERO_S
+    assert at_zero(lab)
+    assert not any(end.fault for end in read[0][0])
+
+
+def test_of_a_run_that_hangs_and_keeps_the_line_it_is_said(lab: Served) -> None:
+    with subprocess.Popen([sys.executable, "-c", TURNS, str(lab.file)], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "turns\n"
+        until(lambda: turning(lab))
+        child.send_signal(signal.SIGSTOP)
+        said = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, timeout=LONG_S)
+        assert turning(lab)
+        kept = f"platform NOT confirmed at a standstill (another process ({child.pid}) keeps the platform's line"
+        assert kept in said.stderr
+        child.kill()

@@ -101,7 +101,7 @@ def test_stop_ends_the_run_in_order(qtbot, window):
     qtbot.mouseClick(page.live.stop, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
     assert window.app_state.run.status == "interrupted"
-    assert "Finished turns are kept" in page.live.fault.text.text()
+    assert "No turn was finished: Go on begins with the first step again" in page.live.fault.text.text()
     qtbot.waitUntil(at_zero, timeout=LONG_MS)
 
 

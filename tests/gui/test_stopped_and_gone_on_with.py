@@ -15,6 +15,7 @@ from labcal.record.stream import FAULT, Measurement, Prompt, Step
 from labcal.runner.control import Left
 
 FIRST = Step(0.0, 1, 2, "x+20uT-nominal", 60.0, ("x+20uT-nominal", "closing"))
+SECOND = Step(70.0, 2, 2, "closing", 60.0)
 STOPPED = Fault("stopped", "stopped by the operator")
 
 
@@ -47,7 +48,9 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "■ STOPPED"
-    assert verdict.next.endswith("the timing again, then what is missing.")
+    assert verdict.next.startswith("No turn was finished: Go on begins with the first step again")
+    running.app_state.run.step = SECOND
+    assert run_verdict(running.app_state.run).next.endswith("the timing again, then what is missing.")
 
 
 def test_it_is_gone_on_with_where_it_was_stopped_by_the_one_blue_button(running, qtbot):
@@ -94,7 +97,9 @@ def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gon
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
     verdict = run_verdict(running.app_state.run)
     assert verdict.word == "▲ INTERRUPTED"
-    assert verdict.next.endswith("Mend what is said above, then Go on.")
+    assert verdict.next.startswith("Mend what is said above, then Go on: no turn was finished")
+    running.app_state.run.step = SECOND
+    assert "finished turns are kept" in run_verdict(running.app_state.run).next
     assert running.page("Run").live.fault.text.text() == "stage: the link was lost."
 
 

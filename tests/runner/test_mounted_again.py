@@ -21,7 +21,17 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.mounting import attitude
 from labcal.errors import LimitNotMet
 from labcal.geometry import rotate
-from labcal.record.stream import NOT_USED, Event, Item, Measurement, Prompt, Step
+from labcal.record.stream import (
+    NOT_USED,
+    Block,
+    Event,
+    Item,
+    Measurement,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
 from labcal.runner import Outcome, find, resume_run, run_procedure
 from labcal.store import Store
 
@@ -143,6 +153,18 @@ def test_rotate_axis_does_not_pass_about_another_axis(bench_file: BenchFile) -> 
         given = {"zero_s": "2", "rate_deg_per_s": "20"}
         ended = run_procedure(lab, find("rotate-axis"), given, store=store, answer=hands.answer, run_id="R")
     assert ended.status.startswith("failed: z+50uT: body Y is up, not Z.")
+    assert 60.0 <= turned_deg("z+50uT") < 180.0
+
+
+def turned_deg(segment: str) -> float:
+    """How far the platform had turned in it when it was stopped [deg]."""
+    with Store.open() as store:
+        items = list(store.items("R"))
+    opened = next(i.t_s for i in items if isinstance(i, SegmentOpened) and i.segment.id == segment)
+    closed = next(i.t_s for i in items if isinstance(i, SegmentClosed) and i.t_s > opened)
+    angles = [b for b in items if isinstance(b, Block) and b.stream == "angle"]
+    inside = [v for b in angles for t, v in zip(b.t_s, b.values[:, 0], strict=True) if opened <= t <= closed]
+    return float(np.ptp(inside))
 
 
 @pytest.mark.parametrize(("tilt_deg", "wrong"), [(0.0, False), (8.0, False), (40.0, False), (60.0, True)])

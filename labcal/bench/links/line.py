@@ -6,6 +6,7 @@ from typing import Protocol
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.deny import DenyList
+from labcal.bench.links.heard_before import LINE, heard, remedy
 from labcal.bench.links.quoting import SHOWN, quoted
 from labcal.errors import InstrumentError
 
@@ -75,11 +76,12 @@ def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: fl
             raise InstrumentError(
                 f"{link.url}: no reply in {timeout_s:g} s, {f'only {quoted(reply)}' if reply else 'nothing'} came.",
                 fault="silent",
-                remedy="Is it switched on, and is the link in bench.toml the right one?",
+                remedy=remedy(LINE, link.url),
             )
         looked = clock.now() >= deadline  # once more: it may have come while this computer did not look
         for came_s, piece in link.receive(min(deadline, clock.now() + ASK_STEP_S)):
             stamp, reply = came_s, reply + piece
+    heard(link.url)
     if reply[length:]:
         link.give_back(stamp, reply[length:])
     return reply[:length]

@@ -14,6 +14,7 @@ from pymodbus.pdu.bit_message import WriteSingleCoilRequest
 from pymodbus.transport import CommParams, CommType
 
 from labcal.bench.clock import Clock
+from labcal.bench.links.heard_before import MODBUS, heard, remedy
 from labcal.bench.links.line import LONGEST, Link, babbles, wait_for_quiet
 from labcal.bench.links.urls import split
 from labcal.errors import WHAT_TO_DO, InstrumentError
@@ -124,9 +125,10 @@ class ModbusLink:
             raise InstrumentError(
                 f"{self._called(device)}: no valid Modbus reply.",
                 fault="silent",
-                remedy="Is it switched on, are address and baud rate right, are A and B not swapped?",
+                remedy=remedy(MODBUS, self.url, device),
             ) from error
         self._owed_s.clear()
+        heard(self.url, device)
         if reply.isError():
             raise InstrumentError(
                 f"{self._called(device)}: the device refused with Modbus exception {reply.exception_code}"

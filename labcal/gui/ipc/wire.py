@@ -62,7 +62,8 @@ class Fault:
     """What went wrong, for a card.
 
     `kind` is input, standard (check standard out of control), instrument, record (which is not kept), guardian, clock,
-    coils (that may be on), limit, stopped, left (by whoever ran it), page, crash or ended (its process).
+    coils (that may be on), platform (that may turn), limit, stopped, left (by whoever ran it), page, crash or ended
+    (its process).
     """
 
     kind: str

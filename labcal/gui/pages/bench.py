@@ -48,7 +48,7 @@ class BenchPage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
-        self.fault = FaultCard()
+        self.fault = FaultCard(hands=app_state.hands)
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
         self.faces, self.editor = QStackedWidget(), BenchEditor(app_state, theme)

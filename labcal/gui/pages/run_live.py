@@ -131,7 +131,8 @@ class Live(QWidget):
         return Flow(self.pause, self.stop, self.close_run, self.go_on, self.fit)
 
     def _middle(self) -> QWidget:
-        self.prompt, self.fault = PromptCard(self._theme), FaultCard(closable=False)
+        self.prompt = PromptCard(self._theme)
+        self.fault = FaultCard(closable=False, hands=self._app_state.hands)
         self.prompt.answered.connect(self._answer)
         self._app_state.bench_changed.connect(self._take_camera)
         self._take_camera()
@@ -292,10 +293,8 @@ class Live(QWidget):
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
-        goes_on = self.tr(
-            "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. "
-            "Or Close, and begin anew."
-        )
+        next_words = run_verdict(self._run, self._app_state.resumable).next
+        goes_on = self.tr("{0} Or Close, and begin anew.").format(next_words)
         return self.fault.text.setText(goes_on if self._goes_on else kept)
 
     def _where_to_begin_again(self) -> str:

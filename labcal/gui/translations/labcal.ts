@@ -608,6 +608,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No answer yet from: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1407,6 +1415,18 @@
     </message>
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is it switched on, are address and baud rate right, are A and B not swapped?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another process ({0}) keeps the platform&apos;s line and does not stop it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has answered at this link before: is its plug in at both ends, and has it power?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5144,6 +5164,10 @@
 <context>
     <name>FaultCard</name>
     <message>
+        <source>Whether hands may go in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5659,10 +5683,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5717,6 +5737,10 @@
     <message>
         <source>Pausing
 after this step …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Or Close, and begin anew.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7293,6 +7317,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the platform may still turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✕ A limit is not met</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8105,10 +8133,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8126,6 +8150,22 @@ after this step …</source>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No turn was finished: Go on begins with the first step again, and uses nothing of what was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

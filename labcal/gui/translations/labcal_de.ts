@@ -608,6 +608,14 @@
         <translation>Spulen aus: werden zurückgelesen …</translation>
     </message>
     <message>
+        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
+        <translation>Seit SPULEN AUS hat ihn niemand stehen sehen; vielleicht behält ein anderes Programm seine Leitung.</translation>
+    </message>
+    <message>
+        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
+        <translation>Hände heraus, bis Sie ihn stehen sehen. Dann noch einmal SPULEN AUS (F12).</translation>
+    </message>
+    <message>
         <source>No answer yet from: {0}</source>
         <translation>Noch keine Antwort von: {0}</translation>
     </message>
@@ -1408,6 +1416,18 @@
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation>Auf diesem Messplatz beginnt keine Prozedur: das Prüfnormal noch einmal messen, oder eine Person dafür einstehen lassen.</translation>
+    </message>
+    <message>
+        <source>Is it switched on, are address and baud rate right, are A and B not swapped?</source>
+        <translation>Ist es eingeschaltet, stimmen Adresse und Baudrate, sind A und B nicht vertauscht?</translation>
+    </message>
+    <message>
+        <source>another process ({0}) keeps the platform&apos;s line and does not stop it</source>
+        <translation>ein anderer Prozess ({0}) behält die Leitung des Tisches und hält ihn nicht an</translation>
+    </message>
+    <message>
+        <source>It has answered at this link before: is its plug in at both ends, and has it power?</source>
+        <translation>Es hat an dieser Verbindung schon geantwortet: Steckt sein Stecker an beiden Enden, und hat es Strom?</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -5144,6 +5164,10 @@
 <context>
     <name>FaultCard</name>
     <message>
+        <source>Whether hands may go in</source>
+        <translation>Ob Hände hinein dürfen</translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
     </message>
@@ -5687,10 +5711,6 @@
         <translation>Wie viel der Drehung dieser Abschnitt gesehen hat, in Sektoren von 15°</translation>
     </message>
     <message>
-        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
-        <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt. Oder Ablegen und neu beginnen.</translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation>Hier ist das „Weiter“: Was fertig ist, bleibt.</translation>
     </message>
@@ -5719,6 +5739,10 @@ diesem Schritt …</translation>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
+    </message>
+    <message>
+        <source>{0} Or Close, and begin anew.</source>
+        <translation>{0} Oder Schließen und neu beginnen.</translation>
     </message>
     <message>
         <source>{0} % of the circle</source>
@@ -7294,6 +7318,10 @@ diesem Schritt …</translation>
         <translation>✕ Die Uhr wurde zurückgestellt</translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the platform may still turn</source>
+        <translation>✕ HÄNDE WEG: Der Tisch kann noch drehen</translation>
+    </message>
+    <message>
         <source>✕ A limit is not met</source>
         <translation>✕ Eine Grenze ist nicht eingehalten</translation>
     </message>
@@ -8106,10 +8134,6 @@ diesem Schritt …</translation>
         <translation>Fertige Drehungen bleiben; Weiter misst Null, Achsen und Zeiten noch einmal, dann was fehlt.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>
-        <translation>Nichts Gemessenes ist verloren. Oben Genanntes beheben, dann Weiter.</translation>
-    </message>
-    <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
     </message>
@@ -8128,6 +8152,22 @@ diesem Schritt …</translation>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Anpassen und den Rest erklären. Dann noch offen? Länger messen oder mit weniger Rauschen.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
+        <translation>Beheben Sie, was oben steht, dann Weiter: Fertige Drehungen bleiben; Null, Achsen, Zeiten und der abgebrochene Schritt werden noch einmal gemessen.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on.</source>
+        <translation>Beheben Sie, was oben steht, dann Weiter.</translation>
+    </message>
+    <message>
+        <source>No turn was finished: Go on begins with the first step again, and uses nothing of what was measured.</source>
+        <translation>Keine Drehung ist fertig: Weiter beginnt wieder mit dem ersten Schritt und nutzt nichts von dem, was gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
+        <translation>Beheben Sie, was oben steht, dann Weiter: Keine Drehung ist fertig, darum beginnt es wieder mit dem ersten Schritt und nutzt nichts von dem, was gemessen wurde.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>

@@ -608,6 +608,14 @@
         <translation>Bobines à zéro : relecture …</translation>
     </message>
     <message>
+        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
+        <translation>Personne ne l’a vue arrêtée depuis BOBINES À ZÉRO ; un autre programme garde peut-être sa ligne.</translation>
+    </message>
+    <message>
+        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
+        <translation>Mains dehors jusqu’à ce que vous la voyiez arrêtée. Puis de nouveau BOBINES À ZÉRO (F12).</translation>
+    </message>
+    <message>
         <source>No answer yet from: {0}</source>
         <translation>Pas encore de réponse de : {0}</translation>
     </message>
@@ -1408,6 +1416,18 @@
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation>Aucune procédure ne commence sur ce banc : mesurer de nouveau l’étalon de contrôle, ou laisser une personne en répondre.</translation>
+    </message>
+    <message>
+        <source>Is it switched on, are address and baud rate right, are A and B not swapped?</source>
+        <translation>Est-il allumé, l’adresse et le débit sont-ils justes, A et B ne sont-ils pas inversés ?</translation>
+    </message>
+    <message>
+        <source>another process ({0}) keeps the platform&apos;s line and does not stop it</source>
+        <translation>un autre processus ({0}) garde la ligne de la plate-forme et ne l’arrête pas</translation>
+    </message>
+    <message>
+        <source>It has answered at this link before: is its plug in at both ends, and has it power?</source>
+        <translation>Il a déjà répondu sur cette liaison : sa prise tient-elle aux deux bouts, et est-il alimenté ?</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
@@ -5144,6 +5164,10 @@
 <context>
     <name>FaultCard</name>
     <message>
+        <source>Whether hands may go in</source>
+        <translation>Si les mains peuvent entrer</translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation>Détails</translation>
     </message>
@@ -5687,10 +5711,6 @@
         <translation>Part du tour vue par ce segment, en secteurs de 15°</translation>
     </message>
     <message>
-        <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing. Or Close, and begin anew.</source>
-        <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque. Ou Fermer, et recommencer.</translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation>Ici, c&apos;est « Continuer » : ce qui est terminé est gardé.</translation>
     </message>
@@ -5719,6 +5739,10 @@ cette étape …</translation>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>{0} Or Close, and begin anew.</source>
+        <translation>{0} Ou Fermer, et recommencer.</translation>
     </message>
     <message>
         <source>{0} % of the circle</source>
@@ -7294,6 +7318,10 @@ cette étape …</translation>
         <translation>✕ L&apos;horloge a été retardée</translation>
     </message>
     <message>
+        <source>✕ HANDS OFF: the platform may still turn</source>
+        <translation>✕ MAINS LOIN : la plate-forme peut encore tourner</translation>
+    </message>
+    <message>
         <source>✕ A limit is not met</source>
         <translation>✕ Une limite n&apos;est pas tenue</translation>
     </message>
@@ -8106,10 +8134,6 @@ cette étape …</translation>
         <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is lost. Mend what is said above, then Go on.</source>
-        <translation>Rien de mesuré n&apos;est perdu. Réparez ce qui est dit plus haut, puis Continuer.</translation>
-    </message>
-    <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
@@ -8128,6 +8152,22 @@ cette étape …</translation>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Ajustez, puis expliquez le résidu. Toujours indécis ? Mesurez plus longtemps, ou avec moins de bruit.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer : les rotations terminées sont gardées ; le zéro, les axes, les temps et l’étape interrompue sont mesurés encore.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on.</source>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer.</translation>
+    </message>
+    <message>
+        <source>No turn was finished: Go on begins with the first step again, and uses nothing of what was measured.</source>
+        <translation>Aucune rotation n’est terminée : Continuer reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>

@@ -57,6 +57,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "✕ The guardian failed"),
     QT_TRANSLATE_NOOP("Words", "✕ The clock was set back"),
     QT_TRANSLATE_NOOP("Words", "✕ HANDS OFF: the coils may be on"),
+    QT_TRANSLATE_NOOP("Words", "✕ HANDS OFF: the platform may still turn"),
     QT_TRANSLATE_NOOP("Words", "✕ A limit is not met"),
     QT_TRANSLATE_NOOP("Words", "■ Stopped"),
     QT_TRANSLATE_NOOP("Words", "▲ Interrupted"),

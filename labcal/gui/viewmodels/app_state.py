@@ -29,7 +29,7 @@ from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import reference_U
+from labcal.gui.viewmodels.lab_now import hands_after_run, reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.named_serials import NamedSerials
@@ -151,19 +151,20 @@ class AppState(QObject):
 
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
-        self._taken = self.off.unconfirmed = None
+        self._taken = None
+        self.off.forget()
         self.kept = KnownLab()
         self.named_serials.forget()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered = {one.name: one for one in said.instruments}
+        self.answered = lab_heard.plug_or_power({one.name: one for one in said.instruments}, self.kept.heard)
         self.named_serials.take(self.answered)
         known, lifted = lab_heard.identified(self.known, said)
         self.take_lab(known, lifted=lifted)
 
     def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
-        self.answered |= lab_heard.answers(said)
+        self.answered |= lab_heard.plug_or_power(lab_heard.answers(said), self.kept.heard)
         self.named_serials.take(self.answered)
         known = lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
@@ -173,8 +174,11 @@ class AppState(QObject):
             self.off.look_again()
 
     def _to_be_read(self) -> tuple[str, ...]:
-        """Who is wrong; after COILS OFF in a run, until the next one, whoever tells that it is still so."""
-        return lab_heard.wrong(self.known, self.facts) or (self.off.tellers() if self.run.by_off else ())
+        """Who is wrong; after COILS OFF in a run, or where it sends hands to a plug, who tells how the lab is, too."""
+        run, wrong = self.run, lab_heard.wrong(self.known, self.facts)
+        lost = bool(wrong) and run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
+        tell = self.off.tellers() if run.by_off or lost else ()
+        return tuple(dict.fromkeys((*wrong, *tell)))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""
@@ -300,8 +304,8 @@ class AppState(QObject):
         return self.kept.answered()
 
     def says_unconfirmed(self, fault: Fault | None) -> bool:
-        """Whether this card is about coils that are not known to be at zero."""
-        return fault is not None and fault is self.off.unconfirmed
+        """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""
+        return fault is not None and fault in (self.off.unconfirmed, self.off.turning)
 
     def now_s(self) -> float:
         """On the computer's monotonic clock."""
@@ -320,6 +324,12 @@ class AppState(QObject):
         instruments = {} if self.facts is None else self.facts.instruments
         motor = any(one.role == "platform" and not one.link.startswith("manual://") for one in instruments.values())
         return self.lab.state.now.platform_words or (state.MAY_TURN if motor else "")
+
+    def hands(self) -> tuple[str, str]:
+        """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
+        now = self.lab.state.now
+        emulated = self.facts is not None and self.facts.virtual_time and not now.driven
+        return hands_after_run(replace(now, platform_words="", platform_old_s=None) if emulated else now)
 
     @property
     def known(self) -> state.LabState | None:
@@ -343,6 +353,7 @@ class AppState(QObject):
             self.fault_over.emit(over)
             if not lifted:  # the supplies say so, and the reference has not been asked since
                 self.off.read_again()
+        self.off.look_at_platform()
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QTimer, SignalInstance
 
 from labcal.bench.coils import state
 from labcal.bench.named_links import named_links
+from labcal.bench.stage_off import NOT_YET
 from labcal.gui.ipc.answers import Bench, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Identify, SwitchOff
@@ -17,13 +18,14 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import off_words, switched_off
+from labcal.gui.viewmodels.lab_now import off_words, platform_mark, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.run import RunViewModel
 
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 STANDS_S = 30.0  # and where they are there this long to end: a large platform comes to rest, the reference is asked
-READ_AFTER = ("coil-", "reference", "platform")  # roles that tell, after a zero, whether hands may go in
+STOPS_S = 8.0  # a platform that no run has is seen to stand by then, where it can be reached
+READ_AFTER = ("coil-", "reference", "platform", "polarity")  # roles that tell, after a zero, whether hands may go in
 
 
 class KnowsLab(Protocol):
@@ -41,6 +43,10 @@ class KnowsLab(Protocol):
     @property
     def fault(self) -> SignalInstance:
         """Of anything that has no card of its own."""
+
+    @property
+    def fault_over(self) -> SignalInstance:
+        """What such a card said is so no longer."""
 
     @property
     def known(self) -> state.LabState | None:
@@ -63,19 +69,24 @@ class KnowsLab(Protocol):
 
 
 class CoilsOff(QObject):
-    """Of a `window`. `unconfirmed`: the card that says that the coils are not known to be at zero."""
+    """Of a `window`. `unconfirmed`: the card that says that the coils are not known to be at zero; `turning`: that the
+    platform may turn still.
+    """
 
     def __init__(self, window: KnowsLab) -> None:
         super().__init__()
         self._window = window
         self.unconfirmed: Fault | None = None
+        self.turning: Fault | None = None
         self._ordered_s, self._looked = 0.0, False
+        self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
 
     def order(self) -> None:
         """Every coil to zero now. A run that does not get there itself is ended, and switched off."""
         window, self._ordered_s, self._looked = self._window, time.monotonic(), False
+        self._off_s = self._ordered_s
         window.watch.stop()
         window.kept.order(window.now_s())
         if window.run.alive:
@@ -98,7 +109,7 @@ class CoilsOff(QObject):
 
     def switch_off(self, *, read_back: bool = False) -> None:
         """By another worker. `read_back`: by a run that has ended in order, what was at zero then is not missed."""
-        window = self._window
+        window, self._off_s = self._window, time.monotonic()
         window.kept.order(window.now_s(), asked=True, read_back=read_back)
         window.lab.update(message=self.tr("Coils off: reading them back …"))
         window.grow_old()
@@ -114,7 +125,8 @@ class CoilsOff(QObject):
         if said.doubt or not zero:
             self.warn(Fault("coils", words))
         else:
-            window.lab.update(message=off_words(words, window.lab.state.now.platform_words))
+            later = said.platform is not None and said.platform.fault == NOT_YET  # it is looked at again
+            window.lab.update(message=off_words(words, "" if later else window.lab.state.now.platform_words))
         if said.doubt and zero:
             self.look_again()
         elif zero:
@@ -142,6 +154,28 @@ class CoilsOff(QObject):
         if not self._looked and not window.off_worker.busy:
             self._looked = True
             window.off_worker.request(Identify(window.bench), window.take_identified, window.fault.emit)
+
+    def look_at_platform(self) -> None:
+        """One that nobody has seen to stand since it was stopped is a card of its own, until somebody has."""
+        known, facts = self._window.known, self._window.facts
+        mark = platform_mark(self._window.lab.state.now.platform_words)[1]
+        turns = mark in ("bad", "warning") and facts is not None and not facts.virtual_time  # emulated: it is no more
+        if self._window.kept.ordered_s is None and (mark == "good" or self._window.run.alive):
+            self._off_s = None
+        if self.turning is not None and (not turns or self._window.run.alive or self.unconfirmed is not None):
+            over, self.turning = self.turning, None  # a card about the coils says it as well
+            self._window.fault_over.emit(over)
+        late = self._off_s is not None and time.monotonic() - self._off_s > STOPS_S
+        if turns and late and not self._window.run.alive and self.turning is None and self.unconfirmed is None:
+            why = "" if known is None or known.platform is None else known.platform.fault.replace(NOT_YET, "")
+            unseen = self.tr("Nobody has seen it stand since COILS OFF; another program may keep its line.")
+            remedy = self.tr("Hands out until you see it stand. Then press COILS OFF (F12) again.")
+            self.turning = Fault("platform", in_words(why) or unseen, remedy)
+            self._window.fault.emit(self.turning)
+
+    def forget(self) -> None:
+        """Of another bench nothing was said."""
+        self.unconfirmed = self.turning = self._off_s = None
 
     def _failed(self, fault: Fault) -> None:
         """Who was to switch them off did not: how they are is not known."""

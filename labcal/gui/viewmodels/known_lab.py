@@ -29,10 +29,12 @@ class KnownLab:
         self.asked = False  # another worker was asked to switch the coils off, and has not answered
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
+        self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
     def take(self, known: state.LabState, now_s: float) -> None:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
+        self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
         if known.reference.verdict == "agrees" or mounted_anew(known):
             self._agreed = None if mounted_anew(known) else known
 
@@ -88,7 +90,8 @@ class KnownLab:
         """What may be said at `now_s`; `driven`: by a run of this window."""
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
         known = self.as_now(facts, now_s)
-        now = lab_now(known, self._received_s, roles, now_s, driven=driven)
+        by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
+        now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run)
         now = replace(now, in_common=_in_common(known, facts))
         if known is None and driven:
             now = replace(now, coil_words=state.NOT_YET)

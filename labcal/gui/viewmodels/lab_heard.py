@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from labcal.bench.coils import state
+from labcal.bench.links.heard_before import NOT_HEARD, PLUG
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.wire import Fault
@@ -55,6 +57,17 @@ def answers(said: tuple[InstrumentRead, ...]) -> dict[str, InstrumentAnswer]:
         for one in said
         if one.identity or one.fault
     }
+
+
+def plug_or_power(said: Mapping[str, InstrumentAnswer], heard: Collection[str]) -> dict[str, InstrumentAnswer]:
+    """The same; of who is silent and was `heard` in this window the link is right: each worker hears for itself."""
+    return {name: _at_its_plug(one) if name in heard else one for name, one in said.items()}
+
+
+def _at_its_plug(one: InstrumentAnswer) -> InstrumentAnswer:
+    if one.fault is None or not one.fault.remedy.startswith(NOT_HEARD):
+        return one
+    return replace(one, fault=replace(one.fault, remedy=PLUG))
 
 
 def wrong(known: state.LabState | None, facts: Bench | None) -> tuple[str, ...]:

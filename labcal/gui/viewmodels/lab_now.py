@@ -25,8 +25,9 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "absent": ("○", "", "not asked"),
 }
 SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
+WATCHED_S = 15  # what is read on while no run goes on is no older, also where somebody silent is waited for
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
-WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
+WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "heard before"),
     QT_TRANSLATE_NOOP("Words", "{0} s ago"),
@@ -60,6 +61,7 @@ class LabNow:
     in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
     platform_deg: float | None = None  # as it was read last; None where it is not known
+    platform_old_s: int | None = None
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
@@ -86,11 +88,17 @@ def shown_name(name: str) -> str:
 
 
 def lab_now(
-    lab: state.LabState | None, received_s: float, roles: Mapping[str, str], now_s: float, *, driven: bool = False
+    lab: state.LabState | None,
+    received_s: float,
+    roles: Mapping[str, str],
+    now_s: float,
+    *,
+    driven: bool = False,
+    contacts_heard: bool = True,
 ) -> LabNow:
     """The state `lab` at `received_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in.
 
-    `driven`: by a run of this window.
+    `driven`: by a run of this window. `contacts_heard`: whoever read the coils heard their contacts, as a run does.
     """
     if lab is None:
         return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
@@ -104,10 +112,11 @@ def lab_now(
         driven=driven,
         platform_words=lab.platform_sentence(now_s),
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
+        platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=lab.field.seen_nT,
         field_old_s=old_s(lab.field.read_s, now_s),
-        lights=_lights(lab, received_s, roles, now_s),
+        lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
 
@@ -170,6 +179,18 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
 
 
+def hands_after_run(now: LabNow) -> tuple[str, str]:
+    """As `hands_words`, while no run goes on: for who goes to the plug of what was lost. What was read has its age."""
+    seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
+    zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
+    stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
+    age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
+    if now.driven or not zero or not stands or not 0 < age_s <= WATCHED_S:
+        return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
+    said = in_words(state.AT_ZERO if seen else state.BY_SUPPLIES)
+    return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
+
+
 def off_words(coils: str, platform_words: str) -> str:
     """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands."""
     said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
@@ -202,9 +223,11 @@ def old_s(read_s: float | None, now_s: float) -> int | None:
     return int(now_s - read_s) if old and read_s is not None else None
 
 
-def _lights(lab: state.LabState, received_s: float, roles: Mapping[str, str], now_s: float) -> Lights:
+def _lights(
+    lab: state.LabState, received_s: float, roles: Mapping[str, str], now_s: float, *, contacts_heard: bool
+) -> Lights:
     heard = {one.name: one for one in lab.instruments}
-    coils_s = min((c.read_s for c in lab.coils if c.read_s is not None), default=None)
+    coils_s = min((c.read_s for c in lab.coils if c.read_s is not None and contacts_heard), default=None)
     lights = [_light(name, role, heard.get(name), coils_s, now_s) for name, role in roles.items()]
     if lab.guardian is not None:
         one = state.Heard(GUARDIAN, received_s, "" if lab.guardian else translated("lost"))
@@ -240,8 +263,15 @@ def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None)
     if said.doubt:
         witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
     coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
-    platform = said.platform or before.platform
+    platform = _stopped(before.platform, said.platform)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
+
+
+def _stopped(before: state.PlatformReading | None, said: state.PlatformReading | None) -> state.PlatformReading | None:
+    """The platform after it was told to stop: where nobody saw it stand, where it turned when it was read last."""
+    if said is not None and said.moving is None and before is not None and before.moving:
+        return replace(before, fault=said.fault)
+    return said or before
 
 
 def heard_from(

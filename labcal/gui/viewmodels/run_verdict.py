@@ -12,6 +12,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.axis_checks import WORST
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.run_steps import name_a_turn
 from labcal.record.stream import Measurement
 
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
@@ -28,7 +29,20 @@ NEXT = {
         "Words",
         "Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.",
     ),
-    "lost": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost. Mend what is said above, then Go on."),
+    "lost": QT_TRANSLATE_NOOP(
+        "Words",
+        "Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step "
+        "that broke off are measured again.",
+    ),
+    "lost, not begun": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then Go on."),
+    "interrupted, no turn": QT_TRANSLATE_NOOP(
+        "Words", "No turn was finished: Go on begins with the first step again, and uses nothing of what was measured."
+    ),
+    "lost, no turn": QT_TRANSLATE_NOOP(
+        "Words",
+        "Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses "
+        "nothing of what was measured.",
+    ),
     "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
 }
 TEXTS = (
@@ -75,6 +89,8 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdic
         word = "stopped" if wanted else status
         shape, state = ENDS.get(word, ENDS["failed"])
         what = "lost" if status == "interrupted" and run.fault is not None and not wanted else status
+        if status == "interrupted" and not keeps_a_turn(run):
+            what += ", no turn" if run.step is not None else ", not begun"
         rule = translated(str(TEXTS[4]))
         if resumable and run.order is not None and run.order.procedure not in resumable:
             what = "stopped" if wanted else "failed"  # nothing offers what cannot be
@@ -95,8 +111,13 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdic
     return RunVerdict(word, state, rule, _next(worst))
 
 
+def keeps_a_turn(run: RunViewModel) -> bool:
+    """Whether there is one that is not measured again where the run is gone on with."""
+    return any(mark == "done" and name_a_turn((name,)) for name, mark in run.steps())
+
+
 def _next(key: str) -> str:
-    return translated(str(NEXT.get(key, NEXT["failed"])))
+    return translated(str(NEXT.get(key) or NEXT.get(key.partition(",")[0], NEXT["failed"])))
 
 
 def listed(measured: Iterable[Measurement], most: int = 2) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QPalette
@@ -23,6 +23,7 @@ TITLES = {
     "guardian": "✕ The guardian failed",
     "clock": "✕ The clock was set back",
     "coils": "✕ HANDS OFF: the coils may be on",
+    "platform": "✕ HANDS OFF: the platform may still turn",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
     "left": "▲ Interrupted",
@@ -33,15 +34,26 @@ TITLES = {
 }
 
 
+HANDS_MS = 500  # between two looks whether they may go near
+
+
 class FaultCard(Card):
-    """Words, state of the coils where that matters, what to do, details and "save a problem report"."""
+    """Words, state of the coils where that matters, what to do, details and "save a problem report".
+
+    `hands`: whether they may go near an instrument that is lost, in words, and the state that goes with it.
+    """
 
     report_requested = Signal(object)  # Fault
     closed = Signal()
     edge, width_px = QPalette.ColorRole.BrightText, 2
 
-    def __init__(self, closable: bool = True) -> None:
+    def __init__(self, closable: bool = True, hands: Callable[[], tuple[str, str]] | None = None) -> None:
         super().__init__(" ")
+        self._hands = hands
+        self.hands = label("", "title", wrap=True)
+        self.hands.setAccessibleName(self.tr("Whether hands may go in"))
+        self.hands_timer = QTimer(self, interval=HANDS_MS)
+        self.hands_timer.timeout.connect(self.say_hands)
         self.fault: Fault | None = None
         self.by_hand = label("", "large", wrap=True)
         set_state(self.by_hand, "bad")
@@ -69,7 +81,7 @@ class FaultCard(Card):
         row.addStretch()
         row.addWidget(close)
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
-        for part in (self.by_hand, self.turning, *said, self.details):
+        for part in (self.by_hand, self.turning, self.hands, *said, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -79,6 +91,7 @@ class FaultCard(Card):
         if fault is self.fault:
             return None
         self.fault = fault
+        self.say_hands()
         self.coils.hide()
         self.by_hand.hide()
         self.platform.hide()
@@ -135,6 +148,16 @@ class FaultCard(Card):
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
+
+    def say_hands(self) -> None:
+        """Where an instrument is lost somebody goes to its plug: whether that may be done now."""
+        lost = self._hands is not None and self.fault is not None and self.fault.kind == "instrument"
+        if lost and self._hands is not None:
+            words, mark = self._hands()
+            self.hands.setText(words)
+            set_state(self.hands, mark)
+        self.hands.setVisible(lost)
+        self.hands_timer.start() if lost else self.hands_timer.stop()
 
     def say_platform(self, words: str) -> None:
         """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
