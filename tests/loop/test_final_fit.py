@@ -16,7 +16,13 @@ from labcal.geometry import rotate
 from labcal.loop import close_loop
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
-from labcal.loop.data.credible import credible, is_beyond_half, min_new_share, without_wild_rows
+from labcal.loop.data.credible import (
+    credible,
+    is_beyond_half,
+    left_by_the_best_map,
+    min_new_share,
+    without_wild_rows,
+)
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.nuisance import orthonormal
 from labcal.loop.policy import POLICY
@@ -119,6 +125,20 @@ def test_the_share_that_has_to_be_new_is_half_a_field(started: Started) -> None:
     rig = next(c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "field-gradient")
     residual, field = np.full((50, 3), 30.0), np.full((50, 3), 600.0)
     assert np.sqrt(30.0**2 / min_new_share([rig], residual, field)) == pytest.approx(300.0)
+
+
+def test_how_far_apart_readings_and_reference_are_does_not_hang_on_the_map_that_was_found_beside_an_effect(
+    started: Started,
+) -> None:
+    problem = started(_wander)
+    best = left_by_the_best_map(problem.T, problem.whiten, problem.residual_nT)
+    far = np.random.default_rng(1).normal(size=problem.T.shape[2]) * 3000 / np.abs(problem.T).max(axis=(0, 1))
+    elsewhere = problem.residual_nT + np.linalg.solve(problem.whiten, (problem.T @ far)[:, :, None])[:, :, 0]
+    assert np.linalg.norm(elsewhere) > 100 * np.linalg.norm(best)
+    assert left_by_the_best_map(problem.T, problem.whiten, elsewhere) == pytest.approx(best, abs=1e-6)
+    about = replace(problem, residual_nT=elsewhere, y=(problem.whiten @ elsewhere[:, :, None])[:, :, 0])
+    rig = next(c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "field-gradient")
+    assert about.credible_share(rig) == pytest.approx(problem.credible_share(rig), rel=0.2)  # wild rows are others
 
 
 def test_a_wild_row_does_not_decide_what_is_credible() -> None:

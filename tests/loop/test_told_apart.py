@@ -25,9 +25,9 @@ from labcal.store import read_bundle
 BLIND = Path(__file__).parents[1] / "blind"
 
 
-def made(program: str, index: int, folder: Path) -> Run:
-    """One run of seed 29111."""
-    subprocess.run([sys.executable, BLIND / program, folder, "125", "29111", str(index)], check=True)
+def made(program: str, index: int, folder: Path, seed: int = 29111) -> Run:
+    """One run of a seed that was answered."""
+    subprocess.run([sys.executable, BLIND / program, folder, "125", str(seed), str(index)], check=True)
     return read_bundle(folder / f"b{index:04}" / "bundle")
 
 
@@ -45,6 +45,13 @@ def test_rounded_readings_of_a_temperature_go_before_a_drift(tmp_path: Path) -> 
     """Telemetry in steps of 0.2 K of a temperature that rises and falls once: a drift of fifteen parameters leads."""
     closed = answer("spacecraft.py", 12, tmp_path)
     assert named(closed) == [("offset-temperature", ["offset-drift"])]
+    assert closed.verdict == "ambiguous"
+
+
+def test_a_temperature_that_takes_all_but_a_detail_is_the_rival_of_a_drift_that_leads(tmp_path: Path) -> None:
+    """It takes 99.9 % of what a drift of 15 parameters takes, by nine, and leaves an eighth more: it is rounded."""
+    closed = close_loop(made("spacecraft.py", 33, tmp_path, 50551))
+    assert named(closed) == [("offset-drift", ["offset-temperature"])]
     assert closed.verdict == "ambiguous"
 
 

@@ -35,12 +35,24 @@ def follows_reference(term: Term) -> bool:
 def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> float:
     """The share of a column's square that has to be new to the base, where readings and reference are `apart_nT`.
 
-    Both (n, 3) on the rows of the fit; `apart_nT` with the effects still in it.
+    Both (n, 3) on the rows of the fit; `apart_nT` by the best map (`left_by_the_best_map`), no effect taken off.
     """
     if not any(map(follows_reference, terms)):
         return MIN_NEW_SHARE
     part = float(np.sum(apart_nT**2) / np.sum(field_nT**2))
     return max(MIN_NEW_SHARE, part / policy.POLICY.max_share_of_field**2)
+
+
+def left_by_the_best_map(T: Array, whiten: Array, apart_nT: Array) -> Array:
+    """What a step of the base, of columns T (n, q, t), leaves of readings and reference apart (n, 3) [nT].
+
+    A map that was found beside an effect leaves as much of them apart as it took of that effect, however large.
+    """
+    if whiten.shape[1] != whiten.shape[2]:
+        return apart_nT
+    y, flat = (whiten @ apart_nT[:, :, None]).ravel(), T.reshape(-1, T.shape[2])
+    left = y - flat @ np.linalg.lstsq(flat, y, rcond=None)[0]
+    return np.asarray(np.linalg.solve(whiten, left.reshape(*apart_nT.shape, 1))[:, :, 0])
 
 
 def is_beyond_half(effect_nT: Array, reference_nT: Array, apart_nT: float) -> bool:

@@ -18,7 +18,7 @@ from labcal.fit.vector.observations import AXIS, VECTOR, Observations
 from labcal.fit.vector.solve import Parameterisation
 from labcal.fit.vector.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
-from labcal.loop.data.credible import credible, follows_reference, min_new_share
+from labcal.loop.data.credible import credible, follows_reference, left_by_the_best_map, min_new_share
 from labcal.loop.data.declared_moves import moves, residual_of
 from labcal.loop.data.outliers import hampel_outliers
 from labcal.loop.noise.declared_directions import principal
@@ -119,9 +119,9 @@ class LinearProblem:
 
     @cached_property
     def steady_residual_nT(self) -> Array:
-        """The residual (n, 3), zero in rows far from their neighbours: which rows are wild is not known yet."""
-        wild = hampel_outliers(self.y, self.scene.segment)
-        return np.asarray(np.where(wild[:, None], 0.0, self.residual_nT))
+        """What the best map leaves (n, 3), zero in rows far from their neighbours: which are wild is not known yet."""
+        steady = ~hampel_outliers(self.y, self.scene.segment)[:, None]
+        return left_by_the_best_map(self.T * steady[:, :, None], self.whiten, self.residual_nT * steady)
 
     def all_columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p) in every direction."""

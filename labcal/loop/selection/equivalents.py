@@ -96,25 +96,35 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
 
 
 def done_by_readings(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """Of those that take nearly all that one bound to the run's time does, who leave no more.
+
+    Whatever leads: telemetry is rounded, held and late, and the clock is nothing of it. No more is what the noise would
+    not be declared more closely for.
+    """
+    null = pool.null_model(others)
+    at_most = policy.POLICY.equivalent_rms**2 * pool.score(chosen, null).likelihood.rss
+    nearly = nearly_done_by_readings(pool, others, chosen)
+    return [c for c in nearly if pool.score(c, null).likelihood.rss <= at_most]
+
+
+def nearly_done_by_readings(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
     """The sensor's causes that follow a channel and take all that one bound to the run's time does, but for a detail.
 
-    Whatever leads: telemetry is rounded, held and late, and the clock is nothing of it. By no more parameters, for with
-    enough of them anything does what a step does. A detail is what the noise would not be declared more closely for,
-    and no material share of what is taken.
+    By no more parameters, for with enough of them anything does what a step does; a detail is no material share of what
+    is taken. What a drift does better then, it may do because telemetry is rounded, held and late.
     """
     if not chosen.family.bound_to_run:
         return []
-    law, null = policy.POLICY, pool.null_model(others)
-    own = pool.score(chosen, null)
-    at_most = law.equivalent_rms**2 * own.likelihood.rss
 
-    def does(one: Candidate) -> bool:
-        found = pool.score(one, null)
-        return found.likelihood.rss <= at_most and found.drop >= (1 - law.material_share) * own.drop
+    def made() -> list[Candidate]:
+        null = pool.null_model(others)
+        enough = (1 - policy.POLICY.material_share) * pool.score(chosen, null).drop
+        channels = [c for c in _open_to(pool, others) if _is_of_readings(c) and c.size <= chosen.size]
+        ranked = sorted(pool.rank(channels, others), key=lambda w: -w.drop)[:MAX_TRIED]
+        found = (refined(pool, w.candidate, others) for w in ranked)
+        return [c for c in found if pool.score(c, null).drop >= enough]
 
-    channels = [c for c in _open_to(pool, others) if _is_of_readings(c) and c.size <= chosen.size]
-    ranked = sorted(pool.rank(channels, others), key=lambda w: -w.drop)[:MAX_TRIED]
-    return [c for c in (refined(pool, w.candidate, others) for w in ranked) if does(c)]
+    return pool.cached("done by readings", [chosen, *others], made)
 
 
 def _is_of_readings(one: Candidate) -> bool:

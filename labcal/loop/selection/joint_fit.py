@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.candidates.prior import as_data, precision
-from labcal.loop.data.credible import min_new_share
+from labcal.loop.data.credible import follows_reference, left_by_the_best_map, min_new_share
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
 from labcal.loop.noise.declared_directions import DeclaredDirections
-from labcal.loop.noise.nuisance import inverse_gram, ols_with_nuisance
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, inverse_gram, ols_with_nuisance
 from labcal.loop.selection.crossval import residual_lengths
 from labcal.loop.selection.moment import u_of_moment
 from labcal.model import Parameter
@@ -199,8 +199,11 @@ def _misfit(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], u
 
 def _min_new_share(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
     """The share of a column's square that has to be new to the base."""
+    if not any(map(follows_reference, terms)):
+        return MIN_NEW_SHARE
     apart = here.residual_nT + sum_of_effects(terms, beta, here.scene)
-    return min_new_share(terms, apart[used], here.scene.field_nT[used])
+    left = left_by_the_best_map(here.T[used], here.whiten[used], apart[used])
+    return min_new_share(terms, left, here.scene.field_nT[used])
 
 
 def _negligible(A: Array, step: Array) -> bool:

@@ -14,7 +14,7 @@ from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.data.outliers import hampel_outliers, outlier_distance
 from labcal.loop.selection.crossval import NEVER, BlockFolds, HeldOutErrors, cross_validate, fixed_choice
-from labcal.loop.selection.equivalents import Equivalent, equivalent_models
+from labcal.loop.selection.equivalents import Equivalent, equivalent_models, nearly_done_by_readings
 from labcal.loop.selection.heldout_rules import alternatives_within_misfit, n_reportable
 from labcal.loop.selection.joint_fit import information, joint_fit
 from labcal.loop.selection.select import Selection, SelectionEnding, select, stepwise
@@ -67,9 +67,10 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         pool.tell(pool, accepted, "what does as well")
         every = (equivalent_models(pool, blocks, accepted, one) for one in accepted)
         beside = _led_by_little(pool, blocks, accepted, level)
+        readings = (_nearly_as_much(pool, blocks, accepted, one) for one in accepted)
         equivalents = tuple(
-            tuple(e for e in _each_once([*some, *more]) if e.scored.candidate.cause not in selection.barred)
-            for some, more in zip(every, beside, strict=True)
+            tuple(e for e in _each_once([*some, *more, *read]) if e.scored.candidate.cause not in selection.barred)
+            for some, more, read in zip(every, beside, readings, strict=True)
         )
         judged = _of_this_choice(pool, blocks, accepted, cv_error, choose)
         reportable = n_reportable(pool, judged, level, accepted, equivalents)
@@ -92,6 +93,18 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
         outlier_distance=outlier_distance(pool.residual_everywhere(accepted)[0], pool.valid),
         ending=selection.ending,
     )
+
+
+def _nearly_as_much(
+    pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], one: Candidate
+) -> list[Equivalent]:
+    """The channels that take all but a detail of what one bound to the run's time does, by no more parameters."""
+    others, out = [c for c in accepted if c is not one], list[Equivalent]()
+    for channel in nearly_done_by_readings(pool, others, one):
+        swapped = [channel if c is one else c for c in accepted]
+        left_nT = cross_validate(pool, blocks, fixed_choice(swapped)).after
+        out.append(Equivalent(pool.score(channel, pool.null_model(others)), left_nT))
+    return out
 
 
 def _led_by_little(
