@@ -124,7 +124,7 @@ def nearly_done_by_readings(pool: CandidateSet, others: Sequence[Candidate], cho
         found = (refined(pool, w.candidate, others) for w in ranked)
         return [c for c in found if pool.score(c, null).drop >= enough]
 
-    return pool.cached("done by readings", [chosen, *others], made)
+    return pool.cached("readings", [chosen, *others], made)
 
 
 def _is_of_readings(one: Candidate) -> bool:
