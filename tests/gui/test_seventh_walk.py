@@ -3,11 +3,18 @@
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
-from test_path import calibration
+from test_choose import looked_at, told_by_the_loop
+from test_hands_in_the_cage import says, stands
+from test_path import RUN, calibration
 
-from labcal.gui.ipc.messages import Approve, ListCalibrations, ListKeys
+from labcal.bench.links.heard_before import PLUG
+from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
+from labcal.gui.ipc.messages import Approve, CloseLoop, ListCalibrations, ListKeys, LookAt, RunProcedure
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.signing import ambiguity
+from labcal.gui.widgets import next_button
 from labcal.model.records import EffectRecord, Rival
 
 RIVAL = Rival("offset-temperature", ("T_box",), 2.0)
@@ -78,3 +85,74 @@ def test_who_approves_what_is_ambiguous_is_asked_once(page):
     steps.approve.click()
     assert [one.name for one in asked.commands(Approve)] == ["a.smith"]
     assert steps.approval.asked.isHidden()
+
+
+@pytest.mark.parametrize("procedure", ["reverse", None])  # with a button for the measurement, and without one
+def test_next_scrolls_to_what_is_not_known(new_window, qtbot, procedure):
+    new_window.resize(1280, 480)
+    app_state = new_window.app_state
+    app_state.set_identity(dut="EM-07", operator="J. Doe")
+    new_window.open_page("Loop")
+    page, study, worker = new_window.page("Loop"), app_state.study_vm, app_state.fit_worker
+    app_state.path.take_runs((replace(RUN, verdict="ambiguous"),))
+    study.open("r1")
+    worker.answer(LookAt, looked_at("r1"))
+    study.close_loop()
+    worker.answer(CloseLoop, told_by_the_loop(procedure))
+    study.fits["ml"] = Fitted(FitFigures(True))
+    study.changed.emit()
+    settle()
+    area = new_window.lazy_pages["Loop"].area
+    wanted = page.next if procedure else page.unknown
+
+    def in_sight():
+        top = wanted.mapTo(area.viewport(), QPoint(0, 0)).y()
+        return top >= 0 and top + wanted.height() <= area.viewport().height()
+
+    wanted.setFocus()  # it may have it already
+    area.verticalScrollBar().setValue(0)
+    assert not in_sight()
+    assert new_window.next.text() == "Next: See what is not known"
+    qtbot.mouseClick(new_window.next, Qt.MouseButton.LeftButton)
+    assert in_sight()
+    assert wanted.hasFocus()
+
+
+def test_next_takes_no_press_that_was_meant_for_what_it_said_before(still, qtbot, monkeypatch):
+    monkeypatch.setattr(next_button, "TOO_SOON_MS", 60_000)
+    still.open_page("History")
+    done = []
+    still.next.clicked.connect(lambda: done.append(still.next.text()))
+    still.app_state.path.take_runs((RUN,))  # Calibrate … was said before
+    said = "Next has just changed, and did nothing. It is now: Fit the run. Press it again."
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert (done, still.app_state.lab.state.message) == ([], said)
+    still.app_state.lab.update(message="")
+    still.next.press()  # by Ctrl+N
+    assert (done, still.app_state.lab.state.message) == ([], said)
+    monkeypatch.setattr(next_button, "TOO_SOON_MS", 0)
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert done
+    still.app_state.path.take_runs(())
+
+
+@pytest.fixture
+def lost(still):
+    """The Run page after a run that an instrument ended, which may be gone on with."""
+    app_state = still.app_state
+    app_state.resumable = frozenset({"preflight"})
+    app_state.facts = replace(app_state.facts, virtual_time=False)
+    still.open_page("Run")
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    fault = Fault("instrument", "supply_z (tcp://lab:1): no reply in 1.5 s.", PLUG)
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", fault))
+    return still
+
+
+def test_go_on_is_not_the_blue_button_while_an_instrument_is_silent(lost):
+    live = lost.page("Run").live
+    says(lost, (0.0, 0.0, None), stands(), ("supply_z",))
+    assert live.go_on.isVisible()
+    assert live.go_on.objectName() == ""
+    says(lost, (0.0, 0.0, 0.0), stands())
+    assert live.go_on.objectName() == "primary"
