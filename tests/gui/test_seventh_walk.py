@@ -1,14 +1,16 @@
 """What a stranger found: a doubt that nobody was told of, buttons that did nothing to see, cards that stayed."""
 
+import time
 from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
 from test_choose import looked_at, told_by_the_loop
-from test_hands_in_the_cage import says, stands
+from test_hands_in_the_cage import lab, says, stands
 from test_path import RUN, calibration
 
+from labcal.bench.coils.state import Heard
 from labcal.bench.links.heard_before import PLUG
 from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
 from labcal.gui.ipc.messages import Approve, CloseLoop, ListCalibrations, ListKeys, LookAt, RunProcedure
@@ -156,3 +158,18 @@ def test_go_on_is_not_the_blue_button_while_an_instrument_is_silent(lost):
     assert live.go_on.objectName() == ""
     says(lost, (0.0, 0.0, 0.0), stands())
     assert live.go_on.objectName() == "primary"
+
+
+def test_a_card_of_an_instrument_goes_once_it_answers_again_and_sends_nobody_to_mend_it(lost):
+    live = lost.page("Run").live
+    assert live.fault.isVisible()
+    says(lost, (0.0, 0.0, None), stands(), ("supply_z",))
+    assert live.fault.isVisible()
+    assert live.verdict.next.text().startswith("Mend what is said above")
+    answering = replace(lab(platform=stands()), instruments=(Heard("supply_z", time.monotonic()),))
+    lost.app_state.bench_worker.states.emit(answering)
+    assert not live.fault.isVisible()
+    assert (live.verdict.reason.text(), live.verdict.reason.property("state")) == ("supply_z: answers again", "")
+    assert live.verdict.next.text() == "Nothing was measured: Go on begins with the first step."
+    says(lost, (0.0, 0.0, None), stands(), ("supply_z",))
+    assert live.fault.isVisible()

@@ -822,6 +822,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the reference has sent nothing since the currents settled</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5397,6 +5401,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} (Ctrl+{1})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6722,6 +6730,14 @@ after this step …</source>
     </message>
     <message>
         <source>{0} has a key now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approve it all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Approve it all the same?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8166,6 +8182,14 @@ after this step …</source>
     </message>
     <message>
         <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured: Go on begins with the first step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -822,6 +822,10 @@
         <translation>la référence ne répond pas</translation>
     </message>
     <message>
+        <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the reference has sent nothing since the currents settled</source>
         <translation>la référence n&apos;a rien envoyé depuis que les courants sont stables</translation>
     </message>
@@ -5397,6 +5401,10 @@
         <translation>La suite pour ce DUT, quelle que soit la page (Ctrl+N)</translation>
     </message>
     <message>
+        <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} (Ctrl+{1})</source>
         <translation>{0} (Ctrl+{1})</translation>
     </message>
@@ -6724,6 +6732,14 @@ cette étape …</translation>
     <message>
         <source>{0} has a key now.</source>
         <translation>{0} a maintenant une clé.</translation>
+    </message>
+    <message>
+        <source>Approve it all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Approve it all the same?</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -8168,6 +8184,14 @@ cette étape …</translation>
     <message>
         <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
         <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured: Go on begins with the first step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To measure again: Close, then Begin.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
