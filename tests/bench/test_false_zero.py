@@ -15,6 +15,7 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
 from labcal.bench.steps import coils_off, drive, measure_ambient, mount, record

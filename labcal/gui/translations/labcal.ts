@@ -8257,6 +8257,18 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As AMBIGUOUS: why is said above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
         <translation type="unfinished"></translation>
     </message>

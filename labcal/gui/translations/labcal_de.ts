@@ -823,7 +823,7 @@
     </message>
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
-        <translation type="unfinished"></translation>
+        <translation>das Umgebungsfeld der Referenz ist von vor dem letzten Griff an den Prüfling</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -5402,7 +5402,7 @@
     </message>
     <message>
         <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter hat sich eben geändert und nichts getan. Jetzt heißt es: {0}. Noch einmal drücken.</translation>
     </message>
     <message>
         <source>{0} (Ctrl+{1})</source>
@@ -6735,11 +6735,11 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Approve it all the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem genehmigen</translation>
     </message>
     <message>
         <source>{0} Approve it all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Trotzdem genehmigen?</translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -8187,11 +8187,11 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Nothing was measured: Go on begins with the first step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen: Weiter beginnt mit dem ersten Schritt.</translation>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
@@ -8256,6 +8256,18 @@ diesem Schritt …</translation>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
+        <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation>eine andere</translation>
+    </message>
+    <message>
+        <source>As AMBIGUOUS: why is said above.</source>
+        <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>

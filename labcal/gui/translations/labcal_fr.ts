@@ -823,7 +823,7 @@
     </message>
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
-        <translation type="unfinished"></translation>
+        <translation>le champ ambiant de la référence date d&apos;avant la dernière intervention sur le DUT</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -5402,7 +5402,7 @@
     </message>
     <message>
         <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suite vient de changer et n&apos;a rien fait. C&apos;est maintenant : {0}. Appuyer de nouveau.</translation>
     </message>
     <message>
         <source>{0} (Ctrl+{1})</source>
@@ -6735,11 +6735,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Approve it all the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Approuver quand même</translation>
     </message>
     <message>
         <source>{0} Approve it all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Approuver quand même ?</translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -8187,11 +8187,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Nothing was measured: Go on begins with the first step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien n&apos;a été mesuré : Continuer commence par la première étape.</translation>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour remesurer : Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
@@ -8256,6 +8256,18 @@ cette étape …</translation>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
+        <translation>AMBIGU : {0} est provisoire ; {1} peut aussi être la cause.</translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation>une autre</translation>
+    </message>
+    <message>
+        <source>As AMBIGUOUS: why is said above.</source>
+        <translation>Comme AMBIGU : pourquoi, c&apos;est dit plus haut.</translation>
     </message>
     <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>

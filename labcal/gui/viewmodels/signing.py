@@ -33,6 +33,10 @@ NO_MORE = QT_TRANSLATE_NOOP(
     "Words", "Do not use it any more: measure anew, or take the calibration that came after it."
 )
 
+AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
+ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
+AS_AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "As AMBIGUOUS: why is said above.")
+
 
 def standing_word(one: Standing) -> str:
     """How a file stands, in a word with its shape."""
@@ -48,7 +52,7 @@ def state_of(one: Standing) -> str:
 
 def ambiguity(one: CalibrationFile) -> str:
     """What else may be the cause of what it corrects; "" where nothing does about as well."""
-    words = translated("AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
+    words = translated(str(AMBIGUOUS))
     return " ".join(
         words.format(cause_name(doubted.effect, doubted.channels), _others(doubted))
         for doubted in (*one.effects, *one.findings)
@@ -58,7 +62,7 @@ def ambiguity(one: CalibrationFile) -> str:
 
 def _others(doubted: EffectRecord) -> str:
     named = ", ".join(cause_name(rival.effect, rival.channels) for rival in doubted.rivals)
-    return named or translated("another one")
+    return named or translated(str(ANOTHER))
 
 
 def file_word(one: CalibrationFile) -> str:
@@ -163,4 +167,4 @@ def _hand_out_step(one: CalibrationFile, handed_out: bool) -> SigningStep:
         return SigningStep("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
     if standing.provisional:
         return SigningStep("now", translated("As PROVISIONAL: why is said above."))
-    return SigningStep("now", translated("As AMBIGUOUS: why is said above.") if ambiguity(one) else "")
+    return SigningStep("now", translated(str(AS_AMBIGUOUS)) if ambiguity(one) else "")
