@@ -35,6 +35,7 @@ from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, lab
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
+from labcal.gui.widgets.next_button import NextButton
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
@@ -195,7 +196,9 @@ class Frame(QMainWindow):
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.said_at, self.message, self.waiting = label("", "caption"), OneLine(), label()
-        self.next = button("", self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"), primary=True)
+        self.next = NextButton(self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"))
+        changed = self.tr("Next has just changed, and did nothing. It is now: {0}. Press it again.")
+        self.next.too_soon.connect(lambda: lab.update(message=changed.format(self.next.following)))
         keeps = self.next.sizePolicy()
         keeps.setRetainSizeWhenHidden(True)  # the line below keeps its height: nothing above it moves
         self.next.setSizePolicy(keeps)
@@ -292,7 +295,7 @@ class Frame(QMainWindow):
 
     def say_next(self, following: str) -> None:
         """What is next, in words."""
-        self.next.setText(self.tr("Next: {0}").format(following))
+        self.next.say(self.tr("Next: {0}").format(following), following)
         self.next.show()
 
     def open_page(self, name: str) -> None:

@@ -131,7 +131,7 @@ class Window(Frame):
         self.sound_switch.clicked.connect(self._other_sound)
         self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
         self.next.clicked.connect(self._go_on)
-        described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
+        described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.press), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         self._show_path()
         self.stack.currentChanged.connect(self._page_turned)
@@ -305,6 +305,7 @@ class Window(Frame):
             wanted += [self.top.operator] * (not state.operator or bool(state.operator_objection))
         for widget in [*wanted, *begins_at(self.lazy_pages[to.page])][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
+            self.lazy_pages[to.page].show_part(widget)
         return None
 
     def _scanned(self, text: str) -> None:

@@ -15,6 +15,7 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
 from labcal.bench.steps import coils_off, drive, measure_ambient, mount, record
@@ -204,13 +205,14 @@ def test_without_a_reference_at_the_dut_it_is_the_supplys_word(tmp_path: Path, p
 
 
 def test_an_ambient_field_older_than_the_mounting_is_no_witness(bench: Bench) -> None:
+    assert bench.cage.witness.why == NO_AMBIENT
     with_ambient(bench)
     work = mount(bench, "mount-z", np.eye(3), "Mount.")
     asked = next(item for item in work if isinstance(item, Prompt) and item.key == "mount-z")
     assert bench.sentence() == AT_ZERO
     bench.handled(asked)
     bench.cage.zero()
-    assert bench.sentence() == f"{BY_WORD}: the reference has no ambient field to compare with yet"
+    assert bench.sentence() == f"{BY_WORD}: {BEFORE_HANDS}"  # not: none yet
     bench.clock.wait_until(bench.clock.now() + 0.1)
     bench.cage.set_currents([0.5, 0.0, 0.0])  # the sign behind the contacts is seen from zero: that is its ambient
     lies_from_now(bench)

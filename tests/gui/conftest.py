@@ -16,7 +16,7 @@ from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels import app_state
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets import hold_button, prompt_card
+from labcal.gui.widgets import hold_button, next_button, prompt_card
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.testing.pages import DeafWorker
 
@@ -31,6 +31,7 @@ PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a s
 def answered_soon(monkeypatch):
     """No second is waited for at each question, and no key of the test before is down."""
     monkeypatch.setattr(prompt_card, "DEAD_MS", DEAD_MS)
+    monkeypatch.setattr(next_button, "TOO_SOON_MS", 0)  # a test reads no words
     hold_button.heard_ms.clear()
 
 

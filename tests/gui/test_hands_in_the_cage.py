@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from lab_states import told
 
-from labcal.bench.coils.agreement import NO_AMBIENT
+from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
 from labcal.bench.coils.state import AT_ZERO, CoilReading, Heard, LabState, PlatformReading, Witness
 from labcal.bench.links.heard_before import LINE, PLUG
 from labcal.errors import InstrumentError
@@ -225,12 +225,13 @@ def test_with_coils_on_the_ambient_field_is_what_the_reference_saw_less_the_coil
     assert running.side.zero_words.text() == f"✓ {AT_ZERO}"
 
 
-def test_the_ambient_field_of_before_a_mounting_or_of_long_ago_judges_nothing(still):
+@pytest.mark.parametrize("why", [NO_AMBIENT, BEFORE_HANDS])
+def test_the_ambient_field_of_before_a_mounting_or_of_long_ago_judges_nothing(still, why):
     kept, facts = KnownLab(), still.app_state.facts
     kept.take(lab(witness=Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2e3, 10.0)), 10.0)
     assert kept.ambient_nT(facts, 11.0) is not None
     assert kept.ambient_nT(facts, 11.0 + AMBIENT_S) is None
-    kept.take(lab(witness=Witness(why=NO_AMBIENT)), 12.0)
+    kept.take(lab(witness=Witness(why=why)), 12.0)
     assert kept.ambient_nT(facts, 12.0) is None
 
 

@@ -22,6 +22,7 @@ NO_SAMPLE_S = 2.0
 CANDIDATE_S = 60.0
 STUCK = 20  # readings, three axes each: noise and a converter's step leave no live sensor so still
 NO_AMBIENT = "the reference has no ambient field to compare with yet"
+BEFORE_HANDS = "the reference's ambient field is from before hands were at the DUT"
 NOT_YET = "the reference has sent nothing since the currents settled"
 NOT_STREAMING = "the reference is not streaming"
 UNHEARD = {
@@ -39,6 +40,7 @@ class FieldCheck:
     def __init__(self, matrix_nT_per_A: Array, blind: str = "") -> None:
         self._matrix, self._blind = matrix_nT_per_A, blind
         self._ambient: Array | None = None
+        self._had_ambient = False  # and hands were at the DUT since
         self._ambient_s = 0.0
         self._candidate: tuple[Array, float] | None = None
         self._currents_A: Array | None = None
@@ -75,6 +77,7 @@ class FieldCheck:
 
     def outdated(self, now_s: float, *, reference_moved: bool = False) -> None:
         """The DUT is mounted anew, or its surroundings are not what they were: the ambient field is not known."""
+        self._had_ambient |= self._ambient is not None
         self._ambient, self._candidate, self._mounted_s, self._bad_s = None, None, now_s, None
         self._moved |= reference_moved
         if self.witness.verdict != "disagrees":
@@ -118,7 +121,7 @@ class FieldCheck:
 
     def _why_not(self) -> str:
         if self._blind or self._ambient is None:
-            return self._blind or NO_AMBIENT
+            return self._blind or (BEFORE_HANDS if self._had_ambient else NO_AMBIENT)
         if not self.streaming:
             return NOT_STREAMING
         return self._unheard or NOT_YET

@@ -19,7 +19,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.lab import LabState
-from labcal.gui.viewmodels.signing import SigningStep, standing_word, state_of, steps
+from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, state_of, steps
 from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
@@ -111,9 +111,11 @@ class CertificatePage(QWidget):
         """How the chosen one stands, in a word and in sentences."""
         self.detail = Card()
         self.word, self.standing = label("", "ask"), label("", wrap=True)
+        self.doubt = label("", wrap=True)  # of the cause: no signature takes it away
         self.open = label("", wrap=True)  # of the run's own checks, before anybody approves
-        set_state(self.open, "warning")
-        for part in (self.word, self.standing, self.open):
+        for part in (self.doubt, self.open):
+            set_state(part, "warning")
+        for part in (self.word, self.doubt, self.standing, self.open):
             self.detail.body.addWidget(part)
         return self.detail
 
@@ -145,7 +147,7 @@ class CertificatePage(QWidget):
             self.list.clear()
             for one in files:
                 simulated = translated("SIMULATED") if one.simulated else ""
-                words = (standing_word(one.standing), one.dut.serial, Path(one.path).stem, simulated)
+                words = (file_word(one), one.dut.serial, Path(one.path).stem, simulated)
                 self.list.addItem("  ·  ".join(filter(None, words)), one.path)
             self.list.setCurrentIndex(self.list.findData(kept))  # none by itself, where none is of the DUT at the top
         self._wanted = ""
@@ -177,9 +179,11 @@ class CertificatePage(QWidget):
         self.steps.show_file(one, self._files.values())
         if one is not None:
             self.list.setToolTip(plain(self.list.currentText()))  # the whole, where there is no room for it
-            self.word.setText(f"{standing_word(one.standing).upper()}  ·  {one.dut.serial}")
+            self.word.setText(f"{file_word(one).upper()}  ·  {one.dut.serial}")
             self.standing.setText(" ".join(self._standing_words(one)))
-            set_state(self.word, state_of(one.standing) if one.standing.signatures else "")
+            set_state(self.word, file_state(one))
+            self.doubt.setText(ambiguity(one))
+            self.doubt.setVisible(bool(self.doubt.text()))
             if one.run_id != self._told_of:
                 self._told_of = one.run_id
                 self._run_told(one.run_id, Told())

@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.key_rules import approver_objection, as_key_name, key_name_objection, key_objection
-from labcal.gui.viewmodels.signing import SigningStep, awaited
+from labcal.gui.viewmodels.signing import SigningStep, ambiguity, awaited
 from labcal.gui.widgets.common import button, combo_box, say_wanted, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.secret import secret_entry
@@ -123,6 +123,7 @@ class SigningSteps(StepRow):
             self._shown = path
             for card in (self.key, self.approval, self.signature):
                 card.say_done("")
+            self._ask_before_approval("")
 
     def _offer(self) -> None:
         """Who may approve, and who is to sign next."""
@@ -205,8 +206,16 @@ class SigningSteps(StepRow):
         self._ask(NewKey(name, passphrase), self.key, self.key_name, known)
         self.new_key.setEnabled(False)  # a second click makes no second one
 
+    def _ask_before_approval(self, words: str) -> None:
+        self.approval.ask(words)
+        self.approve.setText(self.tr("Approve it all the same") if words else self.tr("Approve"))
+
     def _approve(self) -> None:
+        """Where the cause is not certain the first press asks, and the second one approves."""
         if (one := self._chosen()) is not None:
+            if (doubt := ambiguity(one)) and self.approval.asked.isHidden():
+                return self._ask_before_approval(self.tr("{0} Approve it all the same?").format(doubt))
+            self._ask_before_approval("")
             name = self.approver.currentText().strip()
 
             def known(approved: CalibrationFile) -> None:
@@ -215,6 +224,7 @@ class SigningSteps(StepRow):
 
             self._ask(Approve(one.path, name, *self.stated.stated()), self.approval, self.approver, known)
             self.approve.setEnabled(False)
+        return None
 
     def _sign(self) -> None:
         if (one := self._chosen()) is not None:

@@ -19,7 +19,7 @@ from labcal.gui.pages.registry import Themed, build_more, build_page
 from labcal.gui.theming.stylesheet import apply_style, styled_widgets
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets.common import flat
+from labcal.gui.widgets.common import Card, flat
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import TIME_SLICE_S
 
@@ -158,6 +158,16 @@ class LazyPage(QWidget):
         """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""
         parts = [] if self.page is None else [*reversed(self.page.findChildren(QWidget)), self.page]
         return (partial(part.set_theme, theme) for part in parts if isinstance(part, Themed))
+
+    def show_part(self, widget: QWidget) -> None:
+        """Scroll to the card that `widget` stands in; what has the focus already would not come into sight."""
+        if not self.place.isAncestorOf(widget):
+            return
+        card: QWidget | None = widget
+        while card is not None and card is not self.place and not isinstance(card, Card):
+            card = card.parentWidget()
+        self.area.ensureWidgetVisible(card if isinstance(card, Card) else widget)
+        self.area.ensureWidgetVisible(widget)  # of a card that is higher than the page
 
     def showEvent(self, event: object) -> None:
         """Ask to be built next."""

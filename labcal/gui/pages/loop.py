@@ -184,7 +184,7 @@ class LoopPage(QWidget):
 
     def _unknown_card(self) -> Card:
         card = Card(self.tr("4  Still not known"), "")
-        self.unknown = named(QPlainTextEdit(), "story")
+        self.unknown = self.begins_at = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
         self.unknown.document().setDocumentMargin(0)  # in line with the heading
         self.unknown.setMinimumHeight(LEAST_PX * 2 // 3)

@@ -12,12 +12,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from labcal.bench.guardian.wire import TRIED_AGAIN
 from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import BROKEN, Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title
+from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
@@ -55,6 +55,7 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
+        self._heard_again = AnswersAgain()
         self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
         self._just_went_on = QTimer(self, interval=DEAD_MS, singleShot=True)  # a second click was meant for Go on
         self._just_went_on.timeout.connect(self._show)
@@ -269,7 +270,8 @@ class Live(QWidget):
         run = self._run
         if run.state != "ended":
             return self.verdict.word.set_text("")  # of the run before
-        self.verdict.show_verdict(run.order.dut if run.order else "", run_verdict(run, self._app_state.resumable))
+        how = run_verdict(run, self._app_state.resumable, mended=bool(self._answer_again()))
+        self.verdict.show_verdict(run.order.dut if run.order else "", how)
         words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
         return self.verdict.say_off(words, state) if words else None
 
@@ -319,6 +321,7 @@ class Live(QWidget):
 
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
+        set_primary(self.go_on, not now.to_be_mended)
         self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed)
@@ -329,19 +332,16 @@ class Live(QWidget):
         self.fault.say_coils(self._coils_left())
         began = self._run.lab is not None or (self._run.fault is not None and self._run.fault.kind in BROKEN)
         self.fault.say_platform(self._app_state.platform_words() if began else "")  # else nothing was moved
-        gives_way, back = self._app_state.warning_shown, self._answers_again()
+        gives_way, back = self._app_state.warning_shown, self._answer_again()
         self.fault.setVisible(not (gives_way or back))
         said = in_short(self._run.fault) if gives_way and self._run.fault is not None else ""
-        self.verdict.say_reason(back or said)
+        self.verdict.say_reason(back or said, "" if back else "bad")
 
-    def _answers_again(self) -> str:
+    def _answer_again(self) -> str:
         """Whom this run waited for in vain, and who was heard since; "" where that is none, or lost still."""
         fault, facts, now = self._run.fault, self._app_state.facts, self._app_state.lab.state.now
-        if fault is None or facts is None or self._run.state != "ended" or TRIED_AGAIN not in fault.remedy:
-            return ""
-        named = [name for name in facts.instruments if name in fault.text]
-        heard = {name for name, light, _ in now.lights if light == "ok"}
-        return self.tr("{0}: answers again").format(", ".join(named)) if named and set(named) <= heard else ""
+        named = self._heard_again.named(fault, () if facts is None else facts.instruments, now.lights)
+        return self.tr("{0}: answers again").format(", ".join(named)) if named and self._run.state == "ended" else ""
 
     def _coils_left(self) -> str:
         """How the coils are after a run that failed."""

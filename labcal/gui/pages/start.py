@@ -290,8 +290,9 @@ class StartPage(QWidget):
     def _point(self) -> None:
         """The run of this DUT that broke off is the one thing to do, where there is one."""
         mine = [serial == self._app_state.lab.state.dut_serial for serial, _ in self._to_go_on_with]
+        mended = not self._app_state.lab.state.now.to_be_mended
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
-            set_primary(again, first)
+            set_primary(again, first and mended)
         to = self._app_state.path.next()
         set_primary(self.calibrate, not any(mine) and to.page in ("Run", "Start"))
 

@@ -822,6 +822,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the reference has sent nothing since the currents settled</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5397,6 +5401,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} (Ctrl+{1})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6722,6 +6730,14 @@ after this step …</source>
     </message>
     <message>
         <source>{0} has a key now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approve it all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Approve it all the same?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8169,6 +8185,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nothing was measured: Go on begins with the first step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To measure again: Close, then Begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8230,6 +8254,18 @@ after this step …</source>
     </message>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As AMBIGUOUS: why is said above.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -822,6 +822,10 @@
         <translation>die Referenz antwortet nicht</translation>
     </message>
     <message>
+        <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
+        <translation>das Umgebungsfeld der Referenz ist von vor dem letzten Griff an den Prüfling</translation>
+    </message>
+    <message>
         <source>the reference has sent nothing since the currents settled</source>
         <translation>die Referenz hat nichts gesendet, seit die Ströme stehen</translation>
     </message>
@@ -5397,6 +5401,10 @@
         <translation>Was für diesen Prüfling als Nächstes kommt, auf jeder Seite (Ctrl+N)</translation>
     </message>
     <message>
+        <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
+        <translation>Weiter hat sich eben geändert und nichts getan. Jetzt heißt es: {0}. Noch einmal drücken.</translation>
+    </message>
+    <message>
         <source>{0} (Ctrl+{1})</source>
         <translation>{0} (Strg+{1})</translation>
     </message>
@@ -6724,6 +6732,14 @@ diesem Schritt …</translation>
     <message>
         <source>{0} has a key now.</source>
         <translation>{0} hat jetzt einen Schlüssel.</translation>
+    </message>
+    <message>
+        <source>Approve it all the same</source>
+        <translation>Trotzdem genehmigen</translation>
+    </message>
+    <message>
+        <source>{0} Approve it all the same?</source>
+        <translation>{0} Trotzdem genehmigen?</translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -8170,6 +8186,14 @@ diesem Schritt …</translation>
         <translation>Beheben Sie, was oben steht, dann Weiter: Keine Drehung ist fertig, darum beginnt es wieder mit dem ersten Schritt und nutzt nichts von dem, was gemessen wurde.</translation>
     </message>
     <message>
+        <source>Nothing was measured: Go on begins with the first step.</source>
+        <translation>Nichts wurde gemessen: Weiter beginnt mit dem ersten Schritt.</translation>
+    </message>
+    <message>
+        <source>To measure again: Close, then Begin.</source>
+        <translation>Neu messen: Ablegen, dann Beginnen.</translation>
+    </message>
+    <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation>BESTANDEN hat die Messung: |Wert| + U (k=2) liegt innerhalb der Grenze ({0} von {0}). Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
@@ -8232,6 +8256,18 @@ diesem Schritt …</translation>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
+        <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation>eine andere</translation>
+    </message>
+    <message>
+        <source>As AMBIGUOUS: why is said above.</source>
+        <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>

@@ -822,6 +822,10 @@
         <translation>la référence ne répond pas</translation>
     </message>
     <message>
+        <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
+        <translation>le champ ambiant de la référence date d&apos;avant la dernière intervention sur le DUT</translation>
+    </message>
+    <message>
         <source>the reference has sent nothing since the currents settled</source>
         <translation>la référence n&apos;a rien envoyé depuis que les courants sont stables</translation>
     </message>
@@ -5397,6 +5401,10 @@
         <translation>La suite pour ce DUT, quelle que soit la page (Ctrl+N)</translation>
     </message>
     <message>
+        <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
+        <translation>Suite vient de changer et n&apos;a rien fait. C&apos;est maintenant : {0}. Appuyer de nouveau.</translation>
+    </message>
+    <message>
         <source>{0} (Ctrl+{1})</source>
         <translation>{0} (Ctrl+{1})</translation>
     </message>
@@ -6724,6 +6732,14 @@ cette étape …</translation>
     <message>
         <source>{0} has a key now.</source>
         <translation>{0} a maintenant une clé.</translation>
+    </message>
+    <message>
+        <source>Approve it all the same</source>
+        <translation>Approuver quand même</translation>
+    </message>
+    <message>
+        <source>{0} Approve it all the same?</source>
+        <translation>{0} Approuver quand même ?</translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -8170,6 +8186,14 @@ cette étape …</translation>
         <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
+        <source>Nothing was measured: Go on begins with the first step.</source>
+        <translation>Rien n&apos;a été mesuré : Continuer commence par la première étape.</translation>
+    </message>
+    <message>
+        <source>To measure again: Close, then Begin.</source>
+        <translation>Pour remesurer : Fermer, puis Démarrer.</translation>
+    </message>
+    <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}). La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
@@ -8232,6 +8256,18 @@ cette étape …</translation>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
+        <translation>AMBIGU : {0} est provisoire ; {1} peut aussi être la cause.</translation>
+    </message>
+    <message>
+        <source>another one</source>
+        <translation>une autre</translation>
+    </message>
+    <message>
+        <source>As AMBIGUOUS: why is said above.</source>
+        <translation>Comme AMBIGU : pourquoi, c&apos;est dit plus haut.</translation>
     </message>
     <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>

@@ -74,6 +74,11 @@ class LabNow:
         return [shown_name(name) for name, light, _ in self.lights if light == "fault"]
 
     @property
+    def to_be_mended(self) -> bool:
+        """An instrument is silent, or the coils are not confirmed: that comes before going on with anything."""
+        return bool(self.failed) or mark_of(self.coil_words)[1] == "bad"
+
+    @property
     def at_rest(self) -> bool:
         """No run goes on, and the coils were read not long ago."""
         return not self.driven and (self.coil_old_s or 0) < LONG_AGO_S

@@ -13,7 +13,7 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
-from labcal.gui.viewmodels.signing import NO_LONGER, awaited, standing_word
+from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word
 from labcal.gui.viewmodels.study import StudyViewModel
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
@@ -87,7 +87,7 @@ class PathViewModel(QObject):
         file = self.kept(run_id)
         if file is None:
             return ""
-        return self.tr("✓ handed out") if self.handed_out.holds(file) else standing_word(file.standing)
+        return self.tr("✓ handed out") if self.handed_out.holds(file) else file_word(file)
 
     def kept(self, run_id: str) -> CalibrationFile | None:
         """The calibration of a run: the signed one where there is one."""
@@ -238,7 +238,7 @@ class PathViewModel(QObject):
             return "open"
         if not file.standing.valid:
             return "broken"
-        return "doubt" if file.standing.provisional else "done"
+        return "doubt" if file.standing.provisional or ambiguity(file) else "done"
 
     def _file(self, last: RunLine) -> CalibrationFile | None:
         return self.kept(last.run_id)

@@ -43,6 +43,8 @@ NEXT = {
         "Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses "
         "nothing of what was measured.",
     ),
+    "interrupted, not begun": QT_TRANSLATE_NOOP("Words", "Nothing was measured: Go on begins with the first step."),
+    "mended": QT_TRANSLATE_NOOP("Words", "To measure again: Close, then Begin."),
     "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Begin."),
 }
 TEXTS = (
@@ -76,10 +78,11 @@ class RunVerdict:
     next: str
 
 
-def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdict:
+def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: bool = False) -> RunVerdict:
     """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish.
 
     `resumable`: the procedures that may be gone on with, none before they are listed; of another, that and why is said.
+    `mended`: what ended it is gone, and nobody is sent to mend it.
     """
     status = run.status.partition(":")[0]
     wanted = run.fault is not None and run.fault.kind == "stopped"  # by Stop or COILS OFF: nothing failed
@@ -88,12 +91,13 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = ()) -> RunVerdic
     if status != "finished":
         word = "stopped" if wanted else status
         shape, state = ENDS.get(word, ENDS["failed"])
-        what = "lost" if status == "interrupted" and run.fault is not None and not wanted else status
+        lost = status == "interrupted" and run.fault is not None and not wanted and not mended
+        what = "lost" if lost else "mended" if mended and status == "failed" else status
         if status == "interrupted" and not keeps_a_turn(run):
             what += ", no turn" if run.step is not None else ", not begun"
         rule = translated(str(TEXTS[4]))
         if resumable and run.order is not None and run.order.procedure not in resumable:
-            what = "stopped" if wanted else "failed"  # nothing offers what cannot be
+            what = "stopped" if wanted else "mended" if mended else "failed"  # nothing offers what cannot be
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"
         return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")

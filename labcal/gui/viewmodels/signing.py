@@ -9,6 +9,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.loop_words import verdict_word
+from labcal.gui.viewmodels.study import cause_name
+from labcal.model.records import EffectRecord
 from labcal.record.person import perhaps_one_person
 
 NO_LONGER = ("expired", "superseded")
@@ -30,6 +33,10 @@ NO_MORE = QT_TRANSLATE_NOOP(
     "Words", "Do not use it any more: measure anew, or take the calibration that came after it."
 )
 
+AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
+ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
+AS_AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "As AMBIGUOUS: why is said above.")
+
 
 def standing_word(one: Standing) -> str:
     """How a file stands, in a word with its shape."""
@@ -41,6 +48,37 @@ def state_of(one: Standing) -> str:
     if not one.valid:
         return "bad"
     return "warning" if one.provisional or one.status in NO_LONGER else "good"
+
+
+def ambiguity(one: CalibrationFile) -> str:
+    """What else may be the cause of what it corrects; "" where nothing does about as well."""
+    words = translated(str(AMBIGUOUS))
+    return " ".join(
+        words.format(cause_name(doubted.effect, doubted.channels), _others(doubted))
+        for doubted in (*one.effects, *one.findings)
+        if doubted.provisional
+    )
+
+
+def _others(doubted: EffectRecord) -> str:
+    named = ", ".join(cause_name(rival.effect, rival.channels) for rival in doubted.rivals)
+    return named or translated(str(ANOTHER))
+
+
+def file_word(one: CalibrationFile) -> str:
+    """How a file stands, and that its cause is not certain: a signature does not make it so."""
+    word = standing_word(one.standing)
+    if not ambiguity(one):
+        return word
+    shape, _, said = word.partition(" ")
+    doubt = verdict_word("ambiguous").partition(" ")[2]
+    return f"{'▲' if shape == '✓' else shape} {' · '.join(filter(None, (said, doubt)))}".strip()
+
+
+def file_state(one: CalibrationFile) -> str:
+    """Its colour: a draft has none, what is ambiguous is never good."""
+    signed = state_of(one.standing) if one.standing.signatures else ""
+    return "warning" if signed in ("", "good") and ambiguity(one) else signed
 
 
 def awaited(one: CalibrationFile) -> list[str]:
@@ -127,4 +165,6 @@ def _hand_out_step(one: CalibrationFile, handed_out: bool) -> SigningStep:
         return SigningStep("done", translated("Handed out. Next: another DUT."))
     if not one.approvers:
         return SigningStep("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
-    return SigningStep("now", translated("As PROVISIONAL: why is said above.") if standing.provisional else "")
+    if standing.provisional:
+        return SigningStep("now", translated("As PROVISIONAL: why is said above."))
+    return SigningStep("now", translated(str(AS_AMBIGUOUS)) if ambiguity(one) else "")

@@ -22,16 +22,18 @@ class StepCard(Card):
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
-        self.done = label("", "caption", wrap=True)
+        self.done, self.asked = label("", "caption", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
         self.fields = QVBoxLayout()
         self.fields.setSpacing(GRID)
         self.body.addWidget(self.mark)
         self.body.addLayout(self.fields)
-        for part in (self.wrong, self.words, self.done, self.rules):
+        for part in (self.wrong, self.asked, self.words, self.done, self.rules):
             self.body.addWidget(part)
         set_state(self.wrong, "bad")
+        set_state(self.asked, "warning")
         self.wrong.hide()
+        self.asked.hide()
         self.done.hide()
         self.rules.setVisible(bool(rules))
         self.body.addStretch()
@@ -60,6 +62,11 @@ class StepCard(Card):
         """What was done in this step just now."""
         self.done.setText(words)
         self.done.setVisible(bool(words))
+
+    def ask(self, words: str) -> None:
+        """What is to be known before its button is pressed once more."""
+        self.asked.setText(words)
+        self.asked.setVisible(bool(words))
 
     def say_wrong(self, words: str) -> None:
         """What is against that which is typed."""

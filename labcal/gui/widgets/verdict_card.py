@@ -60,11 +60,11 @@ class VerdictCard(Card):
         self.word.set_text(words.replace(" ", NO_BREAK, 1))
         self._colour()
 
-    def say_reason(self, reason: str) -> None:
-        """Why it ended so, or did not go on."""
+    def say_reason(self, reason: str, state: str = "bad") -> None:
+        """Why it ended so, or did not go on; that its cause is gone is no alarm."""
         self.reason.setText(reason)
         self.reason.setVisible(bool(reason))
-        set_state(self.reason, "bad")
+        set_state(self.reason, state)
 
     def set_theme(self, theme: Theme) -> None:
         """The word in the theme's colour of its state."""
