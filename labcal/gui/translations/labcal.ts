@@ -612,7 +612,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turned on: it is told to stop, and the coils to zero …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6155,6 +6159,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Stop the platform (COILS OFF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>See to the coils</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7993,6 +8001,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8034,6 +8046,10 @@ after this step …</source>
     </message>
     <message>
         <source>stop it at its controller, and see it stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the platform was told to stop, and is not seen to stand yet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8410,6 +8426,10 @@ after this step …</source>
     </message>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} A when last read, {2}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -612,8 +612,12 @@
         <translation>Seit SPULEN AUS hat ihn niemand stehen sehen; vielleicht behält ein anderes Programm seine Leitung.</translation>
     </message>
     <message>
-        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
-        <translation>Hände heraus, bis Sie ihn stehen sehen. Dann noch einmal SPULEN AUS (F12).</translation>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turned on: it is told to stop, and the coils to zero …</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -6156,6 +6160,10 @@ diesem Schritt …</translation>
         <translation>Die Frage beantworten</translation>
     </message>
     <message>
+        <source>Stop the platform (COILS OFF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>See to the coils</source>
         <translation>Nach den Spulen sehen</translation>
     </message>
@@ -7994,6 +8002,10 @@ diesem Schritt …</translation>
         <translation>stumm (Stecker? Strom?)</translation>
     </message>
     <message>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation>früher gehört</translation>
     </message>
@@ -8036,6 +8048,10 @@ diesem Schritt …</translation>
     <message>
         <source>stop it at its controller, and see it stand</source>
         <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
+    </message>
+    <message>
+        <source>the platform was told to stop, and is not seen to stand yet</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -8412,6 +8428,10 @@ diesem Schritt …</translation>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
         <translation>Kein Vergleich: Messung {0} ist {1}; was ihm fehlt, sähe wie eine Änderung aus.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} A when last read, {2}</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -612,8 +612,12 @@
         <translation>Personne ne l’a vue arrêtée depuis BOBINES À ZÉRO ; un autre programme garde peut-être sa ligne.</translation>
     </message>
     <message>
-        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
-        <translation>Mains dehors jusqu’à ce que vous la voyiez arrêtée. Puis de nouveau BOBINES À ZÉRO (F12).</translation>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turned on: it is told to stop, and the coils to zero …</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -6156,6 +6160,10 @@ cette étape …</translation>
         <translation>Répondre à la question</translation>
     </message>
     <message>
+        <source>Stop the platform (COILS OFF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>See to the coils</source>
         <translation>S&apos;occuper des bobines</translation>
     </message>
@@ -7994,6 +8002,10 @@ cette étape …</translation>
         <translation>muet (prise ? alimentation ?)</translation>
     </message>
     <message>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation>entendu avant</translation>
     </message>
@@ -8036,6 +8048,10 @@ cette étape …</translation>
     <message>
         <source>stop it at its controller, and see it stand</source>
         <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
+    </message>
+    <message>
+        <source>the platform was told to stop, and is not seen to stand yet</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -8412,6 +8428,10 @@ cette étape …</translation>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
         <translation>Pas de comparaison : la mesure {0} est {1} ; ce qui lui manque semblerait un changement.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} A when last read, {2}</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
