@@ -608,7 +608,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
+        <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

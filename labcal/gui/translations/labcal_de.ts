@@ -608,16 +608,16 @@
         <translation>Spulen aus: werden zurückgelesen …</translation>
     </message>
     <message>
-        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
-        <translation>Seit SPULEN AUS hat ihn niemand stehen sehen; vielleicht behält ein anderes Programm seine Leitung.</translation>
+        <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
+        <translation>Noch niemand hat ihn stehen sehen: Vielleicht schweigt seine Leitung, oder ein anderes Programm behält sie.</translation>
     </message>
     <message>
         <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Hände heraus, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
         <source>The platform turned on: it is told to stop, and the coils to zero …</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tisch drehte weiter: Er wird angehalten, die Spulen gehen auf null …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -6161,7 +6161,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Stop the platform (COILS OFF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tisch anhalten (SPULEN AUS)</translation>
     </message>
     <message>
         <source>See to the coils</source>
@@ -8003,7 +8003,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
-        <translation type="unfinished"></translation>
+        <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>
         <source>heard before</source>
@@ -8051,7 +8051,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>the platform was told to stop, and is not seen to stand yet</source>
-        <translation type="unfinished"></translation>
+        <translation>der Tisch wurde angehalten, und niemand hat ihn bisher stehen sehen</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -8431,7 +8431,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1} A, als zuletzt gelesen wurde, {2}</translation>
     </message>
 </context>
 <context>

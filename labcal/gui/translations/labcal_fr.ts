@@ -608,16 +608,16 @@
         <translation>Bobines à zéro : relecture …</translation>
     </message>
     <message>
-        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
-        <translation>Personne ne l’a vue arrêtée depuis BOBINES À ZÉRO ; un autre programme garde peut-être sa ligne.</translation>
+        <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
+        <translation>Personne ne l’a encore vue arrêtée : sa ligne est peut-être muette, ou gardée par un autre programme.</translation>
     </message>
     <message>
         <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
         <source>The platform turned on: it is told to stop, and the coils to zero …</source>
-        <translation type="unfinished"></translation>
+        <translation>La plate-forme tournait encore : elle est arrêtée, et les bobines mises à zéro …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -6161,7 +6161,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Stop the platform (COILS OFF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter la plate-forme (BOBINES À ZÉRO)</translation>
     </message>
     <message>
         <source>See to the coils</source>
@@ -8003,7 +8003,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
-        <translation type="unfinished"></translation>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>heard before</source>
@@ -8051,7 +8051,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>the platform was told to stop, and is not seen to stand yet</source>
-        <translation type="unfinished"></translation>
+        <translation>la plate-forme a reçu l’ordre de s’arrêter, et personne ne l’a encore vue arrêtée</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -8431,7 +8431,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : {1} A à la dernière lecture, {2}</translation>
     </message>
 </context>
 <context>
