@@ -56,7 +56,7 @@ NO_CLAIM = {
     "Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.": ORDER,
     "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller": ORDER,
     "Stop the platform (COILS OFF)": ORDER,
-    "The platform turned on: it is told to stop, and the coils to zero …": REFUSED,
+    "The platform turned on: COILS OFF is given anew, and stops it …": REFUSED,
     "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "
     "before it is cleared.": ORDER,
     "Ramp it to zero first; or `labcal bench off`.": ORDER,

@@ -89,7 +89,7 @@ def test_coils_off_says_what_became_of_the_platform(failed):
     app_state = failed.app_state
     app_state.coils_off()
     app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros(), platform=PlatformReading(fault=NOT_YET)))
-    assert app_state.lab.state.message.endswith("; the platform was told to stop, and is not seen to stand yet")
+    assert app_state.lab.state.message.endswith("; the platform was ordered to stop, and is not seen to stand yet")
     app_state.take_lab(lab(platform=stands()))
     assert app_state.lab.state.message.endswith("; platform stands at 40°")
 

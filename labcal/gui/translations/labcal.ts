@@ -616,7 +616,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The platform turned on: it is told to stop, and the coils to zero …</source>
+        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8049,7 +8049,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the platform was told to stop, and is not seen to stand yet</source>
+        <source>the platform was ordered to stop, and is not seen to stand yet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

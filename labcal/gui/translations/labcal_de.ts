@@ -616,8 +616,8 @@
         <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Hände heraus, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
-        <source>The platform turned on: it is told to stop, and the coils to zero …</source>
-        <translation>Der Tisch drehte weiter: Er wird angehalten, die Spulen gehen auf null …</translation>
+        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <translation>Der Tisch drehte weiter: SPULEN AUS wird noch einmal gegeben, und hält ihn an …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -8050,7 +8050,7 @@ diesem Schritt …</translation>
         <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
     </message>
     <message>
-        <source>the platform was told to stop, and is not seen to stand yet</source>
+        <source>the platform was ordered to stop, and is not seen to stand yet</source>
         <translation>der Tisch wurde angehalten, und niemand hat ihn bisher stehen sehen</translation>
     </message>
     <message>

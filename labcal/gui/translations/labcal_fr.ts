@@ -616,8 +616,8 @@
         <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
-        <source>The platform turned on: it is told to stop, and the coils to zero …</source>
-        <translation>La plate-forme tournait encore : elle est arrêtée, et les bobines mises à zéro …</translation>
+        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <translation>La plate-forme tournait encore : BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -8050,7 +8050,7 @@ cette étape …</translation>
         <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
     </message>
     <message>
-        <source>the platform was told to stop, and is not seen to stand yet</source>
+        <source>the platform was ordered to stop, and is not seen to stand yet</source>
         <translation>la plate-forme a reçu l’ordre de s’arrêter, et personne ne l’a encore vue arrêtée</translation>
     </message>
     <message>

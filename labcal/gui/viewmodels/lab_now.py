@@ -45,7 +45,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
-    QT_TRANSLATE_NOOP("Words", "the platform was told to stop, and is not seen to stand yet"),
+    QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet"),
     QT_TRANSLATE_NOOP("Words", "platform turning"),
     QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
@@ -208,7 +208,7 @@ def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
 
     `later`: it was told to stop, and is looked at again.
     """
-    stands = translated("the platform was told to stop, and is not seen to stand yet") if later else ""
+    stands = translated("the platform was ordered to stop, and is not seen to stand yet") if later else ""
     said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
     return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
 
