@@ -309,9 +309,8 @@ class AppState(QObject):
         return fault is not None and fault in (self.off.unconfirmed, self.off.turning)
 
     def still_live(self) -> bool:
-        """Whether a supply fell silent with a current, or a platform was left turning: no card of that is put away."""
-        now = self.lab.state.now
-        return bool(now.silent_with_current) or now.left_turning
+        """Whether a supply fell silent with a current, or a platform may turn that was to stand: that card stays."""
+        return bool(self.lab.state.now.silent_with_current) or self.off.turning is not None
 
     def now_s(self) -> float:
         """On the computer's monotonic clock."""
