@@ -4,7 +4,7 @@ import time
 from dataclasses import replace
 
 import pytest
-from test_hands_in_the_cage import STEPS, lab, says, send, stands, zeros
+from test_hands_in_the_cage import STEPS, headline, lab, says, send, stands, zeros
 
 from labcal.bench.coils.state import PlatformReading
 from labcal.bench.stage_off import NOT_YET
@@ -63,7 +63,7 @@ def test_one_that_was_seen_to_stand_is_a_persons_to_turn(failed):
     assert offs(failed) == before
 
 
-def test_next_stops_it_on_every_page_and_its_card_stays(failed, monkeypatch):
+def test_next_stops_it_on_every_page_and_its_card_stays(failed):
     failed.app_state.off._off_s -= STOPS_S + 1
     failed.app_state.grow_old()
     card = failed.fault
@@ -107,6 +107,9 @@ def test_a_supply_silent_with_a_current_says_which_and_when_and_its_card_cannot_
     assert not still.fault.close_card.isHidden()
 
 
-def test_the_coils_keep_hands_out_before_the_platform():
+def test_the_coils_keep_hands_out_before_the_platform(failed):
     words = hands_words("coils NOT confirmed at zero", "platform turns, at 104°")[0]
     assert words == "▲ Hands out: coils NOT confirmed at zero"
+    assert headline(failed) == "✕ Interrupted: no answer from stage"
+    failed.app_state.take_lab(lab((0.0, 0.0, None), stands(moving=True), faulty=("stage",)))
+    assert headline(failed) == "HANDS OFF – coils NOT confirmed at zero, platform turning"
