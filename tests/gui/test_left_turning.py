@@ -111,5 +111,5 @@ def test_the_coils_keep_hands_out_before_the_platform(failed):
     words = hands_words("coils NOT confirmed at zero", "platform turns, at 104°")[0]
     assert words == "▲ Hands out: coils NOT confirmed at zero"
     assert headline(failed) == "✕ Interrupted: no answer from stage"
-    failed.app_state.take_lab(lab((0.0, 0.0, None), stands(moving=True), faulty=("stage",)))
-    assert headline(failed) == "HANDS OFF – coils NOT confirmed at zero, platform turning"
+    failed.app_state.take_lab(lab((0.0, 0.0, None), PlatformReading(fault="silent"), faulty=("stage",)))
+    assert headline(failed) == "HANDS OFF – coils NOT confirmed at zero, platform may turn"
