@@ -53,8 +53,10 @@ NO_CLAIM = {
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
-    "Nobody has seen it stand since COILS OFF; another program may keep its line.": NOT_KNOWN,
-    "Hands out until you see it stand. Then press COILS OFF (F12) again.": ORDER,
+    "Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.": ORDER,
+    "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller": ORDER,
+    "Stop the platform (COILS OFF)": ORDER,
+    "The platform turned on: COILS OFF is given anew, and stops it …": REFUSED,
     "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "
     "before it is cleared.": ORDER,
     "Ramp it to zero first; or `labcal bench off`.": ORDER,

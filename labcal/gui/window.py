@@ -295,6 +295,8 @@ class Window(Frame):
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
         to = self.app_state.path.next()
+        if to.off:
+            return self.app_state.coils_off()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
             return does.click()
         self.app_state.go(to)
@@ -349,9 +351,11 @@ class Window(Frame):
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
         if said := self.app_state.says_unconfirmed(self.fault.fault):
-            common = self.app_state.lab.state.now.in_common
-            self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), common)
+            now = self.app_state.lab.state.now
+            known = ". ".join(filter(None, (now.silent_with_current, now.in_common)))
+            self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), known)
             self.fault.say_platform(self.app_state.platform_words())
+        self.fault.let_close(not (said and self.app_state.still_live()))
         self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:

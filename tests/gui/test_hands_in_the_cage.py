@@ -258,7 +258,7 @@ def test_under_a_card_that_says_the_coils_may_be_on_there_is_no_second_headline(
     [
         (
             stands(moving=True, age_s=12.0),
-            "✕ platform NOT confirmed at a standstill: at 40° it turned, 12 s ago: stop",
+            "✕ platform NOT confirmed at a standstill: at 40° it turned, 12 s ago: press COILS OFF (F12) first: ",
             True,
         ),
         (PlatformReading(fault="silent"), "✕ platform NOT confirmed at a standstill: stop it at its controller", True),

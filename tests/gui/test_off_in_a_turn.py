@@ -18,6 +18,7 @@ from labcal.gui.window import Window
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs ptys and SIGSTOP, which Windows lacks")
 AT_ONCE_S = 1.5
 OF_A_PROCESS_S = 4.5  # to end it, and for another to load and to open the line
+OF_A_LOOK_S = 20.0  # after the plug is in: it is looked at, and a process loads; its turn takes longer
 SAID_S = 8.0  # after it stands: it is read, or a later look finds who has its line
 WAITED_FOR_S = 6.0  # a supply
 HANDS_OFF = "✕ HANDS OFF: the platform may still turn"
@@ -119,3 +120,23 @@ def test_of_a_run_of_somebody_else_that_hangs_the_window_says_that_it_may_turn(q
     assert pressed(qtbot, opened, served) < OF_A_PROCESS_S
     qtbot.waitUntil(lambda: "platform stands at " in opened.side.platform.text(), timeout=int(LONG_S * 1000))
     qtbot.waitUntil(lambda: not opened.fault.isVisible(), timeout=int(SAID_S * 1000))
+
+
+def test_one_whose_line_was_silent_when_its_run_failed_stands_once_it_answers(qtbot, opened, served):
+    run_that_turns(qtbot, opened, served)
+    stage = served.emulator("stage")
+    stage.take, stage.emit = lambda *_: None, lambda *_: []  # its plug is out
+    app_state = opened.app_state
+    answered = []
+
+    def failed():
+        if app_state.run.state == "asking" and app_state.run.prompt not in answered:
+            answered.append(app_state.run.prompt)
+            app_state.run.answer("stop" if "stop" in app_state.run.prompt.choices else app_state.run.prompt.choices[0])
+        return app_state.run.state == "ended"
+
+    qtbot.waitUntil(failed, timeout=int(LONG_S * 1000))
+    assert turning(served)
+    del stage.take, stage.emit
+    qtbot.waitUntil(lambda: not turning(served), timeout=int(OF_A_LOOK_S * 1000))
+    qtbot.waitUntil(lambda: "platform stands at " in app_state.lab.state.message, timeout=int(SAID_S * 1000))

@@ -608,11 +608,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
+        <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6163,6 +6167,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Stop the platform (COILS OFF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>See to the coils</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8009,6 +8017,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8050,6 +8062,10 @@ after this step …</source>
     </message>
     <message>
         <source>stop it at its controller, and see it stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the platform was ordered to stop, and is not seen to stand yet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8446,6 +8462,10 @@ after this step …</source>
     </message>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} A when last read, {2}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

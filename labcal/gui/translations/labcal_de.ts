@@ -608,12 +608,16 @@
         <translation>Spulen aus: werden zurückgelesen …</translation>
     </message>
     <message>
-        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
-        <translation>Seit SPULEN AUS hat ihn niemand stehen sehen; vielleicht behält ein anderes Programm seine Leitung.</translation>
+        <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
+        <translation>Noch niemand hat ihn stehen sehen: Vielleicht schweigt seine Leitung, oder ein anderes Programm behält sie.</translation>
     </message>
     <message>
-        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
-        <translation>Hände heraus, bis Sie ihn stehen sehen. Dann noch einmal SPULEN AUS (F12).</translation>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Hände heraus, bis Sie ihn stehen sehen.</translation>
+    </message>
+    <message>
+        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <translation>Der Tisch drehte weiter: SPULEN AUS wird noch einmal gegeben, und hält ihn an …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -6164,6 +6168,10 @@ diesem Schritt …</translation>
         <translation>Die Frage beantworten</translation>
     </message>
     <message>
+        <source>Stop the platform (COILS OFF)</source>
+        <translation>Tisch anhalten (SPULEN AUS)</translation>
+    </message>
+    <message>
         <source>See to the coils</source>
         <translation>Nach den Spulen sehen</translation>
     </message>
@@ -8010,6 +8018,10 @@ diesem Schritt …</translation>
         <translation>stumm (Stecker? Strom?)</translation>
     </message>
     <message>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation>früher gehört</translation>
     </message>
@@ -8052,6 +8064,10 @@ diesem Schritt …</translation>
     <message>
         <source>stop it at its controller, and see it stand</source>
         <translation>an seinem Steuergerät anhalten, und sehen, dass er steht</translation>
+    </message>
+    <message>
+        <source>the platform was ordered to stop, and is not seen to stand yet</source>
+        <translation>der Tisch wurde angehalten, und niemand hat ihn bisher stehen sehen</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -8448,6 +8464,10 @@ diesem Schritt …</translation>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
         <translation>Kein Vergleich: Messung {0} ist {1}; was ihm fehlt, sähe wie eine Änderung aus.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} A when last read, {2}</source>
+        <translation>{0}: {1} A, als zuletzt gelesen wurde, {2}</translation>
     </message>
 </context>
 <context>

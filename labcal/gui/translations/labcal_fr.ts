@@ -608,12 +608,16 @@
         <translation>Bobines à zéro : relecture …</translation>
     </message>
     <message>
-        <source>Nobody has seen it stand since COILS OFF; another program may keep its line.</source>
-        <translation>Personne ne l’a vue arrêtée depuis BOBINES À ZÉRO ; un autre programme garde peut-être sa ligne.</translation>
+        <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
+        <translation>Personne ne l’a encore vue arrêtée : sa ligne est peut-être muette, ou gardée par un autre programme.</translation>
     </message>
     <message>
-        <source>Hands out until you see it stand. Then press COILS OFF (F12) again.</source>
-        <translation>Mains dehors jusqu’à ce que vous la voyiez arrêtée. Puis de nouveau BOBINES À ZÉRO (F12).</translation>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
+    </message>
+    <message>
+        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <translation>La plate-forme tournait encore : BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
@@ -6164,6 +6168,10 @@ cette étape …</translation>
         <translation>Répondre à la question</translation>
     </message>
     <message>
+        <source>Stop the platform (COILS OFF)</source>
+        <translation>Arrêter la plate-forme (BOBINES À ZÉRO)</translation>
+    </message>
+    <message>
         <source>See to the coils</source>
         <translation>S&apos;occuper des bobines</translation>
     </message>
@@ -8010,6 +8018,10 @@ cette étape …</translation>
         <translation>muet (prise ? alimentation ?)</translation>
     </message>
     <message>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+    </message>
+    <message>
         <source>heard before</source>
         <translation>entendu avant</translation>
     </message>
@@ -8052,6 +8064,10 @@ cette étape …</translation>
     <message>
         <source>stop it at its controller, and see it stand</source>
         <translation>arrêtez-la à son contrôleur, et voyez qu&apos;elle est arrêtée</translation>
+    </message>
+    <message>
+        <source>the platform was ordered to stop, and is not seen to stand yet</source>
+        <translation>la plate-forme a reçu l’ordre de s’arrêter, et personne ne l’a encore vue arrêtée</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -8448,6 +8464,10 @@ cette étape …</translation>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
         <translation>Pas de comparaison : la mesure {0} est {1} ; ce qui lui manque semblerait un changement.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} A when last read, {2}</source>
+        <translation>{0} : {1} A à la dernière lecture, {2}</translation>
     </message>
 </context>
 <context>

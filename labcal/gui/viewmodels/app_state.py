@@ -296,6 +296,7 @@ class AppState(QObject):
         if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
+        self.off.run_ended()
         fault = self.run.fault
         if fault is not None and (blamed := lab_heard.blamed(self.known, fault, self.facts)) is not None:
             self.take_lab(blamed)
@@ -306,6 +307,10 @@ class AppState(QObject):
     def says_unconfirmed(self, fault: Fault | None) -> bool:
         """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""
         return fault is not None and fault in (self.off.unconfirmed, self.off.turning)
+
+    def still_live(self) -> bool:
+        """Whether a supply fell silent with a current, or a platform may turn that was to stand: that card stays."""
+        return bool(self.lab.state.now.silent_with_current) or self.off.turning is not None
 
     def now_s(self) -> float:
         """On the computer's monotonic clock."""

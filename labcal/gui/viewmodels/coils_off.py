@@ -18,7 +18,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import off_words, platform_mark, switched_off
+from labcal.gui.viewmodels.lab_now import off_words, platform_mark, platform_said, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.run import RunViewModel
 
@@ -79,6 +79,8 @@ class CoilsOff(QObject):
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
         self._ordered_s, self._looked = 0.0, False
+        self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
+        self._report: tuple[str, str] | None = None  # the coils' part, and all of it, where the platform's is to come
         self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
@@ -110,6 +112,7 @@ class CoilsOff(QObject):
     def switch_off(self, *, read_back: bool = False) -> None:
         """By another worker. `read_back`: by a run that has ended in order, what was at zero then is not missed."""
         window, self._off_s = self._window, time.monotonic()
+        self._stop_due_s, self._report = self._off_s + STOPS_S, None
         window.kept.order(window.now_s(), asked=True, read_back=read_back)
         window.lab.update(message=self.tr("Coils off: reading them back …"))
         window.grow_old()
@@ -126,7 +129,9 @@ class CoilsOff(QObject):
             self.warn(Fault("coils", words))
         else:
             later = said.platform is not None and said.platform.fault == NOT_YET  # it is looked at again
-            window.lab.update(message=off_words(words, "" if later else window.lab.state.now.platform_words))
+            report = off_words(words, window.lab.state.now.platform_words, later=later)
+            self._report = (words, report) if later else None
+            window.lab.update(message=report)
         if said.doubt and zero:
             self.look_again()
         elif zero:
@@ -162,20 +167,47 @@ class CoilsOff(QObject):
         turns = mark in ("bad", "warning") and facts is not None and not facts.virtual_time  # emulated: it is no more
         if self._window.kept.ordered_s is None and (mark == "good" or self._window.run.alive):
             self._off_s = None
+            self._report_whole()
         if self.turning is not None and (not turns or self._window.run.alive or self.unconfirmed is not None):
             over, self.turning = self.turning, None  # a card about the coils says it as well
             self._window.fault_over.emit(over)
         late = self._off_s is not None and time.monotonic() - self._off_s > STOPS_S
         if turns and late and not self._window.run.alive and self.turning is None and self.unconfirmed is None:
             why = "" if known is None or known.platform is None else known.platform.fault.replace(NOT_YET, "")
-            unseen = self.tr("Nobody has seen it stand since COILS OFF; another program may keep its line.")
-            remedy = self.tr("Hands out until you see it stand. Then press COILS OFF (F12) again.")
+            unseen = self.tr("Nobody has seen it stand yet: its line may be silent, or kept by another program.")
+            remedy = self.tr("Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.")
             self.turning = Fault("platform", in_words(why) or unseen, remedy)
             self._window.fault.emit(self.turning)
+        self._stop_what_turns()
+
+    def run_ended(self) -> None:
+        """A run whose platform nobody has seen to stand since: it is told to stop as soon as its line answers."""
+        known, facts = self._window.known, self._window.facts
+        platform = None if known is None or facts is None or facts.virtual_time else known.platform
+        if platform is not None and platform.moving is not False:
+            self._off_s = self._stop_due_s = time.monotonic()
+
+    def _stop_what_turns(self) -> None:
+        """What the way out of a run, or COILS OFF, could not reach is read to turn: its line answers now."""
+        window = self._window
+        platform = None if window.known is None else window.known.platform
+        read_s = 0.0 if platform is None else platform.read_s or 0.0
+        free = window.kept.ordered_s is None and not window.off_worker.busy and not window.run.alive
+        if free and self._off_s is not None and window.lab.state.now.left_turning and read_s > self._stop_due_s:
+            window.watch.stop()
+            self.switch_off()
+            window.lab.update(message=self.tr("The platform turned on: COILS OFF is given anew, and stops it …"))
+
+    def _report_whole(self) -> None:
+        """What became of the platform after COILS OFF, where the line below still says that it is not known."""
+        report, self._report = self._report, None
+        state = self._window.lab.state
+        if report is not None and state.message == report[1]:
+            self._window.lab.update(message=off_words(report[0], state.now.platform_words))
 
     def forget(self) -> None:
         """Of another bench nothing was said."""
-        self.unconfirmed = self.turning = self._off_s = None
+        self.unconfirmed = self.turning = self._off_s = self._report = None
 
     def _failed(self, fault: Fault) -> None:
         """Who was to switch them off did not: how they are is not known."""
@@ -194,4 +226,5 @@ class CoilsOff(QObject):
         remedy = self.tr("At its panel, or at its mains switch; then press COILS OFF (F12).")
         self.unconfirmed = replace(fault, kind="coils", remedy=remedy)
         self._window.fault.emit(self.unconfirmed)
-        self._window.lab.update(message=self.unconfirmed.text)
+        platform = platform_said(self._window.lab.state.now.platform_words)
+        self._window.lab.update(message="; ".join(filter(None, (self.unconfirmed.text, platform))))

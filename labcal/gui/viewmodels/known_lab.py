@@ -11,6 +11,7 @@ from labcal.bench.coils import state
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.reference_again import ambient_of, mounted_anew
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
@@ -29,11 +30,13 @@ class KnownLab:
         self.asked = False  # another worker was asked to switch the coils off, and has not answered
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
+        self._last = LastCurrents()
         self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
     def take(self, known: state.LabState, now_s: float) -> None:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
+        self._last.keep(known.coils)
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
         if known.reference.verdict == "agrees" or mounted_anew(known):
             self._agreed = None if mounted_anew(known) else known
@@ -93,6 +96,10 @@ class KnownLab:
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run)
         now = replace(now, in_common=_in_common(known, facts))
+        if known is not None:
+            now = replace(now, silent_with_current=self._last.words(known.coils))
+        if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run
+            now = replace(now, left_turning=known.platform.moving is True)
         if known is None and driven:
             now = replace(now, coil_words=state.NOT_YET)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now

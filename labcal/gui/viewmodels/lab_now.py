@@ -25,6 +25,9 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "absent": ("○", "", "not asked"),
 }
 SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
+BY_KEY = QT_TRANSLATE_NOOP(
+    "Words", "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller"
+)
 WATCHED_S = 15  # what is read on while no run goes on is no older, also where somebody silent is waited for
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
@@ -41,6 +44,8 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
+    BY_KEY,
+    QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet"),
     QT_TRANSLATE_NOOP("Words", "platform turning"),
     QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
@@ -57,11 +62,13 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
     in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
     platform_deg: float | None = None  # as it was read last; None where it is not known
     platform_old_s: int | None = None
+    left_turning: bool = False  # so it was read last, and no run of this window stops it
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
@@ -169,7 +176,12 @@ def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
 
 
 def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
-    """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short."""
+    """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short.
+
+    The coils come first where both keep hands out.
+    """
+    if mark_of(coil_words)[1] == "bad":
+        return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
     if platform_mark(platform_words)[1] in ("warning", "bad"):
         return translated("▲ Hands out: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
     if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
@@ -196,17 +208,23 @@ def hands_after_run(now: LabNow) -> tuple[str, str]:
     return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
 
 
-def off_words(coils: str, platform_words: str) -> str:
-    """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands."""
+def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
+    """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands.
+
+    `later`: it was told to stop, and is looked at again.
+    """
+    stands = translated("the platform was ordered to stop, and is not seen to stand yet") if later else ""
     said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
-    return "; ".join(filter(None, (said, platform_said(platform_words))))
+    return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
 
 
 def platform_said(words: str) -> str:
     """In the window's language; where it turns, or may, with what to do."""
-    stop = translated("stop it at its controller, and see it stand")
-    turns = platform_mark(words)[1] in ("bad", "warning")
-    return f"{in_words(words)}: {stop}" if turns else in_words(words)
+    if platform_mark(words)[1] not in ("bad", "warning"):
+        return in_words(words)
+    heard = words != state.MAY_TURN  # its line answers, or did just now: nobody has to go to it
+    stop = str(BY_KEY) if heard else "stop it at its controller, and see it stand"
+    return f"{in_words(words)}: {translated(stop)}"
 
 
 def still_live(now: LabNow) -> str:

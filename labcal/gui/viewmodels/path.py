@@ -28,7 +28,7 @@ class Next:
     """What is to be done, in words, and the page for it; with the run to be studied there.
 
     `waits`: it works. `ready`: whoever sees the page has its Begin before them. `closes`: the run that is done with.
-    `presses`: on that page Next does what its one button does.
+    `presses`: on that page Next does what its one button does. `off`: Next is COILS OFF, whatever page is open.
     """
 
     page: str
@@ -38,6 +38,7 @@ class Next:
     ready: bool = False
     closes: str = ""
     presses: bool = False
+    off: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +151,8 @@ class PathViewModel(QObject):
         if self._run.alive:
             asked = self._run.state == "asking"
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
+        if state.now.left_turning:
+            return Next("Bench", self.tr("Stop the platform (COILS OFF)"), off=True)
         if mark_of(state.now.coil_words)[1] == "bad":
             return Next("Bench", self.tr("See to the coils"), presses=True)
         if failed := state.now.failed:

@@ -43,6 +43,8 @@ def at_rest(now: LabNow) -> bool:
 def _how_it_ended(run: RunViewModel, now: LabNow) -> str:
     shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
     ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
+    if shape == "✕" and not now.driven and alarm_of(now.coil_words):  # graver than who did not answer
+        return translated(str(KEEP_OFF)).format(still_live(now))
     lost = now.failed if shape == "✕" else []
     return translated(str(ENDED)).format(ended, ", ".join(lost)) if lost else ended
 

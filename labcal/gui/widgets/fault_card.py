@@ -71,15 +71,15 @@ class FaultCard(Card):
             self.tr("Save a problem report …"), self.tr("A .zip with the details, settings and versions, no keys")
         )
         save.clicked.connect(lambda: self.report_requested.emit(self.fault))
-        close = button(self.tr("Close"), self.tr("Put this card away"))
+        self._closable, self.close_card = closable, button(self.tr("Close"), self.tr("Put this card away"))
         if not closable:  # shown while it has no place yet, it would be a window of its own
-            close.hide()
-        close.clicked.connect(self._close)
+            self.close_card.hide()
+        self.close_card.clicked.connect(self._close)
         row = QHBoxLayout()
         for widget in (self.fold, save):
             row.addWidget(widget)
         row.addStretch()
-        row.addWidget(close)
+        row.addWidget(self.close_card)
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
         for part in (self.by_hand, self.turning, self.hands, *said, self.details):
             self.body.addWidget(part)
@@ -130,10 +130,11 @@ class FaultCard(Card):
         if holder is not None and self.isVisible():
             holder.ensureWidgetVisible(self)
 
-    def say_coils(self, words: str, supplies: Sequence[str] = (), common: str = "") -> None:
+    def say_coils(self, words: str, supplies: Sequence[str] = (), known: str = "") -> None:
         """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
 
-        The figures of it stand in the details then. `common`: what to look at first where several are silent.
+        The figures of it stand in the details then. `known`: what was read before that, and
+        what to look at first where several are silent.
         """
         self.coils.setText(in_words(words))
         self.coils.show()
@@ -142,12 +143,16 @@ class FaultCard(Card):
         if supplies and self.fault is not None:
             self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
             short = in_words(words.partition(";")[0].partition(":")[0])
-            self.coils.setText(f"{short}. {common}" if common else short)
+            self.coils.setText(f"{short}. {known}" if known else short)
             figures = in_words(words), in_words(self.fault.text)
             said = dict.fromkeys((*figures, self._for_others(self.fault)))
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
+
+    def let_close(self, may: bool) -> None:
+        """Whether a person may put it away: not while what it warns of is known to stand."""
+        self.close_card.setVisible(self._closable and may)
 
     def say_hands(self) -> None:
         """Where an instrument is lost somebody goes to its plug: whether that may be done now."""
