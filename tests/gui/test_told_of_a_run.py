@@ -53,7 +53,7 @@ def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_deta
     worker.answer(TellRecord, replace(TOLD, remarks=(SURPRISED,) * 7))
     told = page.told
     assert told.noted.text() == "Noted: lift moved"  # one's own first
-    assert told.noted.y() < told.line.y()
+    assert told.layout().indexOf(told.noted) < told.layout().indexOf(told.line)
     assert told.remarked.text().startswith("The procedure noted 7 more, the last: offsets so far: the filter has")
     assert not told.all.isVisible()
     told.fold.click()
