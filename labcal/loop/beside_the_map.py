@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from labcal.loop.data.credible import left_by_the_best_map, min_new_share, of_the_rig
+from labcal.loop.data.credible import of_the_rig
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
-from labcal.loop.selection.joint_fit import JointFit, sum_of_effects
+from labcal.loop.selection.joint_fit import JointFit, new_share_needed
 from labcal.model.effects import Term, families
 from labcal.uncertainty import Contribution
 
@@ -28,11 +28,8 @@ def beside_the_map(found: JointFit, A: Array) -> list[Contribution]:
 
     u is the rms of the field along it [nT], with as many degrees of freedom as there are directions that were found.
     """
-    here, used = found.problem, found.used
-    apart = here.residual_nT + sum_of_effects(found.terms, found.beta, here.scene)
-    left = left_by_the_best_map(here.T[used], here.whiten[used], apart[used])
-    least = min_new_share(found.terms, left, here.scene.field_nT[used])
-    start, out = here.T.shape[2], list[Contribution]()
+    least = new_share_needed(found.problem, found.terms, found.beta, found.used)
+    start, out = found.problem.T.shape[2], list[Contribution]()
     for term, beta in zip(found.terms, found.beta, strict=True):
         if of_the_rig(term):
             out += _of_one(found, A, start, term, beta, least)

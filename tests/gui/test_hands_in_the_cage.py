@@ -9,14 +9,12 @@ from lab_states import told
 
 from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
 from labcal.bench.coils.state import AT_ZERO, CoilReading, Heard, LabState, PlatformReading, Witness
-from labcal.bench.links.heard_before import LINE, PLUG
 from labcal.errors import InstrumentError
 from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import Identify, ResumeRun, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.known_lab import AMBIENT_S, ANSWERS_S, LOST_FIRST_S, KnownLab
-from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
@@ -333,74 +331,6 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     says(running, platform=stands(age_s=5.0), faulty=("stage",))
     assert card.hands.text() == "▲ Hands out: the platform is not being read"
     assert card.hands.isVisibleTo(card)
-
-
-def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_with_the_age_of_what_was_read(
-    real, running, later
-):
-    app_state, card = running.app_state, running.page("Run").live.fault
-    says(running, platform=stands(), faulty=("dut",))
-    silent = Fault("instrument", "dut: no sample for 5.0 s.", "Is its plug in at both ends?")
-    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", silent))
-    assert card.isVisibleTo(running.page("Run").live)
-    assert card.hands.text().startswith("✓ Hands may go in: coils read back at zero by their supplies")
-    later(5.0)
-    card.say_hands()
-    assert card.hands.text() == "✓ Hands may go in: coils read back at zero by their supplies, 5 s ago"
-    assert card.hands.isVisibleTo(card)
-    later(WATCHED_S)
-    card.say_hands()
-    assert card.hands.text() == "▲ Hands out: the platform is not being read"
-    app_state.watch.look()
-    read(running, AMBIENT)
-    says(running, platform=stands(moving=True))
-    app_state.take_lab(lab(platform=stands(moving=True)))
-    card.say_hands()
-    assert card.hands.text().startswith("▲ Hands out: platform NOT confirmed at a standstill")
-
-
-def test_while_such_a_card_is_up_the_coils_are_read_again_beside_who_is_lost(real, running):
-    app_state = running.app_state
-    says(running, platform=stands(), faulty=("dut",))
-    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("instrument", "dut: silent.")))
-    app_state.watch.look()
-    (asked,) = app_state.watch_worker.commands(ReadLab)
-    assert {"dut", "stage", "supply_x", "supply_y", "supply_z"} <= set(asked.names)
-
-
-def test_contacts_are_not_said_to_answer_because_their_supplies_do(real):
-    def light():
-        return next(one for one in real.app_state.lab.state.now.lights if one[0] == "reversers")
-
-    real.app_state.coils_off()
-    real.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros()))
-    assert light()[1] == "absent"
-    (asked,) = real.app_state.watch_worker.commands(ReadLab)
-    assert "reversers" in asked.names
-    fault, now = Fault("instrument", "reversers: no valid Modbus reply."), time.monotonic()
-    silent = InstrumentRead("reversers", "polarity", "modbus-rtu:///dev/ttyUSB1", "", fault, False, now)
-    real.app_state.watch_worker.answer(ReadLab, (silent,))
-    assert light()[1] == "fault"
-
-
-def test_who_was_heard_in_this_window_is_looked_for_at_its_plug_and_not_in_the_file(real):
-    def dut(identity="", fault=None):
-        one = InstrumentRead("dut", "dut", "serial:///dev/ttyUSB0", identity, fault, False, time.monotonic())
-        real.app_state.watch.read_again(("dut",))
-        real.app_state.watch_worker.answer(ReadLab, (one,))
-        return real.app_state.answered["dut"].fault
-
-    silent = Fault("instrument", "dut: no reply in 1 s, nothing came.", f"{LINE} This line is set to 9600 baud, 8N1.")
-    assert dut(fault=silent).remedy == silent.remedy
-    assert dut(identity="CSV lines") is None
-    assert dut(fault=silent).remedy == PLUG
-
-
-def test_no_other_card_speaks_of_hands(still):
-    still.app_state.fault.emit(Fault("input", "This cannot be done."))
-    assert not still.fault.hands.isVisibleTo(still.fault)
-    still.app_state.fault.emit(Fault("instrument", "dut: silent."))
-    assert still.fault.hands.text() == "▲ Hands out: coils not read back in this session"
 
 
 def test_nobody_is_sent_to_a_plug_that_is_in_again(running):

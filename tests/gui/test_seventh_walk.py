@@ -5,7 +5,8 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication
+from test_certificate_steps import page as page
+from test_certificate_steps import settle, told
 from test_choose import looked_at, told_by_the_loop
 from test_hands_in_the_cage import lab, says, stands
 from test_path import RUN, calibration
@@ -13,7 +14,7 @@ from test_path import RUN, calibration
 from labcal.bench.coils.state import Heard
 from labcal.bench.links.heard_before import PLUG
 from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
-from labcal.gui.ipc.messages import Approve, CloseLoop, ListCalibrations, ListKeys, LookAt, RunProcedure
+from labcal.gui.ipc.messages import Approve, CloseLoop, LookAt, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.signing import ambiguity
 from labcal.gui.widgets import next_button
@@ -40,44 +41,24 @@ FILES = {
 }
 
 
-@pytest.fixture
-def page(new_window):
-    new_window.resize(1360, 860)
-    new_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
-    new_window.open_page("Certificate")
-    return new_window.page("Certificate")
-
-
-def settle():
-    for _ in range(5):
-        QApplication.processEvents()
-
-
-def told(page, one):
-    worker = page._app_state.quick_worker
-    worker.answer(ListCalibrations, (one,))
-    worker.answer(ListKeys, ("a.smith",))
-    settle()
-
-
 @pytest.mark.parametrize("stage", FILES)
 def test_that_its_cause_is_not_certain_is_said_in_amber_from_draft_to_release(page, stage):
     one, word = FILES[stage]
-    told(page, one)
+    told(page, one, "a.smith")
     assert page.word.text() == f"{word}  ·  EM-07"
     assert page.word.property("state") == "warning"
     assert (page.doubt.text(), page.doubt.isVisible()) == (SAID, True)
 
 
 def test_what_is_certain_is_released_in_green(page):
-    told(page, standing(calibration(), "released"))
+    told(page, standing(calibration(), "released"), "a.smith")
     assert page.word.text() == "✓ RELEASED  ·  EM-07"
     assert (page.word.property("state"), page.doubt.isHidden()) == ("good", True)
     assert not ambiguity(calibration())
 
 
 def test_who_approves_what_is_ambiguous_is_asked_once(page):
-    told(page, DRAFT)
+    told(page, DRAFT, "a.smith")
     steps, asked = page.steps, page._app_state.quick_worker
     steps.approver.setCurrentText("a.smith")
     steps.approve.click()

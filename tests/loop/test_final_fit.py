@@ -119,12 +119,10 @@ def test_a_loop_as_wide_as_the_field_is_no_field_that_the_map_could_undo(started
         assert share < 0.3 if not smallest else share > smallest
 
 
-def test_the_share_that_has_to_be_new_is_half_a_field(started: Started) -> None:
+def test_the_share_that_has_to_be_new_is_half_a_field() -> None:
     """What is new by less than it, and takes off the residual, is larger than half of the field itself."""
-    problem = started()
-    rig = next(c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "field-gradient")
     residual, field = np.full((50, 3), 30.0), np.full((50, 3), 600.0)
-    assert np.sqrt(30.0**2 / min_new_share([rig], residual, field)) == pytest.approx(300.0)
+    assert np.sqrt(30.0**2 / min_new_share(residual, field)) == pytest.approx(300.0)
 
 
 def test_how_far_apart_readings_and_reference_are_does_not_hang_on_the_map_that_was_found_beside_an_effect(

@@ -6,6 +6,7 @@ import re
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -181,8 +182,9 @@ def test_an_axis_is_redone_before_it_is_dismounted_and_the_first_try_is_kept_but
 
 def test_what_is_redone_after_an_interruption_is_in_the_time_that_is_left() -> None:
     kept = frozenset({"x+20uT-nominal"})
+    estimate: Any = None  # nothing is taken into it: the plan is all that is asked
     plan = PreflightPlan(
-        ("x", "y"), (20e3,), ("nominal",), 50.0, True, 20.0, 8.0, 0.005, 0.0, 5.0, 10.0, 500.0, 0.5, None,  # type: ignore[arg-type]
+        ("x", "y"), (20e3,), ("nominal",), 50.0, True, 20.0, 8.0, 0.005, 0.0, 5.0, 10.0, 500.0, 0.5, estimate,
         kept,
     )  # fmt: skip
     assert dict(plan.plan().steps)["x+20uT-nominal"] == 0.0

@@ -9,8 +9,6 @@ field (`max_share_of_field`) is left out.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -32,13 +30,11 @@ def follows_reference(term: Term) -> bool:
     return of_the_rig(term) or any(f.follows_reference for f in families() if f.kernel is term.kernel)
 
 
-def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> float:
+def min_new_share(apart_nT: Array, field_nT: Array) -> float:
     """The share of a column's square that has to be new to the base, where readings and reference are `apart_nT`.
 
     Both (n, 3) on the rows of the fit; `apart_nT` by the best map (`left_by_the_best_map`), no effect taken off.
     """
-    if not any(map(follows_reference, terms)):
-        return MIN_NEW_SHARE
     part = float(np.sum(apart_nT**2) / np.sum(field_nT**2))
     return max(MIN_NEW_SHARE, part / policy.POLICY.max_share_of_field**2)
 

@@ -115,7 +115,7 @@ class LinearProblem:
         if self.scene.rig is None or not follows_reference(candidate):
             return None
         whole = self.whole or self
-        return min_new_share([candidate], whole.steady_residual_nT, whole.scene.field_nT)
+        return min_new_share(whole.steady_residual_nT, whole.scene.field_nT)
 
     @cached_property
     def steady_residual_nT(self) -> Array:

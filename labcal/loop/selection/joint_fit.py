@@ -101,7 +101,7 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
         A = np.concatenate([here.T, *(-here.all_columns(term) for term in terms)], axis=2)[used]
         known, off = as_data(terms, beta, here.T.shape[2], A.shape[1])
         data = np.concatenate([A, known]), np.concatenate([here.y[used], off])
-        step = -ols_with_nuisance(*data, here.T.shape[2], _min_new_share(here, terms, beta, used))
+        step = -ols_with_nuisance(*data, here.T.shape[2], new_share_needed(here, terms, beta, used))
         there = _line_search(here, terms, beta, step, used)
         if there is None:
             break
@@ -117,7 +117,7 @@ def _summed_to_zero(
 ) -> Point:
     """The same residual with sums at zero that are so by what the effect is, where the map takes what they are not."""
     base, start, step = here.T.shape[2], here.T.shape[2], np.zeros(here.T.shape[2] + sum(map(len, beta)))
-    least = _min_new_share(here, terms, beta, used)
+    least = new_share_needed(here, terms, beta, used)
     for term, own in zip(terms, beta, strict=True):
         names = [name for name, _ in term.parameters]
         summed = next((f.sums_to_zero(term) for f in families() if f.kernel is term.kernel), ())
@@ -197,13 +197,15 @@ def _misfit(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], u
     return float(np.sum(here.y[used] ** 2) + np.sum(off**2))
 
 
-def _min_new_share(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
+def new_share_needed(
+    here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]
+) -> float:
     """The share of a column's square that has to be new to the base."""
     if not any(map(follows_reference, terms)):
         return MIN_NEW_SHARE
     apart = here.residual_nT + sum_of_effects(terms, beta, here.scene)
     left = left_by_the_best_map(here.T[used], here.whiten[used], apart[used])
-    return min_new_share(terms, left, here.scene.field_nT[used])
+    return min_new_share(left, here.scene.field_nT[used])
 
 
 def _negligible(A: Array, step: Array) -> bool:
@@ -279,7 +281,7 @@ def _covariance(
     bands, spectrum = noise_spectrum(transformed, here.y[used])
     A = weighted_gram(transformed, bands, np.ones_like(spectrum))
     known = precision(terms, beta, here.T.shape[2], len(A))
-    inverse = inverse_gram(A + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
+    inverse = inverse_gram(A + known, here.T.shape[2], new_share_needed(here, terms, beta, used))
     return np.asarray(inverse @ (weighted_gram(transformed, bands, spectrum) + known) @ inverse)
 
 
@@ -292,7 +294,7 @@ def derivatives(found: JointFit) -> tuple[Array, Array]:
     A = _derivatives(here, terms, beta, used)
     flat = A.reshape(-1, A.shape[2])
     known = precision(terms, beta, here.T.shape[2], flat.shape[1])
-    return A, inverse_gram(flat.T @ flat + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
+    return A, inverse_gram(flat.T @ flat + known, here.T.shape[2], new_share_needed(here, terms, beta, used))
 
 
 def _derivatives(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> Array:
