@@ -69,6 +69,17 @@ def test_no_curve_loses_its_name_at_the_top_of_a_picture(qtbot):
     assert places[2] - places[1] > 0.1 * (high - low) * 14 / traces.plot.height()
 
 
+def test_each_curve_has_its_name_beside_it_as_soon_as_it_is_drawn(qtbot):
+    traces = Traces(LIGHT, "DUT  nT")
+    qtbot.addWidget(traces)
+    traces.resize(600, 160)
+    traces.show()
+    for ends in ([16e3, 1550.0, 13.9e3], [2.0, 3.0, -1.0]):  # a range of before says nothing
+        traces.show_rows(np.array([[0.0, -ends[0], 0.0, 0.0], [1.0, *ends]]))
+        low, high = traces.plot.viewRange()[1]
+        assert [name.pos().y() for name in traces._names] == pytest.approx(ends, abs=0.15 * (high - low))
+
+
 def test_a_mounting_is_needed_for_in_words():
     assert needed_title("mount-y") == "mount it with body Y up"
     assert needed_title("closing") == "closing"

@@ -181,8 +181,10 @@ class Traces(QWidget):
         drawn = np.insert(rows, gaps, nothing, axis=0)
         for axis, curve in enumerate(self._curves):
             curve.setData(drawn[:, 0], drawn[:, 1 + axis], connect="finite")
-        low, high = self.plot.viewRange()[1]
-        least = (high - low) * NAME_PX / max(1, self.plot.height())
+        view = self.plot.getViewBox()
+        view.updateAutoRange()  # else it is that of what was drawn before, and a name may lie outside
+        low, high = view.viewRange()[1]
+        least = (high - low) * NAME_PX / max(1.0, view.height())
         at = spread(rows[-1, 1:], least) if len(rows) else []
         if at and max(at) > high - least / 2:  # no room above: from the top one downwards
             at = [-place for place in spread(-np.minimum(rows[-1, 1:], high - least / 2), least)]
