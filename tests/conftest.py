@@ -27,13 +27,12 @@ WAITING = {"archive", "bench", "bundle", "campaign", "cli", "clients", "runner",
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
-    """The garbage collector leaves alone what is loaded by then: a third of the time of tests that compute."""
+    """What is loaded by then is left alone by the collector: a third of the time of tests that compute."""
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
-        gc.enable()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -46,6 +45,15 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         of_kind = [path for path in files if bool(WAITING & set(path.parts)) is waits]
         place |= {path: number / len(of_kind) for number, path in enumerate(of_kind)}
     items.sort(key=lambda item: (item.path.name not in LONGEST, place[item.path]))
+
+
+@pytest.fixture(autouse=True)
+def collected_here() -> Iterator[None]:
+    """A thread that serves a lab must not be the one in which a window of another test ends."""
+    from labcal.system.garbage import collect_if_due
+
+    yield
+    collect_if_due()
 
 
 @pytest.fixture(autouse=True)

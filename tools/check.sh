@@ -38,7 +38,8 @@ fi
 # A process waits a quarter of its time for a line or a guardian: two would leave two cores idle.
 SHARED=$(PROCESSES=${PROCESSES:-} "$BIN/python" -c 'from importlib.util import find_spec; import os
 processes = int(os.environ["PROCESSES"] or (3 if (os.cpu_count() or 1) > 1 else 1))
-print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
-# A test that hangs is named and ends its process after ten minutes (the longest takes one), and the others go on.
+print(f"-n {processes} --dist loadfile --no-loadscope-reorder --max-worker-restart 0" if processes > 1 and find_spec("xdist") else "")')
+# A test that hangs is named and ends its process after ten minutes (the longest takes one). A process that ends ends
+# the whole: one started in its place may wait for ever for the files that it was to take over (pytest-xdist 3.8).
 # shellcheck disable=SC2086  # several words
 exec "$BIN/pytest" $SHARED -m "not slow" --timeout 600 --timeout-method thread "$@"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import signal
 import sys
@@ -10,8 +11,11 @@ from pathlib import Path
 
 from labcal.files.home import SECRETS
 from labcal.gui.ipc import named_archive
+from labcal.system.garbage import collect_if_due
 from labcal.system.private_memory import kept_private
 from labcal.system.qt_packages import QT_PACKAGES
+
+GARBAGE_MS = 500  # between two looks whether there is enough of it
 
 
 def main() -> int:
@@ -28,6 +32,7 @@ def main() -> int:
     named_archive.take(sys.stdin.readline().strip() if given.archive else "")
     if named_archive.named() or any(name in os.environ for name in SECRETS):
         kept_private()
+    gc.disable()  # see labcal.system.garbage
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # what is loaded has nothing to put in order yet
     try:
         from PySide6.QtWidgets import QApplication
@@ -47,6 +52,9 @@ def main() -> int:
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")
+    garbage = QTimer(application)
+    garbage.timeout.connect(collect_if_due)
+    garbage.start(GARBAGE_MS)
     chosen = str(window_settings().value("language", "") or "")
     install_translator(application, QLocale(chosen) if chosen else QLocale.system())
     if not given.after_crash:
