@@ -30,6 +30,11 @@ def follows_reference(term: Term) -> bool:
     return of_the_rig(term) or any(f.follows_reference for f in families() if f.kernel is term.kernel)
 
 
+def driven_by_field(term: Term) -> bool:
+    """Whether it follows the reference's field, not the run's clock alone: a drift has no field to be half of."""
+    return follows_reference(term) and not any(f.bound_to_run for f in families() if f.kernel is term.kernel)
+
+
 def min_new_share(apart_nT: Array, field_nT: Array) -> float:
     """The share of a column's square that has to be new to the base, where readings and reference are `apart_nT`.
 

@@ -9,7 +9,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.selection.misfit import evidence_over_misfit, misfits
-from labcal.loop.selection.related import beginnings, related_columns, span_of_related
+from labcal.loop.selection.related import beginnings, related, related_columns
 
 
 def min_material_drop(pool: CandidateSet, accepted: Sequence[Candidate]) -> float:
@@ -53,12 +53,14 @@ def earns_its_extension(pool: CandidateSet, accepted: Sequence[Candidate], found
 
     A reference that drifts is a constant field where the drift is zero, a loop a curve where it has no width: the
     larger model always fits a little better, and that little may be misfit of the smaller one's form. So does one that
-    begins anywhere in each segment: what only differs from segment to segment is no loop.
+    begins anywhere in each segment: what only differs from segment to segment is no loop. Each form of the smaller one
+    is another model: one of all of them at once is nobody's.
     """
-    smaller = span_of_related(pool, found.candidate, found.candidate.family.extends)
-    smaller += beginnings(pool, found.candidate)
-    if not smaller:
-        return True
-    own, law = pool.score(found.candidate, pool.null_model(accepted, smaller)), policy.POLICY
+    begins, law = beginnings(pool, found.candidate), policy.POLICY
+    forms = related(pool, found.candidate, found.candidate.family.extends)
+    models = [pool.null_model([*accepted, form], begins) for form in forms]
+    if begins and not models:
+        models = [pool.null_model(accepted, begins)]
     least = min(law.material_share * found.drop, law.clear_share * pool.min_noise_level**2)
-    return own.evidence >= law.min_evidence and own.drop >= least
+    own = (pool.score(found.candidate, model) for model in models)
+    return all(one.evidence >= law.min_evidence and one.drop >= least for one in own)

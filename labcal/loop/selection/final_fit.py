@@ -15,7 +15,7 @@ from labcal.fit.vector.ml import estimate
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
 from labcal.loop.candidates.library import Cause
-from labcal.loop.data.credible import follows_reference, is_beyond_half
+from labcal.loop.data.credible import driven_by_field, is_beyond_half
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.proof import Evidence, prove, relinearised
@@ -56,13 +56,13 @@ def final_fit(
 
 
 def _beyond_half(found: Evidence, fitted: JointFit) -> int | None:
-    """The place of the last accepted effect driven by the reference that is more than half of the field."""
+    """The place of the last accepted effect driven by the field that is more than half of it."""
     scene, apart_nT = fitted.problem.scene, found.contributions[0].before
     if scene.rig is None or fitted.problem.kind != "vector":
         return None
     places, large = [place for place, chosen in enumerate(found.accepted) for _ in chosen.parts], list[int]()
     for place, term, beta in zip(places, fitted.terms, fitted.beta, strict=True):
-        if follows_reference(term):
+        if driven_by_field(term):
             in_cage = np.einsum("nji,nj->ni", scene.rig.to_body, term.columns(scene) @ beta)
             large += [place] * is_beyond_half(in_cage[fitted.used], scene.rig.reference_nT[fitted.used], apart_nT)
     return max(large, default=None)

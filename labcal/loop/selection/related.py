@@ -56,19 +56,24 @@ def beginnings(pool: CandidateSet, chosen: Candidate) -> list[Span]:
     return [pool.cached("beginnings", (chosen,), made)] if chosen.term.of_beginnings else []
 
 
-def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:
-    """The span of all candidates of these families on the channels of `chosen`; empty where there is none."""
-    related = [
+def related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Candidate]:
+    """The candidates of these families on the channels of `chosen`."""
+    return [
         c
         for c in pool.candidates
         if c.family.id in ids and c.term.channels == chosen.term.channels and _may_be_missed(chosen, c)
     ]
 
+
+def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:
+    """The span of all of them; empty where there is none."""
+    some = related(pool, chosen, ids)
+
     def made() -> Span:
-        distinct = pool.store.memo.get("distinct", related, lambda: _distinct_columns(pool, related))
+        distinct = pool.store.memo.get("distinct", some, lambda: _distinct_columns(pool, some))
         return Span(_span(pool, distinct))
 
-    return [pool.cached("span", related, made)] if related else []
+    return [pool.cached("span", some, made)] if some else []
 
 
 def _may_be_missed(chosen: Candidate, other: Candidate) -> bool:
