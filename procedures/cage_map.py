@@ -21,6 +21,7 @@ NEEDS, LASTS_MIN = "a vector reference that can be moved, the coils' geometry in
 Array = NDArray[np.float64]
 SEPARATES = (("field-gradient", "cage-field"), ("field-gradient", "axis-tilt"))
 SPACING = 0.5445  # of a square Helmholtz pair, in sides
+STEP_S = 2.7  # of lab time for a point and sign beside its dwell
 
 
 def cage_map(
@@ -44,7 +45,7 @@ def cage_map(
     points = _points(radius_m, probes) if probes else np.zeros((0, 3))
     if not len(points):
         return
-    steps = tuple((f"point {n}", 6 * (dwell_s + 1.5) + 30) for n in range(len(points) + 1))
+    steps = tuple((f"point {n}", 6 * (dwell_s + STEP_S)) for n in range(len(points) + 1))
     plan = Plan(steps, frozenset(name for name, _ in steps))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised

@@ -26,7 +26,7 @@ SEPARATES = (("field-gradient", "cage-field"), ("field-gradient", "axis-tilt"))
 AXES = "xyz"
 SIGNS = (1, -1, -1, 1)  # what drifts evenly drops out
 SENSORS: tuple[Stream, ...] = ("reference", "dut")
-HANDS_S, READS = 60.0, 8
+READS, STEP_S = 8, 2.0  # of a current; of lab time for a sign beside its dwell
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,8 +61,9 @@ def locate_sensors(
 ) -> Procedure:
     """Find where DUT and reference stand, from the gradients of coil pairs with one half reversed."""
     geometry = _geometry(bench)
-    swapped = tuple((f"coil {axis}", HANDS_S) for axis in sorted(geometry.halves))
-    plan = Plan((("as they should be", 60.0), *swapped), frozenset(name for name, _ in swapped))
+    driven_s = len(SIGNS) * (dwell_s + STEP_S)  # of one coil
+    swapped = tuple((f"coil {axis}", driven_s) for axis in sorted(geometry.halves))
+    plan = Plan((("as they should be", 3 * driven_s), *swapped), frozenset(name for name, _ in swapped))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "as they should be")

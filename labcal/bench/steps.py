@@ -54,10 +54,12 @@ class Plan:
     """What a procedure will do: names and lab time of its steps, so that each can say what is left.
 
     `asks`: the steps that begin with a question to a person, so that each can say when the next one comes.
+    `kept_s`: the lab time of what an interruption has kept, which counts as done.
     """
 
     steps: tuple[tuple[str, float], ...]  # name, s
     asks: frozenset[str] = frozenset()
+    kept_s: float = 0.0
 
     def begin(self, bench: Bench, name: str) -> Step:
         """The item that opens the step `name`."""
@@ -68,8 +70,8 @@ class Plan:
         asking = next((n for n in range(number + 1, len(names)) if names[n] in self.asks), None)
         until = None if asking is None else sum(seconds for _, seconds in self.steps[number:asking])
         needed = "" if asking is None else names[asking]
-        took = self.steps[number][1]
-        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, took, until, needed)
+        took, whole = self.steps[number][1], self.kept_s + sum(seconds for _, seconds in self.steps)
+        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, took, until, needed, whole)
 
 
 @dataclass(frozen=True, slots=True)
