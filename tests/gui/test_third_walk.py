@@ -63,7 +63,7 @@ def test_a_turn_that_is_tried_again_begins_with_an_empty_circle(still):
     assert run.coverage() > 0
     worker.items.emit((Prompt(3.0, "failed-x+20uT", "x+20uT: lost", ("stop", "retry", "skip")),))
     assert run.coverage() == 0
-    assert "x+20uT" not in run.locus
+    assert "x+20uT" not in run.drawn.now
     card = still.page("Run").live.prompt
     assert "Skipped, it is missing" in card.hint.text()
 

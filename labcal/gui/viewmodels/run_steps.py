@@ -26,6 +26,12 @@ def name_a_turn(steps: Sequence[str]) -> bool:
     return any(step[:1] in ("x", "y", "z") and step[1:2] in ("+", "-") for step in steps)
 
 
+def axis_of(name: str) -> str:
+    """The body axis that a step or segment is about: x of x+20uT-nominal, mount-x and closure-x; "" of others."""
+    axis = name.removeprefix("mount-").removeprefix("closure-")
+    return axis[:1] if axis in ("x", "y", "z") or name_a_turn((axis,)) else ""
+
+
 def left_out(names: Sequence[str], measured: Collection[str], skipped: Collection[str]) -> list[str]:
     """Which of the steps `names`, that are past, were skipped, or broken off and not repeated, in their order."""
     return [name for name in names if name in skipped or _is_missing(name, measured)]
