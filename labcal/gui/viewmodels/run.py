@@ -53,6 +53,7 @@ from labcal.record.stream import (
     SegmentOpened,
     Step,
 )
+from labcal.session.checks import delays_open
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
@@ -238,16 +239,17 @@ class RunViewModel(QObject):
         return sum(mark in ("done", "skipped") for _, mark in self.steps())
 
     def left_out(self) -> list[str]:
-        """Steps that were skipped, or broken off and not repeated, in their order."""
-        return left_out(self.names, self.measurements, self.skipped)
+        """Steps that were skipped, or broken off and not repeated, in their order; and delays that no turns told."""
+        open_yet = delays_open(self.names, self.measurements)
+        return [*left_out(self.names, self.measurements, self.skipped), *open_yet]
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
         return max(self.axis_checks(axis).values(), key=WORST.index)
 
     def axis_checks(self, axis: str) -> dict[str, str]:
-        """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
-        return axis_checks(axis, self.measurements)
+        """The worst verdict of each of `AXIS_CHECKS` that this run makes about one body axis; "" where none is yet."""
+        return axis_checks(axis, self.measurements, closes=not self.names or f"closure-{axis}" in self.names)
 
     def turns(self) -> bool:
         """Whether a turn was recorded, or is to come: else circle and axes have nothing to say."""
