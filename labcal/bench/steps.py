@@ -9,7 +9,7 @@ blocks = yield from recorded(bench, segment, record(bench, 10.0))
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any, TypeVar
 
@@ -18,6 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.coils.state import LabState
+from labcal.bench.plan import Plan as Plan  # procedures have both from here
+from labcal.bench.plan import Resume as Resume
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError, LimitNotMet
 from labcal.record.run import Segment
@@ -34,7 +36,6 @@ from labcal.record.stream import (
     Prompt,
     SegmentClosed,
     SegmentOpened,
-    Step,
 )
 from labcal.record.vector import Matrix
 
@@ -47,44 +48,6 @@ ANEW = "again"  # in that of a step that failed: what comes on and turns where i
 MARGIN_S = 0.3
 AT_REST_DEG = 0.5  # a dial so near is not turned again
 TICK_S, VIRTUAL_TICK_S = 0.5, 5.0  # samples are handed on at least so often; on a virtual clock nobody waits
-
-
-@dataclass(frozen=True, slots=True)
-class Plan:
-    """What a procedure will do: names and lab time of its steps, so that each can say what is left.
-
-    `asks`: the steps that begin with a question to a person, so that each can say when the next one comes.
-    `kept_s`: the lab time of what an interruption has kept, which counts as done.
-    """
-
-    steps: tuple[tuple[str, float], ...]  # name, s
-    asks: frozenset[str] = frozenset()
-    kept_s: float = 0.0
-
-    def begin(self, bench: Bench, name: str) -> Step:
-        """The item that opens the step `name`."""
-        names = tuple(n for n, _ in self.steps)
-        number = names.index(name)
-        left = sum(seconds for _, seconds in self.steps[number:])
-        first = names if number == 0 else ()
-        asking = next((n for n in range(number + 1, len(names)) if names[n] in self.asks), None)
-        until = None if asking is None else sum(seconds for _, seconds in self.steps[number:asking])
-        needed = "" if asking is None else names[asking]
-        took, whole = self.steps[number][1], self.kept_s + sum(seconds for _, seconds in self.steps)
-        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, took, until, needed, whole)
-
-
-@dataclass(frozen=True, slots=True)
-class Resume:
-    """What an interrupted run had finished, given to a procedure that declares the keyword `resume`.
-
-    `done`: names of finished steps. `measured`: the first value of each measurement by name. `times`: how often it was
-    gone on with, this time included.
-    """
-
-    done: frozenset[str]
-    measured: dict[str, float]
-    times: int = 1
 
 
 def record(
@@ -336,8 +299,14 @@ def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:
 
 
 def switch_mode(bench: Bench, mode: str) -> Work[None]:
-    """Coils off where they are on, as hands go near; then ask the person to bring the DUT into `mode`."""
+    """Coils off where they are on, as hands go near; then ask the person to bring the DUT into `mode`.
+
+    A DUT of which bench.toml states that mode alone is in it: nobody is asked.
+    """
     bench.config.dut.limits.refuse_mode(mode)
+    if bench.config.dut.limits.modes == (mode,):
+        yield ModeChanged(bench.clock.now(), mode)
+        return
     if bench.cage.on:
         yield from coils_off(bench)
     text = f"Switch the DUT to power mode {mode}."
