@@ -75,7 +75,8 @@ def check_axes(
     yield from coils_off(bench)
     yield Event(bench.clock.now(), "axes", "; ".join(words) or "axes, handedness and angle are as stated")
     if words:
-        raise LimitNotMet(f"axes-check: {'; '.join(words)}. Is the DUT mounted as asked? Then look at its axes.")
+        what = "Mount it again where it is not mounted as asked; else look at its axes."
+        raise LimitNotMet(f"axes-check: {'; '.join(words)}. {what}")
 
 
 def _steps_seen(bench: Bench, step_A: Array, dwell_s: float) -> Work[tuple[Array | None, Array]]:

@@ -90,7 +90,7 @@ def _probed(bench: Bench, point: Array, field_nT: float, dwell_s: float) -> Work
     And the largest standard uncertainty of a component by noise.
     """
     yield from coils_off(bench)
-    x, y, z = 1000 * point
+    x, y, z = np.round(1000 * point) + 0.0  # no −0
     text = f"Put the reference at {x:.0f}, {y:.0f}, {z:.0f} mm from the DUT's place, in C, turned as it always stands."
     yield Prompt(bench.clock.now(), "probe", text, acts=True, drawing={"reference_m": point.tolist()})
     yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT. Hands off?")

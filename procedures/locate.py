@@ -112,7 +112,9 @@ def _leads(bench: Bench, axis: str, reversed_: bool) -> Work[None]:
     text = f"Swap the two leads {half}. They must come back before anything else is measured, also if this run is "
     text = f"{text}stopped." if reversed_ else f"Put the two leads {half} back as they were."
     drawing = {"half": axis, "reversed": reversed_}
-    yield Prompt(bench.clock.now(), f"half-{axis}-{'reversed' if reversed_ else 'back'}", text, (), True, drawing)
+    yield Prompt(
+        bench.clock.now(), f"half-{axis}-{'reversed' if reversed_ else 'back'}", text, acts=True, drawing=drawing
+    )
 
 
 def _driven(bench: Bench, coil: int, field_nT: float, dwell_s: float, *, confirm_signs: bool = True) -> Work[Response]:

@@ -125,7 +125,7 @@ def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
             yield from turn_by_hand(bench, angle_deg)
         return
     if not bench.homed:
-        yield from hands_off(bench, f"The platform looks for its zero and turns to {angle_deg:g}°.")
+        yield from hands_off(bench, f"Next the platform looks for its zero and turns to {angle_deg:g}°.")
     elif abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:  # to find its zero it turns as well
         yield from hands_off(bench, f"The platform turns to {angle_deg:g}°.")
     bench.platform.home()

@@ -63,6 +63,7 @@ SAID_IN_WORDS = {
     "serial",
     FAULT,
 }
+IN_WORDS = ("turn-", "serial-", "photo-", "skip-", "redo-")  # keys of what is answered by a number or in words
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError
@@ -234,6 +235,11 @@ class Asked:
         assert set(prompt.drawing) <= PICTURED | SAID_IN_WORDS, f"nobody shows {dict(prompt.drawing)}"
         assert card.drawing.isVisible() == bool({"body_from_cage", "angle_deg"} & set(prompt.drawing))
         assert card.entry.isVisible() == (not prompt.choices)
+        asks = "?" in words
+        if prompt.choices:
+            assert ("yes" in prompt.choices or prompt.key == "ready") == asks, f"{words} {prompt.choices}"
+        else:
+            assert prompt.key.startswith(IN_WORDS), f"{words}: nothing is to be written"
 
     def buttons(self):
         """What answers the question, and with what words."""

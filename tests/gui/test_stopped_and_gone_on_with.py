@@ -128,7 +128,9 @@ def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_b
 
 
 def test_a_wrong_mounting_is_asked_about_and_to_mount_again_is_the_blue_one(running, by_mouse):
-    wrong = "axes-check: the DUT's z axis shows +x. Is the DUT mounted as asked? Then look at its axes."
+    wrong = (
+        "axes-check: the DUT's z axis shows +x. Mount it again where it is not mounted as asked; else look at its axes."
+    )
     running.app_state.bench_worker.items.emit((Prompt(1.0, "opening-failed", wrong, ("stop", "remount")),))
     card = running.page("Run").live.prompt
     assert {made.text(): made.objectName() for made in card.choices.values()} == {

@@ -15,7 +15,9 @@ EVENTS = (
     QT_TRANSLATE_NOOP("Data", "the reference's {0} axis shows {1}"),
     QT_TRANSLATE_NOOP("Data", "the reference's {0} axis points {1}° beside"),
     QT_TRANSLATE_NOOP("Data", "the reference's axes are left-handed"),
-    QT_TRANSLATE_NOOP("Data", "axes-check: {0}. Is the DUT mounted as asked? Then look at its axes."),
+    QT_TRANSLATE_NOOP(
+        "Data", "axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes."
+    ),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} nT, within which the zero lies"),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} nT is beyond {2} nT; something moved or drifted"),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} is beyond its limit of {2}"),
@@ -188,7 +190,7 @@ PLAN = (
     QT_TRANSLATE_NOOP("Data", "DUT kept within {0} to {1} °C"),
     QT_TRANSLATE_NOOP("Data", "no temperature limits are stated"),
     QT_TRANSLATE_NOOP("Data", "about {0} min, without a person's steps"),
-    QT_TRANSLATE_NOOP("Data", "what a person is asked:"),
+    QT_TRANSLATE_NOOP("Data", "what a person is asked, {0}× in all:"),
 )
 MEASUREMENTS = (
     QT_TRANSLATE_NOOP("Data", "{0}: missing sectors"),

@@ -27,6 +27,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Placed"),
     QT_TRANSLATE_NOOP("Words", "Taken away"),
     QT_TRANSLATE_NOOP("Words", "Leads swapped"),
+    QT_TRANSLATE_NOOP("Words", "Leads put back"),
     QT_TRANSLATE_NOOP("Words", "Switched"),
     QT_TRANSLATE_NOOP("Words", "Switched off"),
     QT_TRANSLATE_NOOP("Words", "Switched on"),

@@ -83,6 +83,8 @@ def answer_label(prompt: Prompt, choice: str) -> str:
     if redo == "redo":
         return translated("Redo axis {0}").format(axis.upper())
     if choice == "done":
+        if prompt.drawing.get("reversed") is False:  # the leads of a half
+            return translated("Leads put back")
         return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
     return translated(WORDS.get(choice, choice))
 
