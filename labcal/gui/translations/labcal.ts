@@ -1082,7 +1082,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
+        <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next the platform looks for its zero and turns to {0}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1103,10 +1107,6 @@
     </message>
     <message>
         <source>The platform turns to {0}°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The platform looks for its zero and turns to {0}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4162,10 +4162,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}: {1} nT, within which the zero lies</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4690,6 +4686,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>what a person is asked, {0}× in all:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>DUT {0} axis: angle off its direction</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4698,7 +4698,75 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>mounting and zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambient field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field downwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field upwards again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} m, DUT away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} m, {1} up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the platform rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4711,10 +4779,6 @@
     </message>
     <message>
         <source>about {0} min, without a person&apos;s steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>what a person is asked:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5691,6 +5755,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5707,7 +5775,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} % of the circle</source>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5736,10 +5808,6 @@
     </message>
     <message>
         <source>What happens now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How much of the turn this segment has seen, in sectors of 15°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7222,6 +7290,10 @@ after this step …</source>
     </message>
     <message>
         <source>Leads swapped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leads put back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1082,8 +1082,12 @@
         <translation>Der Tisch dreht auf {0}°. Hände weg?</translation>
     </message>
     <message>
-        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
-        <translation>Der Tisch sucht seine Null und dreht auf {0}°. Hände weg?</translation>
+        <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation>Als Nächstes sucht der Tisch seine Null und dreht auf {0}°. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Next the platform looks for its zero and turns to {0}°.</source>
+        <translation>Als Nächstes sucht der Tisch seine Null und dreht auf {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT.</source>
@@ -1104,10 +1108,6 @@
     <message>
         <source>The platform turns to {0}°.</source>
         <translation>Die Plattform dreht sich auf {0}°.</translation>
-    </message>
-    <message>
-        <source>The platform looks for its zero and turns to {0}°.</source>
-        <translation>Die Plattform sucht ihren Nullpunkt und dreht sich auf {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
@@ -4162,10 +4162,6 @@
         <translation>Referenz: die Achsen sind linkshändig</translation>
     </message>
     <message>
-        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
-        <translation>Achsenprüfung: {0}. Ist der Prüfling wie verlangt eingebaut? Dann seine Achsen ansehen.</translation>
-    </message>
-    <message>
         <source>{0}: {1} nT, within which the zero lies</source>
         <translation>{0}: {1} nT, innerhalb deren der Nullpunkt liegt</translation>
     </message>
@@ -4690,6 +4686,10 @@
         <translation>dreht zwischen {0} und {1}°, am schnellsten mit {2} °/s; die Grenze des Prüflings in bench.toml ist {3} °/s</translation>
     </message>
     <message>
+        <source>what a person is asked, {0}× in all:</source>
+        <translation>was ein Mensch gefragt wird, insgesamt {0}×:</translation>
+    </message>
+    <message>
         <source>DUT {0} axis: angle off its direction</source>
         <translation>Prüfling, Achse {0}: Winkel zu ihrer Richtung</translation>
     </message>
@@ -4698,8 +4698,76 @@
         <translation>Referenz, Achse {0}: Winkel zu ihrer Richtung</translation>
     </message>
     <message>
+        <source>mounting and zero</source>
+        <translation>Einbau und Nullmessung</translation>
+    </message>
+    <message>
+        <source>ambient field</source>
+        <translation>Umgebungsfeld</translation>
+    </message>
+    <message>
+        <source>mains</source>
+        <translation>Netzfrequenz</translation>
+    </message>
+    <message>
+        <source>field before</source>
+        <translation>Feld davor</translation>
+    </message>
+    <message>
+        <source>field after</source>
+        <translation>Feld danach</translation>
+    </message>
+    <message>
+        <source>field upwards</source>
+        <translation>Feld aufwärts</translation>
+    </message>
+    <message>
+        <source>field downwards</source>
+        <translation>Feld abwärts</translation>
+    </message>
+    <message>
+        <source>field upwards again</source>
+        <translation>Feld wieder aufwärts</translation>
+    </message>
+    <message>
+        <source>{0} m, DUT away</source>
+        <translation>{0} m, ohne Prüfling</translation>
+    </message>
+    <message>
+        <source>{0} m, {1} up</source>
+        <translation>{0} m, {1} oben</translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation>Nachprüfung</translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation>Abdeckungen</translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation>Batterien</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>phones</source>
+        <translation>Telefone</translation>
+    </message>
+    <message>
+        <source>chairs</source>
+        <translation>Stühle</translation>
+    </message>
+    <message>
         <source>the platform rests</source>
         <translation>der Tisch ruht</translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
+        <translation>Achsenprüfung: {0}. Neu einbauen, wenn er nicht wie verlangt eingebaut ist; sonst seine Achsen ansehen.</translation>
     </message>
     <message>
         <source>DUT kept within {0} to {1} °C</source>
@@ -4712,10 +4780,6 @@
     <message>
         <source>about {0} min, without a person&apos;s steps</source>
         <translation>etwa {0} min, ohne die Schritte eines Menschen</translation>
-    </message>
-    <message>
-        <source>what a person is asked:</source>
-        <translation>was ein Mensch gefragt wird:</translation>
     </message>
     <message>
         <source>{0}: missing sectors</source>
@@ -5719,8 +5783,12 @@
         <translation>Was jetzt geschieht</translation>
     </message>
     <message>
-        <source>How much of the turn this segment has seen, in sectors of 15°</source>
-        <translation>Wie viel der Drehung dieser Abschnitt gesehen hat, in Sektoren von 15°</translation>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, diese Drehung: {1} % des Kreises</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0}: {1} % des Kreises</translation>
     </message>
     <message>
         <source>Here that is Go on: what was finished is kept.</source>
@@ -5743,6 +5811,10 @@
         <translation>Weiter</translation>
     </message>
     <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Wie viel des Kreises die Drehung um diese Achse gesehen hat, in Sektoren von 15°</translation>
+    </message>
+    <message>
         <source>Pausing
 after this step …</source>
         <translation>Pause nach
@@ -5755,10 +5827,6 @@ diesem Schritt …</translation>
     <message>
         <source>{0} Or Close, and begin anew.</source>
         <translation>{0} Oder Schließen und neu beginnen.</translation>
-    </message>
-    <message>
-        <source>{0} % of the circle</source>
-        <translation>{0} % des Kreises</translation>
     </message>
 </context>
 <context>
@@ -7224,6 +7292,10 @@ diesem Schritt …</translation>
     <message>
         <source>Leads swapped</source>
         <translation>Anschlüsse getauscht</translation>
+    </message>
+    <message>
+        <source>Leads put back</source>
+        <translation>Anschlüsse zurückgetauscht</translation>
     </message>
     <message>
         <source>Switched</source>

@@ -1082,8 +1082,12 @@
         <translation>La plate-forme tourne à {0}°. Mains éloignées ?</translation>
     </message>
     <message>
-        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
-        <translation>La plate-forme cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
+        <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Next the platform looks for its zero and turns to {0}°.</source>
+        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT.</source>
@@ -1104,10 +1108,6 @@
     <message>
         <source>The platform turns to {0}°.</source>
         <translation>La plateforme tourne à {0}°.</translation>
-    </message>
-    <message>
-        <source>The platform looks for its zero and turns to {0}°.</source>
-        <translation>La plateforme cherche son zéro et tourne à {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
@@ -4162,10 +4162,6 @@
         <translation>référence : les axes sont gauches</translation>
     </message>
     <message>
-        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
-        <translation>contrôle des axes : {0}. Le DUT est-il monté comme demandé ? Alors regardez ses axes.</translation>
-    </message>
-    <message>
         <source>{0}: {1} nT, within which the zero lies</source>
         <translation>{0} : {1} nT, dans lesquels se trouve le zéro</translation>
     </message>
@@ -4690,6 +4686,10 @@
         <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s ; la limite du DUT dans bench.toml est {3} °/s</translation>
     </message>
     <message>
+        <source>what a person is asked, {0}× in all:</source>
+        <translation>ce qui est demandé à une personne, {0}× en tout :</translation>
+    </message>
+    <message>
         <source>DUT {0} axis: angle off its direction</source>
         <translation>DUT, axe {0} : angle avec sa direction</translation>
     </message>
@@ -4698,8 +4698,76 @@
         <translation>référence, axe {0} : angle avec sa direction</translation>
     </message>
     <message>
+        <source>mounting and zero</source>
+        <translation>montage et zéro</translation>
+    </message>
+    <message>
+        <source>ambient field</source>
+        <translation>champ ambiant</translation>
+    </message>
+    <message>
+        <source>mains</source>
+        <translation>secteur électrique</translation>
+    </message>
+    <message>
+        <source>field before</source>
+        <translation>champ avant</translation>
+    </message>
+    <message>
+        <source>field after</source>
+        <translation>champ après</translation>
+    </message>
+    <message>
+        <source>field upwards</source>
+        <translation>champ montant</translation>
+    </message>
+    <message>
+        <source>field downwards</source>
+        <translation>champ descendant</translation>
+    </message>
+    <message>
+        <source>field upwards again</source>
+        <translation>champ montant de nouveau</translation>
+    </message>
+    <message>
+        <source>{0} m, DUT away</source>
+        <translation>{0} m, DUT retiré</translation>
+    </message>
+    <message>
+        <source>{0} m, {1} up</source>
+        <translation>{0} m, {1} en haut</translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation>vérification</translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation>capots</translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation>batteries</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>outils</translation>
+    </message>
+    <message>
+        <source>phones</source>
+        <translation>téléphones</translation>
+    </message>
+    <message>
+        <source>chairs</source>
+        <translation>chaises</translation>
+    </message>
+    <message>
         <source>the platform rests</source>
         <translation>le plateau est au repos</translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
+        <translation>contrôle des axes : {0}. Remontez-le s’il n’est pas monté comme demandé ; sinon, regardez ses axes.</translation>
     </message>
     <message>
         <source>DUT kept within {0} to {1} °C</source>
@@ -4712,10 +4780,6 @@
     <message>
         <source>about {0} min, without a person&apos;s steps</source>
         <translation>environ {0} min, sans les gestes d&apos;une personne</translation>
-    </message>
-    <message>
-        <source>what a person is asked:</source>
-        <translation>ce qui est demandé à une personne :</translation>
     </message>
     <message>
         <source>{0}: missing sectors</source>
@@ -5719,8 +5783,12 @@
         <translation>Ce qui se passe</translation>
     </message>
     <message>
-        <source>How much of the turn this segment has seen, in sectors of 15°</source>
-        <translation>Part du tour vue par ce segment, en secteurs de 15°</translation>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, ce tour : {1} % du cercle</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0} : {1} % du cercle</translation>
     </message>
     <message>
         <source>Here that is Go on: what was finished is kept.</source>
@@ -5743,6 +5811,10 @@
         <translation>Continuer</translation>
     </message>
     <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Part du cercle vue par le tour autour de cet axe, en secteurs de 15°</translation>
+    </message>
+    <message>
         <source>Pausing
 after this step …</source>
         <translation>Pause après
@@ -5755,10 +5827,6 @@ cette étape …</translation>
     <message>
         <source>{0} Or Close, and begin anew.</source>
         <translation>{0} Ou Fermer, et recommencer.</translation>
-    </message>
-    <message>
-        <source>{0} % of the circle</source>
-        <translation>{0} % du cercle</translation>
     </message>
 </context>
 <context>
@@ -7224,6 +7292,10 @@ cette étape …</translation>
     <message>
         <source>Leads swapped</source>
         <translation>Fils inversés</translation>
+    </message>
+    <message>
+        <source>Leads put back</source>
+        <translation>Fils remis</translation>
     </message>
     <message>
         <source>Switched</source>
