@@ -9,6 +9,7 @@ from lab_states import told
 
 from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
 from labcal.bench.coils.state import AT_ZERO, CoilReading, Heard, LabState, PlatformReading, Witness
+from labcal.bench.mounting import how_to_mount
 from labcal.errors import InstrumentError
 from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
@@ -377,3 +378,17 @@ def test_in_the_midst_of_a_turn_there_is_no_next_and_the_line_keeps_its_height(r
     assert not running.next.isVisible()
     running.open_page("Start")
     assert (running.next.isVisible(), running.next.text()) == (True, "Next: See the run")
+
+
+def test_in_a_small_window_whether_hands_may_go_in_is_said_whole_beside_what_to_mount(running, qtbot):
+    running.open_page("Run")
+    running.resize(1024, 700)
+    card, at_zero = running.page("Run").live.prompt, {"platform": stands(), "witness": Witness("", BEFORE_HANDS)}
+    for axis, answers in (("x", ("done",)), ("z", ("done", "redo x"))):
+        send(running, replace(MOUNT, text=how_to_mount(axis), choices=answers))
+        says(running, **at_zero)
+        qtbot.waitUntil(lambda: card.alive and card.drawing.isVisible())
+        qtbot.wait(100)  # laid out by then
+        assert card.hands.text().endswith(BEFORE_HANDS)
+        for words in (card.hands, card.text):
+            assert words.height() >= words.heightForWidth(words.width())

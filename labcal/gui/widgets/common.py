@@ -280,6 +280,10 @@ class AutoSizeLabel(QLabel):
         super().resizeEvent(event)
         self._enlarge()
 
+    def heightForWidth(self, width: int) -> int:
+        """In its smallest letters: with less room it shrinks, before anything beside it is cut."""
+        return self._needed(SMALLEST_PT, width).height()
+
     def _enlarge(self) -> None:
         sizes = range(SMALLEST_PT + 1, self._largest_pt + 1)
         fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
@@ -295,6 +299,9 @@ class AutoSizeLabel(QLabel):
 
     def _fits(self, pt: int) -> bool:
         place = self.contentsRect()
-        room = QRect(0, 0, place.width(), 10_000)
-        needed = QFontMetrics(self._font(pt)).boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())
+        needed = self._needed(pt, place.width())
         return needed.height() <= place.height() and needed.width() <= place.width()
+
+    def _needed(self, pt: int, width: int) -> QRect:
+        room = QRect(0, 0, width, 10_000)
+        return QFontMetrics(self._font(pt)).boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())

@@ -30,6 +30,7 @@ from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
+WORDED, PICTURED = 3, 2  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
@@ -143,7 +144,7 @@ class PromptCard(Card):
         words.addLayout(self._buttons)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addLayout(words, 1)
+        row.addLayout(words, WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -179,7 +180,7 @@ class PromptCard(Card):
         self.drawing.show_drawing(prompt.drawing)
         self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
-        self._row.setStretch(1, int(pictured))  # else Qt keeps half of the card for what is hidden
+        self._row.setStretch(1, PICTURED * pictured)  # else Qt keeps half of the card for what is hidden
         self.hint.setMinimumHeight(0)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
