@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from labcal.record.delays import delays_open
 from labcal.record.stream import Item, Measurement, Step
 
-VECTOR = "zero: ref_x"  # what a preflight measures first where its reference is a vector
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 
 
@@ -31,16 +31,6 @@ def not_measured(items: Iterable[Item], found: Mapping[str, Measurement]) -> tup
     steps = [name for item in items if isinstance(item, Step) for name in item.names if name.startswith("closure-")]
     wanted = dict.fromkeys(name.replace("-", " ") for name in steps)
     return (*(name for name in wanted if name not in found), *delays_open(steps, found))
-
-
-def delays_open(steps: Iterable[str], found: Mapping[str, Measurement]) -> tuple[str, ...]:
-    """The delays that turns about the axes which these steps close did not tell: of one turn none comes.
-
-    A scalar reference has no phase, and leaves the delay to sync-check.
-    """
-    axes = (name.removeprefix("closure-") for name in steps if name.startswith("closure-"))
-    wanted = dict.fromkeys(f"delay {axis}" for axis in axes) if VECTOR in found else ()
-    return tuple(name for name in wanted if name not in found)
 
 
 def open_words(left: Iterable[Measurement], not_measured: Iterable[str]) -> tuple[str, ...]:

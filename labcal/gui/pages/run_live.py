@@ -250,7 +250,7 @@ class Live(QWidget):
                 (self.close_run, ended),
                 (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
-                (self.lights, run.turns() and not decided),
+                (self.lights, run.looks_at_axes() and not decided),
                 (self.turn, bool(run.axis) and run.turns() and not ended),
                 (self.steps, bool(run.names)),
                 (self.loci, turned),

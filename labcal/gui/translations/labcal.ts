@@ -7505,6 +7505,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>mount it as at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>current {0}</source>
         <translation type="unfinished"></translation>
     </message>

@@ -7506,6 +7506,10 @@ diesem Schritt …</translation>
         <translation>mit Körper {0} oben einbauen</translation>
     </message>
     <message>
+        <source>mount it as at first</source>
+        <translation>wie am Anfang einbauen</translation>
+    </message>
+    <message>
         <source>current {0}</source>
         <translation>Strom {0}</translation>
     </message>

@@ -7506,6 +7506,10 @@ cette étape …</translation>
         <translation>le monter avec corps {0} en haut</translation>
     </message>
     <message>
+        <source>mount it as at first</source>
+        <translation>le monter comme au début</translation>
+    </message>
+    <message>
         <source>current {0}</source>
         <translation>courant {0}</translation>
     </message>

@@ -81,6 +81,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "body {0}"),
     QT_TRANSLATE_NOOP("Words", "body {0} up"),
     QT_TRANSLATE_NOOP("Words", "mount it with body {0} up"),
+    QT_TRANSLATE_NOOP("Words", "mount it as at first"),
     QT_TRANSLATE_NOOP("Words", "current {0}"),
     QT_TRANSLATE_NOOP("Words", "temperature {0}"),
     QT_TRANSLATE_NOOP("Words", "voltage {0}"),

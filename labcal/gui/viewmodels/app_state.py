@@ -21,6 +21,7 @@ from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure
+from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import lab_heard
@@ -274,6 +275,8 @@ class AppState(QObject):
             return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
         self.run.resume(run_id, self._order(procedure, {}))
+        if not (drawn := self.run.drawn).earlier:  # by another window, or long ago
+            self.quick_worker.request(TellTurned(run_id), drawn.take_earlier, lambda fault: None)
         return self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:

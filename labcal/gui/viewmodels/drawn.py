@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
+from labcal.record.turned import TurnBefore
 
 MOST = 4000  # readings of a segment
 
@@ -29,6 +30,13 @@ class Drawn:
         for segment in segments:
             self.now.pop(segment, None)
             self.earlier.pop(segment, None)
+
+    def take_earlier(self, turns: Iterable[TurnBefore]) -> None:
+        """What the store has of before, but for what was begun again since it was asked for."""
+        for one in turns:
+            if one.segment not in self.now:
+                self.earlier[one.segment] = RingBuffer(3, MOST)
+                self.earlier[one.segment].push(np.zeros(len(one.field_nT)), one.field_nT)
 
     def gone_on_with(self) -> Drawn:
         """The same where all of it was before."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable
 from typing import Literal
 
 import numpy as np
@@ -40,6 +40,7 @@ from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
 from labcal.gui.viewmodels.run_time import RunTime
+from labcal.record.delays import delays_open
 from labcal.record.stream import (
     COVERAGE,
     NOT_USED,
@@ -53,13 +54,11 @@ from labcal.record.stream import (
     SegmentOpened,
     Step,
 )
-from labcal.session.checks import delays_open
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
 STILL_SHOWN = ("step", "names", "skipped", "measurements", "covered", "time", "_turned")  # where it is gone on with
-NOTHING: Mapping[str, object] = {}
 SAID_ELSEWHERE = ("answer", "set-point", "read-back", OTHER_SERIAL)  # by whoever answered, and by the lab's state
 
 
@@ -133,7 +132,7 @@ class RunViewModel(QObject):
         words = order.pace, order.seed, order.procedure, order.operator
         kept = {name: getattr(self, name) for name in STILL_SHOWN} | {"drawn": self.drawn.gone_on_with()}
         command = ResumeRun(run_id, order.bench, order.dut, *words)
-        self._begin(order, command, run_id, kept if run_id == self.run_id else {})
+        self._begin(order, command, run_id, kept.items() if run_id == self.run_id else ())
         self._goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
@@ -145,7 +144,7 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _begin(
-        self, order: RunProcedure, command: Command[Ended], run_id: str = "", shown: Mapping[str, object] = NOTHING
+        self, order: RunProcedure, command: Command[Ended], run_id: str = "", shown: Iterable[tuple[str, object]] = ()
     ) -> None:
         if self.alive:
             raise RuntimeError("a run goes on")
@@ -250,6 +249,10 @@ class RunViewModel(QObject):
     def axis_checks(self, axis: str) -> dict[str, str]:
         """The worst verdict of each of `AXIS_CHECKS` that this run makes about one body axis; "" where none is yet."""
         return axis_checks(axis, self.measurements, closes=not self.names or f"closure-{axis}" in self.names)
+
+    def looks_at_axes(self) -> bool:
+        """Whether turns about body axes are looked at, or are to be; what stands still at many angles has no light."""
+        return name_a_turn((*self.names, *self.drawn.now)) or any(map(self.axis_light, "xyz"))
 
     def turns(self) -> bool:
         """Whether a turn was recorded, or is to come: else circle and axes have nothing to say."""
