@@ -25,14 +25,14 @@ def test_the_turns_of_a_run_are_read_from_its_record_thinned(monkeypatch, tmp_pa
         assert 30e3 < np.linalg.norm(one.field_nT, axis=1).mean() < 70e3  # nominal nT, not counts
 
 
-def test_who_goes_on_with_a_run_of_another_window_sees_its_turns_pale(still):
+def test_who_goes_on_with_a_run_of_another_window_sees_its_turns_pale(still, monkeypatch):
     still.app_state.resume("r1", "preflight", "EM-07")
     assert still.app_state.bench_worker.commands(ResumeRun)
     still.app_state.quick_worker.answer(TellTurned, BEFORE)
     drawn, live = still.app_state.run.drawn, still.page("Run").live
     assert (len(drawn.rows()), len(drawn.rows(earlier=True))) == (0, 3)
     seen = []
-    live.loci.show_field = lambda rows, cloud=0: seen.append((len(rows), cloud))
+    monkeypatch.setattr(live.loci, "show_field", lambda rows, cloud=0: seen.append((len(rows), cloud)))
     live._behind, live._ticks = True, 1000
     live.draw()
     assert seen == [(0, 0), (3, 1)]

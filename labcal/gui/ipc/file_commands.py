@@ -82,7 +82,7 @@ def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:
             items = list(store.items(one.run_id, but="block"))
             found = results(items)
             if any("closure" in name for name in found) and (least := worst(found)) is not None:
-                open_yet = least.verdict == "PASS" and not_measured(items, found)
+                open_yet = least.verdict == "PASS" and any("closure" in one for one in not_measured(items, found))
                 return Checked(_line(one), least, UNDECIDED if open_yet else least.verdict)
     return None
 
