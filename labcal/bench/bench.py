@@ -217,7 +217,7 @@ class Bench:
         return named_links(text, {name: one.link for name, one in self.config.instruments.items()}, brief=brief)
 
     def handled(self, prompt: Prompt) -> None:
-        """A person does at the DUT's place what `prompt` asks: the ambient field of before judges no current after it."""
+        """A person does at the DUT's place what `prompt` asks: the ambient field of before judges no current then."""
         self.hands_near = True
         asked = set(prompt.drawing)
         elsewhere = prompt.key == "ready" or (bool(asked) and asked <= {"angle_deg", "mode"})

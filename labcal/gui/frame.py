@@ -52,8 +52,11 @@ class SidePanel(Surface):
     def __init__(self) -> None:
         super().__init__(Qt.Edge.LeftEdge)
         self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        self._column.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         self._column.setSpacing(GRID)
+        self.keep_off = label("", "ask", wrap=True)  # on every page here, and the largest words of this panel
+        self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
+        self._column.addWidget(self.keep_off)
         self.unit = QPushButton("nT")
         self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
         self.unit.clicked.connect(self._next_unit)
@@ -67,7 +70,6 @@ class SidePanel(Surface):
         self._column.addLayout(head)
         self.field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
         self._column.addWidget(self.field)
-        self._column.addSpacing(GRID)
         coils_head = QHBoxLayout()
         self.coils_age = label("", "caption")
         coils_head.addWidget(label(self.tr("COILS   A"), "caption"))
@@ -84,8 +86,6 @@ class SidePanel(Surface):
             self.tr("Read all"),
             self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
         )
-        self._column.addSpacing(GRID)
-        self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
 
@@ -96,13 +96,14 @@ class SidePanel(Surface):
         area.setFrameShape(QScrollArea.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setMinimumHeight(3 * GRID)
+        area.setMinimumHeight(GRID)
         area.viewport().setAutoFillBackground(False)
         self._lights = QVBoxLayout()
         self._lights.setSpacing(GRID // 4)
         self.legend = label("", "caption", wrap=True)
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         column.addWidget(self.read_all)  # above what may be longer than the room
         column.addLayout(self._lights)
         column.addWidget(self.legend)
@@ -116,6 +117,9 @@ class SidePanel(Surface):
 
     def show_state(self, state: LabState) -> None:
         """Write the field, the coils and the lights."""
+        self.keep_off.setText(state.keep_off[0])
+        set_state(self.keep_off, state.keep_off[1])
+        self.keep_off.setVisible(bool(state.keep_off[0]))
         self.unit.setText(state.unit)
         self._show_field(state)
         now = state.now

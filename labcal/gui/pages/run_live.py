@@ -322,7 +322,7 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         set_primary(self.go_on, not now.to_be_mended)
-        self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self.prompt.say_lab(now)
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed)
         self.prompt.say_serials(self._app_state.lab.state.other_serials)

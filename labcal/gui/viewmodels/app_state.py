@@ -29,7 +29,7 @@ from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import hands_after_run, reference_U
+from labcal.gui.viewmodels.lab_now import LabNow, hands_of, reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.named_serials import NamedSerials
@@ -41,6 +41,7 @@ from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.gui.viewmodels.what_happens import keep_off
 from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
@@ -332,9 +333,15 @@ class AppState(QObject):
 
     def hands(self) -> tuple[str, str]:
         """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
+        return hands_of(self._there())
+
+    def _there(self) -> LabNow:
+        """The lab as it is to hands: an emulated one is no more once its run is over, whatever turned in it."""
         now = self.lab.state.now
-        emulated = self.facts is not None and self.facts.virtual_time and not now.driven
-        return hands_after_run(replace(now, platform_words="", platform_old_s=None) if emulated else now)
+        if self.facts is None or not self.facts.virtual_time or now.driven:
+            return now
+        read = now.coil_words != state.NOT_READ
+        return replace(now, coil_words=now.coil_words if read else "", platform_words="", platform_old_s=None)
 
     @property
     def known(self) -> state.LabState | None:
@@ -350,6 +357,7 @@ class AppState(QObject):
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
+        self.lab.update(keep_off=keep_off(self.run, self._there()))
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:
             self.kept.warned = True
             self.off.say_what_is_missed()
@@ -370,7 +378,8 @@ class AppState(QObject):
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}
-        self.lab.update(message=run.message, waiting=waits.get(run.state, ""))
+        off = keep_off(run, self._there())
+        self.lab.update(message=run.message, waiting=waits.get(run.state, ""), keep_off=off)
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
