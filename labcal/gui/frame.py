@@ -337,6 +337,7 @@ class Frame(QMainWindow):
         """The sheet with all keys; nothing waits for it."""
         sheet = KeySheet(self, self.keys())
         sheet.setStyleSheet(self.sheet())
+        sheet.fit_into(self.size())
         sheet.show()
 
     def sheet(self) -> str:

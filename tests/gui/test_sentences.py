@@ -113,7 +113,7 @@ def test_all_that_loop_estimators_and_procedures_say_has_a_form():
             marks=pytest.mark.slow,
         ),
         pytest.param(
-            "x: the link was lost. Plug it in, see that nobody else has opened it, then begin this step again.",
+            "x: the link was lost. Plug it in, see that nobody else has opened it, then try again.",
             "x: Die Verbindung ging verloren. Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen "
             "Schritt neu beginnen.",
             marks=pytest.mark.slow,

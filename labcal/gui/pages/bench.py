@@ -21,6 +21,7 @@ from labcal.gui.viewmodels.guardian import GUARDIAN, guardian_is
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, alarm_of, old_s, shown_name
 from labcal.gui.viewmodels.number_format import format_number, short_number
+from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
@@ -33,7 +34,6 @@ from labcal.gui.widgets.measurement_table import Table
 READINGS_MS = 500
 TOGETHER_S = 2  # read no further apart, currents and field are of one moment
 MOST_ROWS = 12  # of the table would like to be seen
-ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
 HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
 
 
@@ -107,7 +107,7 @@ class BenchPage(QWidget):
         )
         self.reconnect.clicked.connect(self._reconnect)
         self.choose = button(
-            self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines")
+            self.tr("Open a bench file …"), self.tr("A bench file (.toml): what stands in the lab, on which lines")
         )
         self.choose.clicked.connect(self._choose)
         self.simulated = simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
@@ -241,7 +241,7 @@ class BenchPage(QWidget):
 
     def _show(self) -> None:
         facts = self._app_state.facts
-        there = sorted(facts.instruments.items(), key=lambda one: ROLES.index(one[1].role)) if facts else []
+        there = sorted(facts.instruments.items(), key=lambda one: ORDER.index(one[1].role)) if facts else []
         self.heading.setText(self.tr("Instruments of {0}").format(facts.name) if facts else self.tr("Instruments"))
         self.file.setText(Path(self._app_state.bench).name)
         self.file.setToolTip(self._app_state.bench)
@@ -264,7 +264,7 @@ class BenchPage(QWidget):
         self.edit.setEnabled(there)
 
     def _show_row(self, row: int, name: str, one: Instrument) -> None:
-        for column, text in enumerate((one.role, name, one.link)):
+        for column, text in enumerate((role_word(one.role), name, one.link)):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one.driver})")
         self._show_identity(row, name, one.role)
         text, colour = self._standing(name)
@@ -309,7 +309,8 @@ class BenchPage(QWidget):
         ages = {name: age_words(since) for name, since in now.heard_old_s}
         seen = now.field_measured_nT  # what the panel at the right says of it
         for row in range(self.table.rowCount()):
-            role, name = self.table.text(row, 0), self.table.text(row, 1)
+            name = self.table.text(row, 1)
+            role = "" if facts is None else facts.instruments[name].role
             self._show_identity(row, name, role)
             words, age, said = "–", ages.get(name, ""), run.reading.get(name)
             if role.startswith("coil"):

@@ -290,7 +290,7 @@ class Live(QWidget):
             self.verdict.say_reason("")
             return self.fault.hide()
         self._say_coils_left()
-        if "begin this step again" in fault.remedy.lower():
+        if "try again" in fault.remedy.lower():
             self.fault.remedy.setText(f"{self.fault.remedy.text()} {self._where_to_begin_again()}")
         if fault.kind != "stopped":
             return None

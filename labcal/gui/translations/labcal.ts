@@ -1690,23 +1690,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
+        <source>Look at its panel, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
+        <source>Look for what holds it, home it and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
+        <source>Look at the stage, home it and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2322,7 +2322,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
+        <source>0: as fast as timing and the range allow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

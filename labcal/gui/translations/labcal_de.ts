@@ -570,11 +570,11 @@
     </message>
     <message>
         <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
-        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, kann aber nicht fortgesetzt werden.</translation>
+        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, es geht damit aber nicht weiter.</translation>
     </message>
     <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
-        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Fortsetzen auf der Startseite.</translation>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Weiter, auf der Startseite.</translation>
     </message>
     <message>
         <source>Keep running behind</source>
@@ -585,8 +585,8 @@
         <translation>Das Fenster verschwindet und kommt wieder, wenn Sie gebraucht werden oder die Messung zu Ende ist.</translation>
     </message>
     <message>
-        <source>Resume later</source>
-        <translation>Später fortsetzen</translation>
+        <source>Go on later</source>
+        <translation>Später weiter</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -1243,7 +1243,7 @@
     </message>
     <message>
         <source>{0} cannot go on after an interruption: start it anew</source>
-        <translation>{0} kann nach einer Unterbrechung nicht fortgesetzt werden: neu beginnen</translation>
+        <translation>{0} kann nach einer Unterbrechung nicht weiter: neu beginnen</translation>
     </message>
     <message>
         <source>{0}: there is no such file</source>
@@ -1690,24 +1690,24 @@
         <translation>Ist es das Gerät, das bench.toml nennt, und stimmt seine Verbindung?</translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
-        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen Schritt neu beginnen.</translation>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
+        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
-        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann diesen Schritt neu beginnen.</translation>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
+        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
-        <translation>Seine Anzeige ansehen, dann diesen Schritt neu beginnen.</translation>
+        <source>Look at its panel, then try again.</source>
+        <translation>Seine Anzeige ansehen, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
-        <translation>Suchen, was es aufhält, es auf null fahren und diesen Schritt neu beginnen.</translation>
+        <source>Look for what holds it, home it and try again.</source>
+        <translation>Suchen, was es aufhält, es auf null fahren und noch einmal.</translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
-        <translation>Den Tisch ansehen, auf null fahren und diesen Schritt neu beginnen.</translation>
+        <source>Look at the stage, home it and try again.</source>
+        <translation>Den Tisch ansehen, auf null fahren und noch einmal.</translation>
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
@@ -2322,8 +2322,8 @@
         <translation>wie genau die Achse steht; 0: nicht genannt</translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
-        <translation>0: so schnell, wie timing_nT und der Bereich es erlauben</translation>
+        <source>0: as fast as timing and the range allow</source>
+        <translation>0: so schnell, wie die Zeiten und der Bereich es erlauben</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -6149,7 +6149,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
-        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start fortsetzen.</translation>
+        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start weiter.</translation>
     </message>
     <message>
         <source>Run {0} {1}. {2}</source>
@@ -6189,7 +6189,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go on with the run</source>
-        <translation>Messung fortsetzen</translation>
+        <translation>Weiter mit der Messung</translation>
     </message>
     <message>
         <source>Mend {0}</source>
@@ -6765,8 +6765,8 @@ diesem Schritt …</translation>
         <translation>Das Fenster brach ab und wurde neu gestartet. Was es zuletzt sagte, liegt in {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
-        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start fortsetzen.</translation>
+        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
+        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start weiter.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6845,7 +6845,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Eine Messung von {0} brach ab: unten fortsetzen, oder neu messen.</translation>
+        <translation>▲ Eine Messung von {0} brach ab: unten weiter, oder neu messen.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -6945,7 +6945,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go on with  {0}</source>
-        <translation>Fortsetzen:  {0}</translation>
+        <translation>Weiter mit:  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -8179,7 +8179,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
-        <translation>Er kann nicht fortgesetzt werden: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
+        <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>

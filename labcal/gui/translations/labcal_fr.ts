@@ -585,8 +585,8 @@
         <translation>La fenêtre disparaît, et revient quand on a besoin de vous ou que la mesure est finie.</translation>
     </message>
     <message>
-        <source>Resume later</source>
-        <translation>Reprendre plus tard</translation>
+        <source>Go on later</source>
+        <translation>Continuer plus tard</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -1690,24 +1690,24 @@
         <translation>Est-ce l&apos;appareil que nomme bench.toml, et sa liaison est-elle la bonne ?</translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
-        <translation>Le brancher, vérifier que nul autre ne l&apos;a ouvert, puis recommencer cette étape.</translation>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
+        <translation>Le brancher, vérifier que nul autre ne l&apos;a ouvert, puis réessayer.</translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
-        <translation>Est-ce l&apos;appareil que nomme bench.toml ? Examiner son câble, puis recommencer cette étape.</translation>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
+        <translation>Est-ce l&apos;appareil que nomme bench.toml ? Examiner son câble, puis réessayer.</translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
-        <translation>Regarder son afficheur, puis recommencer cette étape.</translation>
+        <source>Look at its panel, then try again.</source>
+        <translation>Regarder son afficheur, puis réessayer.</translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
-        <translation>Chercher ce qui le retient, le remettre à l&apos;origine et recommencer cette étape.</translation>
+        <source>Look for what holds it, home it and try again.</source>
+        <translation>Chercher ce qui le retient, le remettre à l&apos;origine et réessayer.</translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
-        <translation>Examiner la platine, la remettre à l&apos;origine et recommencer cette étape.</translation>
+        <source>Look at the stage, home it and try again.</source>
+        <translation>Examiner la platine, la remettre à l&apos;origine et réessayer.</translation>
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
@@ -2322,8 +2322,8 @@
         <translation>précision du montage de l&apos;axe ; 0 : non indiquée</translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
-        <translation>0 : aussi vite que timing_nT et la plage le permettent</translation>
+        <source>0: as fast as timing and the range allow</source>
+        <translation>0 : aussi vite que les temps et la plage le permettent</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -4211,11 +4211,11 @@
     </message>
     <message>
         <source>goes on after an interruption</source>
-        <translation>reprend après une interruption</translation>
+        <translation>continue après une interruption</translation>
     </message>
     <message>
         <source>goes on</source>
-        <translation>reprend</translation>
+        <translation>continue</translation>
     </message>
     <message>
         <source>coil {0} came to zero without a ramp</source>
@@ -6149,7 +6149,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
-        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : reprenez à la page Accueil.</translation>
+        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : continuez à la page Accueil.</translation>
     </message>
     <message>
         <source>Run {0} {1}. {2}</source>
@@ -6189,7 +6189,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Go on with the run</source>
-        <translation>Reprendre la mesure</translation>
+        <translation>Continuer la mesure</translation>
     </message>
     <message>
         <source>Mend {0}</source>
@@ -6765,8 +6765,8 @@ cette étape …</translation>
         <translation>La fenêtre s&apos;est interrompue et a été relancée. Ses derniers mots sont gardés dans {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
-        <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : reprenez-la à l&apos;Accueil.</translation>
+        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
+        <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : continuez-la à l&apos;Accueil.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6777,7 +6777,7 @@ cette étape …</translation>
     <name>StartPage</name>
     <message>
         <source>▲ Interrupted: to be gone on with</source>
-        <translation>▲ Interrompues : à reprendre</translation>
+        <translation>▲ Interrompues : à continuer</translation>
     </message>
     <message>
         <source>Check the cage</source>
@@ -6845,7 +6845,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Une mesure de {0} s&apos;est interrompue : la reprendre ci-dessous, ou mesurer de nouveau.</translation>
+        <translation>▲ Une mesure de {0} s&apos;est interrompue : la continuer ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -6945,7 +6945,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Go on with  {0}</source>
-        <translation>Reprendre  {0}</translation>
+        <translation>Continuer  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -8195,11 +8195,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>No turn was finished: Go on begins with the first step again, and uses nothing of what was measured.</source>
-        <translation>Aucune rotation n’est terminée : Continuer reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+        <translation>Aucune rotation n’est terminée : Continuer commence de nouveau à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
-        <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela recommence à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>Nothing was measured: Go on begins with the first step.</source>

@@ -22,7 +22,7 @@ from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
-from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.sentences import BenchFile, in_words
 from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.coils_off import CoilsOff
@@ -121,6 +121,7 @@ class AppState(QObject):
         self.lab.update(message="", opening=False)
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
+        BenchFile.name = Path(path).name
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
         self.run.virtual_time = facts.virtual_time
         self.run.links = {name: one.link for name, one in facts.instruments.items()}

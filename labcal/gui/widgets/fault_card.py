@@ -9,7 +9,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
@@ -110,7 +110,7 @@ class FaultCard(Card):
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
         self.save.setVisible(not stopped)
         self.text.setText(in_words(fault.text))
-        self.remedy.setText(in_words(fault.remedy))
+        self.remedy.setText(of_this_bench(in_words(fault.remedy)))
         self.remedy.setVisible(bool(fault.remedy))
         self.meaning.setText(guardian_is(fault.kind, fault.text, fault.remedy))
         self.meaning.setVisible(bool(self.meaning.text()))
