@@ -31,7 +31,7 @@ from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_mark, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
-from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state
+from labcal.gui.widgets.common import ReadoutGrid, Surface, TwoLines, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -129,6 +129,7 @@ class SidePanel(Surface):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
         shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
+        self.zero_words.setVisible(bool(now.coil_words))
         set_state(self.zero_words, mark)
         shape, mark = platform_mark(now.platform_words, now.coil_words)
         self.platform.setText(f"{shape} {in_words(now.platform_words)}".strip())
@@ -144,6 +145,7 @@ class SidePanel(Surface):
         now = state.now
         set_old, old = ("" if one is None else "old" for one in (now.coil_old_s, now.field_old_s))
         self.field_age.setText(age_words(now.field_old_s))
+        self.field_age.setVisible(bool(self.field_age.text()))
         self.field.show_row(0, size(now.field_set_nT), state=set_old)
         self.field.show_row(1, size(now.field_measured_nT), state=old)
         u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
@@ -199,7 +201,7 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.said_at, self.message, self.waiting = label("", "caption"), OneLine(), label()
+        self.said_at, self.message, self.waiting = label("", "caption"), TwoLines(), label()
         self.next = NextButton(self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"))
         changed = self.tr("Next has just changed, and did nothing. It is now: {0}. Press it again.")
         self.next.too_soon.connect(lambda: lab.update(message=changed.format(self.next.following)))

@@ -178,7 +178,7 @@ class HistoryPage(QWidget):
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
         header = self.table.horizontalHeader()
-        header.setSectionsClickable(True)
+        header.moveSection(5, 2)  # what became of it stands where a narrow window shows it
         header.setSortIndicatorShown(True)
         header.setSortIndicator(0, Qt.SortOrder.DescendingOrder)
         header.sectionClicked.connect(self.sort_by)

@@ -139,14 +139,16 @@ class LoopPage(QWidget):
         return card
 
     def _left_card(self) -> Card:
-        card = Card(self.tr("1  What is left over"), self.tr("band: noise of one axis, k=2"))
+        card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
+        card.unit.setToolTip(self.tr("Band: the noise of one axis of one row"))
         self.left = Residuals(self._theme)
         self.left.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.left)
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  What could cause it"), self.tr("rms beside declared errors"))
+        card = Card(self.tr("2  What could cause it"))
+        card.body.addWidget(label(self.tr("Held-out rms beside the declared errors"), "caption", wrap=True))
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)

@@ -216,8 +216,8 @@
         <translation>Datei öffnen …</translation>
     </message>
     <message>
-        <source>A bench.toml: what stands in the lab, on which lines</source>
-        <translation>Eine bench.toml: was im Labor steht, an welchen Leitungen</translation>
+        <source>A bench file (.toml): what stands in the lab, on which lines</source>
+        <translation>Eine Messplatzdatei (.toml): was im Labor steht, an welchen Leitungen</translation>
     </message>
     <message>
         <source>Simulated lab</source>
@@ -298,18 +298,6 @@
     <message>
         <source>{0}, simulated</source>
         <translation>{0}, simuliert</translation>
-    </message>
-    <message>
-        <source>{0}: see to plug, power and cable. Read all asks again.</source>
-        <translation>{0}: nach Stecker, Strom und Kabel sehen. „Alle lesen“ fragt wieder.</translation>
-    </message>
-    <message>
-        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
-        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -828,6 +816,14 @@
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
         <translation>das Umgebungsfeld der Referenz ist von vor dem letzten Griff an den Prüfling</translation>
+    </message>
+    <message>
+        <source>coils at zero, by their supplies and by the field</source>
+        <translation>Spulen auf null, nach ihren Netzgeräten und nach dem Feld</translation>
+    </message>
+    <message>
+        <source>the reference sees more change than a mounting makes</source>
+        <translation>die Referenz sieht eine größere Änderung, als ein Einbau macht</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -3262,12 +3258,12 @@
         <translation>die zurückgehaltene rms fällt von {0} auf {1} nT</translation>
     </message>
     <message>
-        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
-        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms</translation>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms beside declared errors</source>
+        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms neben angegebenen Fehlern</translation>
     </message>
     <message>
-        <source>it alone takes {0} nT off the held-out rms</source>
-        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms</translation>
+        <source>it alone takes {0} nT off the held-out rms beside declared errors</source>
+        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms neben angegebenen Fehlern</translation>
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
@@ -5853,8 +5849,16 @@ diesem Schritt …</translation>
         <translation>Rauschen k=2</translation>
     </message>
     <message>
+        <source>Band: the noise of one axis of one row</source>
+        <translation>Band: das Rauschen einer Achse einer Zeile</translation>
+    </message>
+    <message>
         <source>2  What could cause it</source>
         <translation>2  Mögliche Ursachen</translation>
+    </message>
+    <message>
+        <source>Held-out rms beside the declared errors</source>
+        <translation>Zurückgehaltene rms neben den angegebenen Fehlern</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
@@ -5905,12 +5909,8 @@ diesem Schritt …</translation>
         <translation>sucht … {0}</translation>
     </message>
     <message>
-        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
-        <translation>Hier neben den Fehlern, die die Messung von Referenz und Einbau angibt; oben mit ihnen.</translation>
-    </message>
-    <message>
-        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation>vorher → nachher, zurückgehaltene rms des Vektors; Rauschen allein: {0} nT, {1}</translation>
+        <source>These figures are beside the errors that the run declares; above they are in it.</source>
+        <translation>Diese Zahlen sind neben den Fehlern, die die Messung angibt; oben sind sie darin.</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -6204,10 +6204,6 @@ diesem Schritt …</translation>
         <translation>Sehen, was gefunden wird</translation>
     </message>
     <message>
-        <source>✓ handed out</source>
-        <translation>✓ übergeben</translation>
-    </message>
-    <message>
         <source>Fit the run</source>
         <translation>Messung anpassen</translation>
     </message>
@@ -6236,12 +6232,12 @@ diesem Schritt …</translation>
         <translation>Der nächste Prüfling</translation>
     </message>
     <message>
-        <source>Hand it out</source>
-        <translation>Ausgeben</translation>
+        <source>Hand it out, as {0}</source>
+        <translation>Ausgeben, als {0}</translation>
     </message>
     <message>
-        <source>Hand it out, as PROVISIONAL</source>
-        <translation>Ausgeben, als VORLÄUFIG</translation>
+        <source>Hand it out</source>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -6607,6 +6603,10 @@ diesem Schritt …</translation>
 <context>
     <name>SidePanel</name>
     <message>
+        <source>Whether hands have to be off</source>
+        <translation>Ob die Hände weg sein müssen</translation>
+    </message>
+    <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
         <translation>Einheit der Anzeige wechseln: nT, µT, mG. Eingabefelder behalten ihre.</translation>
     </message>
@@ -6732,6 +6732,10 @@ diesem Schritt …</translation>
     <message>
         <source>Sign the file as it is</source>
         <translation>Die Datei signieren, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Until when it is good</source>
+        <translation>Bis wann sie gilt</translation>
     </message>
     <message>
         <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
@@ -7064,6 +7068,10 @@ diesem Schritt …</translation>
     <message>
         <source>SIMULATED</source>
         <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Whether hands have to be off</source>
+        <translation>Ob die Hände weg sein müssen</translation>
     </message>
     <message>
         <source>COILS OFF   F12</source>
@@ -7842,10 +7850,6 @@ diesem Schritt …</translation>
         <translation>zurückgehaltene rms  nT</translation>
     </message>
     <message>
-        <source>noise alone</source>
-        <translation>Rauschen allein</translation>
-    </message>
-    <message>
         <source>no fields all round at one magnitude: see field-sphere</source>
         <translation>keine Felder ringsum bei einem Betrag: siehe field-sphere</translation>
     </message>
@@ -8098,6 +8102,10 @@ diesem Schritt …</translation>
         <translation>Etwas stimmt nicht, was nichts Bekanntes erklärt. Nicht unterschreiben: siehe 4.</translation>
     </message>
     <message>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
+    </message>
+    <message>
         <source>{0} and {1}</source>
         <translation>{0} und {1}</translation>
     </message>
@@ -8274,6 +8282,22 @@ diesem Schritt …</translation>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
+        <source>Good until {0}.</source>
+        <translation>Gilt bis {0}.</translation>
+    </message>
+    <message>
+        <source>No last day of use is stated: it never expires by itself.</source>
+        <translation>Kein letzter Tag ist angegeben: Sie läuft nie von selbst ab.</translation>
+    </message>
+    <message>
+        <source>That day is stated by who approves (2), by the interval of your lab; labcal works none out here.</source>
+        <translation>Diesen Tag gibt an, wer genehmigt (2), nach der Frist Ihres Labors; labcal berechnet hier keinen.</translation>
+    </message>
+    <message>
+        <source>So it was stated when it was approved.</source>
+        <translation>So wurde es bei der Genehmigung angegeben.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
     </message>
@@ -8282,16 +8306,32 @@ diesem Schritt …</translation>
         <translation>eine andere</translation>
     </message>
     <message>
+        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
+        <translation>Als VORLÄUFIG und MEHRDEUTIG: Warum, steht oben.</translation>
+    </message>
+    <message>
+        <source>Handed out as {0}. Next: another DUT.</source>
+        <translation>Ausgegeben als {0}. Als Nächstes: ein anderer Prüfling.</translation>
+    </message>
+    <message>
+        <source>PROVISIONAL</source>
+        <translation>VORLÄUFIG</translation>
+    </message>
+    <message>
+        <source>handed out</source>
+        <translation>ausgegeben</translation>
+    </message>
+    <message>
         <source>As AMBIGUOUS: why is said above.</source>
         <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
+        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT. Den Rest erklären.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -8382,6 +8422,14 @@ diesem Schritt …</translation>
         <translation>HÄNDE WEG – {0}</translation>
     </message>
     <message>
+        <source>HANDS OFF</source>
+        <translation>HÄNDE WEG</translation>
+    </message>
+    <message>
+        <source>▲ Hands out</source>
+        <translation>▲ Hände heraus</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
     </message>
@@ -8468,6 +8516,50 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
         <translation>{0}: {1} A, als zuletzt gelesen wurde, {2}</translation>
+    </message>
+    <message>
+        <source>{0}: see to plug, power and cable.</source>
+        <translation>{0}: Stecker, Strom und Kabel ansehen.</translation>
+    </message>
+    <message>
+        <source>Read all asks again.</source>
+        <translation>„Alles lesen“ fragt wieder.</translation>
+    </message>
+    <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
+        <source>coil x</source>
+        <translation>Spule x</translation>
+    </message>
+    <message>
+        <source>coil y</source>
+        <translation>Spule y</translation>
+    </message>
+    <message>
+        <source>coil z</source>
+        <translation>Spule z</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>interlock</source>
+        <translation>Verriegelung</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
     </message>
 </context>
 <context>

@@ -7,14 +7,14 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.translations.translate import translated
 
 ROLES = {
-    "coil-x": QT_TRANSLATE_NOOP("Words", "supply of coil x"),
-    "coil-y": QT_TRANSLATE_NOOP("Words", "supply of coil y"),
-    "coil-z": QT_TRANSLATE_NOOP("Words", "supply of coil z"),
-    "polarity": QT_TRANSLATE_NOOP("Words", "reversing contacts"),
+    "coil-x": QT_TRANSLATE_NOOP("Words", "coil x"),
+    "coil-y": QT_TRANSLATE_NOOP("Words", "coil y"),
+    "coil-z": QT_TRANSLATE_NOOP("Words", "coil z"),
+    "polarity": QT_TRANSLATE_NOOP("Words", "contacts"),
     "interlock": QT_TRANSLATE_NOOP("Words", "interlock"),
     "platform": QT_TRANSLATE_NOOP("Words", "platform"),
     "reference": QT_TRANSLATE_NOOP("Words", "reference"),
-    "dut": QT_TRANSLATE_NOOP("Words", "device under test"),
+    "dut": QT_TRANSLATE_NOOP("Words", "DUT"),
 }
 ORDER = tuple(ROLES)
 

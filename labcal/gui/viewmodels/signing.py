@@ -44,6 +44,7 @@ ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
 NEXT_DUT = QT_TRANSLATE_NOOP("Words", "Handed out. Next: another DUT.")
 AS_BOTH = QT_TRANSLATE_NOOP("Words", "As PROVISIONAL and AMBIGUOUS: why is said above.")
 AS_SUCH = QT_TRANSLATE_NOOP("Words", "Handed out as {0}. Next: another DUT.")
+PROVISIONAL = QT_TRANSLATE_NOOP("Words", "PROVISIONAL")
 HANDED_OUT = QT_TRANSLATE_NOOP("Words", "handed out")
 AS_AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "As AMBIGUOUS: why is said above.")
 
@@ -98,7 +99,7 @@ def doubtful(text: str) -> bool:
 
 def handed_out_as(one: CalibrationFile) -> str:
     """AMBIGUOUS, PROVISIONAL, or both: as what it goes; "" where it goes without a doubt."""
-    doubts = ("PROVISIONAL" if one.standing.provisional else "", doubt_word() if ambiguity(one) else "")
+    doubts = (translated(str(PROVISIONAL)) if one.standing.provisional else "", doubt_word() if ambiguity(one) else "")
     return ", ".join(filter(None, doubts))
 
 

@@ -59,7 +59,7 @@ class KeySheet(QDialog):
         close = button(self.tr("Close"), self.tr("Put this sheet away (Esc)"), primary=True)
         close.clicked.connect(self.close)
         column.addWidget(close, 0, Qt.AlignmentFlag.AlignRight)
-        self._holder = holder
+        self._holder, self._column = holder, column
         self.area.setFocus()  # the arrows roll it
 
     def fit_into(self, room: QSize) -> None:
@@ -68,6 +68,6 @@ class KeySheet(QDialog):
         within = room - QSize(4 * GRID, 4 * GRID)
         width = min(within.width(), WIDEST * self.fontMetrics().averageCharWidth())
         self.resize(width, within.height())
-        self.layout().activate()
+        self._column.activate()
         rows = self._holder.heightForWidth(self.area.viewport().width())
         self.resize(width, min(within.height(), self.height() - self.area.height() + rows))
