@@ -350,12 +350,13 @@ class Frame(QMainWindow):
         """Room for texts `scale` times their size."""
         self._scale = scale
         self._give_room()
-        for entry in (self.top.dut, self.top.operator):
-            entry.setMaximumWidth(int(18 * GRID * scale))
 
     def _give_room(self) -> None:
         """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
-        sidebar, side = (15, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
+        narrow = self.width() < NARROW_PX * self._scale
+        sidebar, side, entry = (15, 23, 15) if narrow else (17, 31, 18)
+        for field in (self.top.dut, self.top.operator):
+            field.setMaximumWidth(int(entry * GRID * self._scale))
         self.sidebar.setFixedWidth(int(sidebar * GRID * self._scale))
         self.side.setFixedWidth(int(side * GRID * self._scale))
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Earth, Identified, Instrument
 from labcal.gui.ipc.messages import FindOnLines, Identify
@@ -25,7 +25,7 @@ from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
-from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -96,7 +96,7 @@ class BenchPage(QWidget):
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
-        column.addWidget(flat(self._instruments_card()))
+        column.addWidget(self._instruments_card())
         column.addWidget(self._cage_card(), 1)
         return holder
 
@@ -130,6 +130,7 @@ class BenchPage(QWidget):
         row = Flow(simulated, self.choose, self.make, self.edit, self.reconnect, self.check)
         self.table = Table(HEADINGS, 3)
         self.table.show_rows(MOST_ROWS, MOST_ROWS)
+        self.table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)  # no empty half
         for column in ("last reading", "state"):  # beside the name, where a narrow window shows them too
             header, at = self.table.horizontalHeader(), HEADINGS.index(column)
             header.moveSection(header.visualIndex(at), 2)

@@ -148,7 +148,7 @@ class LoopPage(QWidget):
 
     def _who_card(self) -> Card:
         card = Card(self.tr("2  What could cause it"))
-        card.body.addWidget(label(self.tr("Held-out rms beside the declared errors"), "caption", wrap=True))
+        card.body.addWidget(shrinkable(label(self.tr("Rms beside declared errors"), "caption")))
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)

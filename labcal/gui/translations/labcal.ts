@@ -5908,7 +5908,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Held-out rms beside the declared errors</source>
+        <source>Rms beside declared errors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5857,8 +5857,8 @@ diesem Schritt …</translation>
         <translation>2  Mögliche Ursachen</translation>
     </message>
     <message>
-        <source>Held-out rms beside the declared errors</source>
-        <translation>Zurückgehaltene rms neben den angegebenen Fehlern</translation>
+        <source>Rms beside declared errors</source>
+        <translation>Rms neben angegebenen Fehlern</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>

@@ -5857,8 +5857,8 @@ cette étape …</translation>
         <translation>2  Causes possibles</translation>
     </message>
     <message>
-        <source>Held-out rms beside the declared errors</source>
-        <translation>Rms mis de côté, à part les erreurs déclarées</translation>
+        <source>Rms beside declared errors</source>
+        <translation>Rms à part les erreurs déclarées</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
