@@ -43,7 +43,7 @@ def test_the_certificate_page_says_it_in_amber_before_it_goes_and_after(page):
         "As AMBIGUOUS: why is said above.",
         "warning",
     )
-    page._handed_out(DOUBTFUL)
+    page.paper.handed_out.emit(DOUBTFUL)
     assert page.paper.words.text() == "Handed out as AMBIGUOUS. Next: another DUT."
     assert page.paper.words.property("state") == "warning"
     page.refresh()
@@ -63,7 +63,7 @@ def test_the_history_says_it_in_amber(new_window):
         return history.table.item(0, column).foreground().color().name()
 
     assert (ink(5), ink(0)) == (new_window.theme.warning, new_window.theme.text)
-    new_window._other_theme()
+    new_window.theme_switch.click()
     new_window.style_queue.finish()
     history._idle_queue.finish()
     assert (ink(5), ink(0)) == (new_window.theme.warning, new_window.theme.text)

@@ -13,6 +13,7 @@ from labcal.bench.coils.state import FRESH_S, LabState, Witness, unread
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.record import Segment
 from labcal.record.stream import SegmentClosed, SegmentOpened
@@ -119,3 +120,11 @@ def test_what_proves_the_zero_is_said_to_who_reaches_in(running):
     assert hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field"
     says(running, platform=stands(), witness=Witness(why=CHANGED))
     assert hands.text() == f"▲ Hands out: {CHANGED}"
+
+
+def test_what_agreed_with_a_field_of_before_hands_judges_nothing_after_the_run(still):
+    kept = KnownLab()
+    field = (20_400.0, 1_150.0, -43_700.0)
+    for why, judges in (("", True), (BEFORE_HANDS, False), (CHANGED, False)):
+        kept.take(lab(witness=Witness("agrees", why, field, field, 0.0, 2e3, 10.0)), 10.0)
+        assert (kept.ambient_nT(still.app_state.facts, 11.0) is not None) is judges

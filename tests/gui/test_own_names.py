@@ -24,7 +24,9 @@ def served(running, tmp_path):
     """The window on a bench file of another name."""
     path = tmp_path / "served.toml"
     copyfile(running.app_state.bench, path)
-    running.app_state._bench_known(str(path), read_bench(None, ReadBench(path)))
+    running.app_state.bench_worker.asked[-1].failed(Fault("stopped", "stopped by the operator"))
+    running.app_state.open_bench(str(path))
+    running.app_state.quick_worker.answer(ReadBench, read_bench(None, ReadBench(path)))
     return running
 
 
@@ -47,7 +49,6 @@ def test_a_path_that_somebody_named_stays_as_it_is(served):
 def test_the_roles_of_the_bench_page_are_words(served):
     served.open_page("Bench")
     page = served.page("Bench")
-    page._show()
     words = [page.table.text(row, 0) for row in range(page.table.rowCount())]
     assert len(words) > 5
     assert not set(words) & (set(ROLES) - {"interlock", "platform", "reference"})

@@ -263,8 +263,16 @@ class TwoLines(OneLine):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
 
     def minimumSizeHint(self) -> QSize:
-        """One line's."""
+        """One line's: what stands beside it says how high its place is."""
         return QSize(1, self.fontMetrics().lineSpacing())
+
+    def sizeHint(self) -> QSize:
+        """Likewise."""
+        return self.minimumSizeHint()
+
+    def hasHeightForWidth(self) -> bool:
+        """No: a longer text makes its place no higher."""
+        return False
 
     def is_cut(self) -> bool:
         """Whether the place is not high enough for all its lines."""
