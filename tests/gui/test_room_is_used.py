@@ -88,6 +88,8 @@ def test_the_table_of_bench_is_as_high_as_its_rows(new_window):
 
 
 def test_what_became_of_a_run_is_in_sight_in_a_narrow_window_in_german(german):
+    for page in ("Start", "History"):
+        german.page(page)
     stored(german, replace(RUN, verdict="explained"))
     german.open_page("History")
     german.page("History")._idle_queue.finish()
