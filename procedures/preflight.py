@@ -78,7 +78,7 @@ def preflight(
     reverse: Annotated[bool, "the last magnitude also reversed"] = True,
     inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,
     modes: Annotated[tuple[str, ...], "the DUT's power modes"] = ("nominal", "full"),
-    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: as fast as timing_nT and the range allow"] = 0.0,
+    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: as fast as timing and the range allow"] = 0.0,
     timing_nT: Annotated[float, Limits(0.1, 1_000, unit="nT"), "error that timing may make"] = 8.0,
     u_time_s: Annotated[float, Limits(1e-6, 1, unit="s"), "timing uncertainty, at least"] = 0.005,
     step_deg: Annotated[float, Limits(0, 90, unit="deg"), "0: continuous, else stepped"] = 0.0,

@@ -20,7 +20,7 @@ def rotate_axis(
     axis: Annotated[Literal["x", "y", "z"], "body axis mounted along the platform axis"] = "z",
     magnitude_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "magnitude of the field"] = 50_000.0,
     inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,
-    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: as fast as timing_nT and the range allow"] = 0.0,
+    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: as fast as timing and the range allow"] = 0.0,
     timing_nT: Annotated[float, Limits(0.1, 1_000, unit="nT"), "error that timing may make"] = 10.0,
     u_time_s: Annotated[float, Limits(1e-6, 1, unit="s"), "timing uncertainty"] = 0.005,
     step_deg: Annotated[float, Limits(0, 90, unit="deg"), "0: continuous, else stepped"] = 0.0,

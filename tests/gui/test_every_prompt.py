@@ -23,7 +23,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
-from labcal.gui.translations.sentences import form_of
+from labcal.gui.translations.sentences import form_of, of_this_bench
 from labcal.gui.viewmodels.failed_step import asked_text
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton, heard_ms
 from labcal.gui.widgets.prompt_card import WORDS, acting
@@ -222,7 +222,7 @@ class Asked:
 
     def is_shown(self):
         card, prompt = self.card, self.prompt
-        words = asked_text(prompt)
+        words = of_this_bench(asked_text(prompt))
         assert card.isVisible()
         shown = f"{card.text.text()} {card.details.text()}".replace("\N{NO-BREAK SPACE}", " ").strip()
         assert shown.startswith(words)  # of a step that failed its advice stands below, with the button to press

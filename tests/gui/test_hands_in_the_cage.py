@@ -16,6 +16,7 @@ from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import Identify, ResumeRun, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.known_lab import AMBIENT_S, ANSWERS_S, LOST_FIRST_S, KnownLab
+from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
@@ -329,7 +330,7 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     assert card.hands.text() == "▲ Hands out: coils NOT confirmed at zero"
     says(running, platform=PlatformReading(fault="link lost"), faulty=("stage",))
     assert card.hands.text() == "▲ Hands out: platform NOT confirmed at a standstill"
-    says(running, platform=stands(age_s=5.0), faulty=("stage",))
+    says(running, platform=stands(age_s=WATCHED_S + 2.0), faulty=("stage",))
     assert card.hands.text() == "▲ Hands out: the platform is not being read"
     assert card.hands.isVisibleTo(card)
 

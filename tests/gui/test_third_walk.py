@@ -16,7 +16,7 @@ from labcal.record import Segment
 from labcal.record.stream import FAULT, Block, Event, Measurement, Prompt, SegmentOpened, Step
 from labcal.runner.rehearsal import Rehearsal
 
-LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then begin this step again.")
+LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then try again.")
 
 
 def begun(still):
@@ -98,11 +98,11 @@ def test_a_lost_link_is_short_in_the_headline_and_its_advice_names_the_button_th
         still,
         no_answer="supply_z",
         what="supply_z: the link was lost (Input/output error).",
-        remedy="Plug it in, see that nobody else has opened it, then begin this step again.",
+        remedy="Plug it in, see that nobody else has opened it, then try again.",
     )
     assert card.text.text() == "✕ No answer from supply_z"
     assert card.details.text() == (
-        "supply_z: the link was lost. Plug it in, see that nobody else has opened it, then begin this step again. "
+        "supply_z: the link was lost. Plug it in, see that nobody else has opened it, then try again. "
         "Here that is “Hands off: try again”."
     )
     assert "Hands off: try again" in card.choices["retry"].text()

@@ -291,7 +291,7 @@ class Live(QWidget):
             self.verdict.say_reason("")
             return self.fault.hide()
         self._say_coils_left()
-        if "begin this step again" in fault.remedy.lower():
+        if "try again" in fault.remedy.lower():
             self.fault.remedy.setText(f"{self.fault.remedy.text()} {self._where_to_begin_again()}")
         if fault.kind != "stopped":
             return None
@@ -323,7 +323,7 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         set_primary(self.go_on, not now.to_be_mended)
-        self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self.prompt.say_lab(now)
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed)
         self.prompt.say_serials(self._app_state.lab.state.other_serials)

@@ -216,8 +216,8 @@
         <translation>Datei öffnen …</translation>
     </message>
     <message>
-        <source>A bench.toml: what stands in the lab, on which lines</source>
-        <translation>Eine bench.toml: was im Labor steht, an welchen Leitungen</translation>
+        <source>A bench file (.toml): what stands in the lab, on which lines</source>
+        <translation>Eine Messplatzdatei (.toml): was im Labor steht, an welchen Leitungen</translation>
     </message>
     <message>
         <source>Simulated lab</source>
@@ -298,18 +298,6 @@
     <message>
         <source>{0}, simulated</source>
         <translation>{0}, simuliert</translation>
-    </message>
-    <message>
-        <source>{0}: see to plug, power and cable. Read all asks again.</source>
-        <translation>{0}: nach Stecker, Strom und Kabel sehen. „Alle lesen“ fragt wieder.</translation>
-    </message>
-    <message>
-        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
-        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -570,11 +558,11 @@
     </message>
     <message>
         <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
-        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, kann aber nicht fortgesetzt werden.</translation>
+        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, es geht damit aber nicht weiter.</translation>
     </message>
     <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
-        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Fortsetzen auf der Startseite.</translation>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Weiter, auf der Startseite.</translation>
     </message>
     <message>
         <source>Keep running behind</source>
@@ -585,8 +573,8 @@
         <translation>Das Fenster verschwindet und kommt wieder, wenn Sie gebraucht werden oder die Messung zu Ende ist.</translation>
     </message>
     <message>
-        <source>Resume later</source>
-        <translation>Später fortsetzen</translation>
+        <source>Go on later</source>
+        <translation>Später weiter</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -828,6 +816,14 @@
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
         <translation>das Umgebungsfeld der Referenz ist von vor dem letzten Griff an den Prüfling</translation>
+    </message>
+    <message>
+        <source>coils at zero, by their supplies and by the field</source>
+        <translation>Spulen auf null, nach ihren Netzgeräten und nach dem Feld</translation>
+    </message>
+    <message>
+        <source>the reference sees more change than a mounting makes</source>
+        <translation>die Referenz sieht eine größere Änderung, als ein Einbau macht</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -1243,7 +1239,7 @@
     </message>
     <message>
         <source>{0} cannot go on after an interruption: start it anew</source>
-        <translation>{0} kann nach einer Unterbrechung nicht fortgesetzt werden: neu beginnen</translation>
+        <translation>{0} kann nach einer Unterbrechung nicht weiter: neu beginnen</translation>
     </message>
     <message>
         <source>{0}: there is no such file</source>
@@ -1690,24 +1686,24 @@
         <translation>Ist es das Gerät, das bench.toml nennt, und stimmt seine Verbindung?</translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
-        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen Schritt neu beginnen.</translation>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
+        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
-        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann diesen Schritt neu beginnen.</translation>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
+        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
-        <translation>Seine Anzeige ansehen, dann diesen Schritt neu beginnen.</translation>
+        <source>Look at its panel, then try again.</source>
+        <translation>Seine Anzeige ansehen, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
-        <translation>Suchen, was es aufhält, es auf null fahren und diesen Schritt neu beginnen.</translation>
+        <source>Look for what holds it, home it and try again.</source>
+        <translation>Suchen, was es aufhält, es auf null fahren und noch einmal.</translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
-        <translation>Den Tisch ansehen, auf null fahren und diesen Schritt neu beginnen.</translation>
+        <source>Look at the stage, home it and try again.</source>
+        <translation>Den Tisch ansehen, auf null fahren und noch einmal.</translation>
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
@@ -2322,8 +2318,8 @@
         <translation>wie genau die Achse steht; 0: nicht genannt</translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
-        <translation>0: so schnell, wie timing_nT und der Bereich es erlauben</translation>
+        <source>0: as fast as timing and the range allow</source>
+        <translation>0: so schnell, wie die Zeiten und der Bereich es erlauben</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -3262,12 +3258,12 @@
         <translation>die zurückgehaltene rms fällt von {0} auf {1} nT</translation>
     </message>
     <message>
-        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
-        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms</translation>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms beside declared errors</source>
+        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms neben angegebenen Fehlern</translation>
     </message>
     <message>
-        <source>it alone takes {0} nT off the held-out rms</source>
-        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms</translation>
+        <source>it alone takes {0} nT off the held-out rms beside declared errors</source>
+        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms neben angegebenen Fehlern</translation>
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
@@ -5921,8 +5917,16 @@ diesem Schritt …</translation>
         <translation>Rauschen k=2</translation>
     </message>
     <message>
+        <source>Band: the noise of one axis of one row</source>
+        <translation>Band: das Rauschen einer Achse einer Zeile</translation>
+    </message>
+    <message>
         <source>2  What could cause it</source>
         <translation>2  Mögliche Ursachen</translation>
+    </message>
+    <message>
+        <source>Rms beside declared errors</source>
+        <translation>Rms neben angegebenen Fehlern</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
@@ -5973,12 +5977,8 @@ diesem Schritt …</translation>
         <translation>sucht … {0}</translation>
     </message>
     <message>
-        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
-        <translation>Hier neben den Fehlern, die die Messung von Referenz und Einbau angibt; oben mit ihnen.</translation>
-    </message>
-    <message>
-        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation>vorher → nachher, zurückgehaltene rms des Vektors; Rauschen allein: {0} nT, {1}</translation>
+        <source>These figures are beside the errors that the run declares; above they are in it.</source>
+        <translation>Diese Zahlen sind neben den Fehlern, die die Messung angibt; oben sind sie darin.</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -6217,7 +6217,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
-        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start fortsetzen.</translation>
+        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start weiter.</translation>
     </message>
     <message>
         <source>Run {0} {1}. {2}</source>
@@ -6257,7 +6257,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go on with the run</source>
-        <translation>Messung fortsetzen</translation>
+        <translation>Weiter mit der Messung</translation>
     </message>
     <message>
         <source>Mend {0}</source>
@@ -6270,10 +6270,6 @@ diesem Schritt …</translation>
     <message>
         <source>See what is found</source>
         <translation>Sehen, was gefunden wird</translation>
-    </message>
-    <message>
-        <source>✓ handed out</source>
-        <translation>✓ übergeben</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -6304,12 +6300,12 @@ diesem Schritt …</translation>
         <translation>Der nächste Prüfling</translation>
     </message>
     <message>
-        <source>Hand it out</source>
-        <translation>Ausgeben</translation>
+        <source>Hand it out, as {0}</source>
+        <translation>Ausgeben, als {0}</translation>
     </message>
     <message>
-        <source>Hand it out, as PROVISIONAL</source>
-        <translation>Ausgeben, als VORLÄUFIG</translation>
+        <source>Hand it out</source>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -6675,6 +6671,10 @@ diesem Schritt …</translation>
 <context>
     <name>SidePanel</name>
     <message>
+        <source>Whether hands have to be off</source>
+        <translation>Ob die Hände weg sein müssen</translation>
+    </message>
+    <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
         <translation>Einheit der Anzeige wechseln: nT, µT, mG. Eingabefelder behalten ihre.</translation>
     </message>
@@ -6802,6 +6802,10 @@ diesem Schritt …</translation>
         <translation>Die Datei signieren, wie sie ist</translation>
     </message>
     <message>
+        <source>Until when it is good</source>
+        <translation>Bis wann sie gilt</translation>
+    </message>
+    <message>
         <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
         <translation>Der Name des Schlüssels ist {0}, aus „{1}“; oder einen anderen tippen.</translation>
     </message>
@@ -6833,8 +6837,8 @@ diesem Schritt …</translation>
         <translation>Das Fenster brach ab und wurde neu gestartet. Was es zuletzt sagte, liegt in {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
-        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start fortsetzen.</translation>
+        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
+        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start weiter.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6913,7 +6917,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Eine Messung von {0} brach ab: unten fortsetzen, oder neu messen.</translation>
+        <translation>▲ Eine Messung von {0} brach ab: unten weiter, oder neu messen.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -7013,7 +7017,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go on with  {0}</source>
-        <translation>Fortsetzen:  {0}</translation>
+        <translation>Weiter mit:  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -7132,6 +7136,10 @@ diesem Schritt …</translation>
     <message>
         <source>SIMULATED</source>
         <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Whether hands have to be off</source>
+        <translation>Ob die Hände weg sein müssen</translation>
     </message>
     <message>
         <source>COILS OFF   F12</source>
@@ -7918,10 +7926,6 @@ diesem Schritt …</translation>
         <translation>zurückgehaltene rms  nT</translation>
     </message>
     <message>
-        <source>noise alone</source>
-        <translation>Rauschen allein</translation>
-    </message>
-    <message>
         <source>no fields all round at one magnitude: see field-sphere</source>
         <translation>keine Felder ringsum bei einem Betrag: siehe field-sphere</translation>
     </message>
@@ -8174,6 +8178,10 @@ diesem Schritt …</translation>
         <translation>Etwas stimmt nicht, was nichts Bekanntes erklärt. Nicht unterschreiben: siehe 4.</translation>
     </message>
     <message>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
+    </message>
+    <message>
         <source>{0} and {1}</source>
         <translation>{0} und {1}</translation>
     </message>
@@ -8255,7 +8263,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
-        <translation>Er kann nicht fortgesetzt werden: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
+        <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -8350,6 +8358,22 @@ diesem Schritt …</translation>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
+        <source>Good until {0}.</source>
+        <translation>Gilt bis {0}.</translation>
+    </message>
+    <message>
+        <source>No last day of use is stated: it never expires by itself.</source>
+        <translation>Kein letzter Tag ist angegeben: Sie läuft nie von selbst ab.</translation>
+    </message>
+    <message>
+        <source>That day is stated by who approves (2), by the interval of your lab; labcal works none out here.</source>
+        <translation>Diesen Tag gibt an, wer genehmigt (2), nach der Frist Ihres Labors; labcal berechnet hier keinen.</translation>
+    </message>
+    <message>
+        <source>So it was stated when it was approved.</source>
+        <translation>So wurde es bei der Genehmigung angegeben.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
     </message>
@@ -8358,16 +8382,32 @@ diesem Schritt …</translation>
         <translation>eine andere</translation>
     </message>
     <message>
+        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
+        <translation>Als VORLÄUFIG und MEHRDEUTIG: Warum, steht oben.</translation>
+    </message>
+    <message>
+        <source>Handed out as {0}. Next: another DUT.</source>
+        <translation>Ausgegeben als {0}. Als Nächstes: ein anderer Prüfling.</translation>
+    </message>
+    <message>
+        <source>PROVISIONAL</source>
+        <translation>VORLÄUFIG</translation>
+    </message>
+    <message>
+        <source>handed out</source>
+        <translation>ausgegeben</translation>
+    </message>
+    <message>
         <source>As AMBIGUOUS: why is said above.</source>
         <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
+        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT. Den Rest erklären.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -8458,6 +8498,14 @@ diesem Schritt …</translation>
         <translation>HÄNDE WEG – {0}</translation>
     </message>
     <message>
+        <source>HANDS OFF</source>
+        <translation>HÄNDE WEG</translation>
+    </message>
+    <message>
+        <source>▲ Hands out</source>
+        <translation>▲ Hände heraus</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
     </message>
@@ -8544,6 +8592,50 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
         <translation>{0}: {1} A, als zuletzt gelesen wurde, {2}</translation>
+    </message>
+    <message>
+        <source>{0}: see to plug, power and cable.</source>
+        <translation>{0}: Stecker, Strom und Kabel ansehen.</translation>
+    </message>
+    <message>
+        <source>Read all asks again.</source>
+        <translation>„Alles lesen“ fragt wieder.</translation>
+    </message>
+    <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
+        <source>coil x</source>
+        <translation>Spule x</translation>
+    </message>
+    <message>
+        <source>coil y</source>
+        <translation>Spule y</translation>
+    </message>
+    <message>
+        <source>coil z</source>
+        <translation>Spule z</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>interlock</source>
+        <translation>Verriegelung</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
     </message>
 </context>
 <context>

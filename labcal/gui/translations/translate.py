@@ -190,7 +190,6 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Plot: {0} against {1}"),
     QT_TRANSLATE_NOOP("Words", "residual  nT"),
     QT_TRANSLATE_NOOP("Words", "held-out rms  nT"),
-    QT_TRANSLATE_NOOP("Words", "noise alone"),
     QT_TRANSLATE_NOOP("Words", "no fields all round at one magnitude: see field-sphere"),
     QT_TRANSLATE_NOOP("Words", "finished"),
     QT_TRANSLATE_NOOP("Words", "stopped"),

@@ -21,7 +21,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
 from labcal.gui.viewmodels.hands import READY, STILL_LOST, reached_into, says_hands_off
-from labcal.gui.viewmodels.lab_now import hands_words, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
@@ -236,9 +236,10 @@ class PromptCard(Card):
         if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
-    def say_lab(self, coil_words: str, platform_words: str = "", platform_deg: float | None = None) -> None:
+    def say_lab(self, now: LabNow) -> None:
         """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
-        self.drawing.show_platform(platform_deg)
+        coil_words, platform_words = now.coil_words, now.platform_words
+        self.drawing.show_platform(now.platform_deg)
         for place, words, (shape, mark) in (
             (self.lab, coil_words, mark_of(coil_words)),
             (self.stands, platform_words, platform_mark(platform_words, coil_words)),
@@ -246,7 +247,7 @@ class PromptCard(Card):
             place.setText(f"{shape} {in_words(words)}".strip())
             place.setVisible(bool(words))
             set_state(place, mark)
-        words, mark = hands_words(coil_words, platform_words)
+        words, mark = hands_of(now)
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
