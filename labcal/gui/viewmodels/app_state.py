@@ -381,9 +381,8 @@ class AppState(QObject):
             self._taken, self.kept.asked = run.lab, False
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
-        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}
-        off = keep_off(run, self._there())
-        self.lab.update(message=run.message, waiting=waits.get(run.state, ""), keep_off=off)
+        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
+        self.lab.update(message=run.message, waiting=waits, keep_off=keep_off(run, self._there()))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
