@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import closing
 from dataclasses import dataclass, field
@@ -13,6 +13,7 @@ from tempfile import TemporaryDirectory
 from typing import Self
 
 from labcal import audit, certificate
+from labcal.archive import ready
 from labcal.archive.ahead import ahead, worth_it
 from labcal.archive.bundles import put
 from labcal.archive.push import (
@@ -128,12 +129,28 @@ class Pusher:
             return
         with closing(Store.read_only(home() / STORE)) as store:
             found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
-            new = [run_id for run_id, head in found if head is None or head not in self.there.heads]
+            heads = {run_id: head for run_id, head in found if head is None or head not in self.there.heads}
+            ready.forget_all_but(heads.values())
+            ready.want()
+            new = self._made_ready(heads)
             with TemporaryDirectory(prefix="labcal-push-", ignore_cleanup_errors=True) as folder:
                 work, large = partial(of_store_into, folder), partial(_is_large, store)
-                with closing(ahead(work, new, worth_it(len(new)), large)) as ready:
-                    for run_id, run in ready:
+                with closing(ahead(work, new, worth_it(len(new)), large)) as made:
+                    for run_id, run in made:
                         self._one(run_id, partial(self._when_ready, run))
+
+    def _made_ready(self, heads: Mapping[str, str | None]) -> list[str]:
+        """Push those that were made ready before; returns the others, whose files are not there or not sound."""
+        there, done = [run_id for run_id, head in heads.items() if ready.is_kept(head)], set[str]()
+        with closing(ahead(ready.kept, there)) as found:
+            for run_id, run in found:
+                if one := run.result():
+                    self._one(run_id, partial(self._when_kept, one))
+                    done.add(run_id)
+        return [run_id for run_id in heads if run_id not in done]
+
+    def _when_kept(self, one: RunToPush, _: str) -> None:
+        self._run(one)
 
     def _when_ready(self, run: Future[tuple[RunToPush, Path]], _: str) -> None:
         self._run(taken(*run.result()))
@@ -155,6 +172,7 @@ class Pusher:
         elif push_run(self.archive, self.site, one, self.place):
             self.runs += 1
             self._say("run", one.run_id, one.sha256)
+        ready.forget(one.kept_head)
         return one.sha256
 
     def _make_whole(self, one: RunToPush, bundle: Bundle | None, digest: str) -> None:
