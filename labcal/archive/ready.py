@@ -10,6 +10,7 @@ A file is three things: the SHA-256 of what follows and a line end, a line of JS
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Iterable
 from contextlib import closing, suppress
 from dataclasses import asdict, replace
@@ -28,6 +29,7 @@ from labcal.store import Store
 from labcal.store.listing import FILE as STORE
 from labcal.version import __version__
 
+HALVES_S = 3600.0  # so long nobody writes at one: who did was killed
 FOLDER, ENDING, FORMAT = "made-ready", ".run", "labcal-made-ready/1"
 
 
@@ -77,11 +79,11 @@ def forget(head: str | None) -> None:
 
 
 def forget_all_but(heads: Iterable[str | None]) -> None:
-    """Remove what was made of records that have gone on since, or by another labcal, or is in the archive."""
+    """Remove what was made of records that have gone on since, or by another labcal, and halves of before an hour."""
     wanted = {_path(head) for head in heads if head is not None}
-    for path in folder().glob(f"*{ENDING}"):
-        if path not in wanted:
-            with suppress(OSError):
+    for path in folder().glob("*"):
+        with suppress(OSError):
+            if path not in wanted and (path.suffix == ENDING or time.time() - path.stat().st_mtime > HALVES_S):
                 path.unlink()
 
 

@@ -51,7 +51,7 @@ from labcal.session.instruments import (
     read_lab,
     serve_bench,
 )
-from labcal.session.made_ready import make_ready
+from labcal.session.made_ready import begin_to_make_ready
 from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
     check_store,
@@ -179,7 +179,7 @@ def run(
         )  # fmt: skip
         outcome = note_run(outcome, kept, operator) if store is None else outcome
     if store is None:
-        make_ready(outcome)
+        begin_to_make_ready(outcome)
     return outcome.parted(lab.ended)
 
 
@@ -208,7 +208,7 @@ def resume(
             show=show,
         )  # fmt: skip
         outcome = note_run(outcome, kept, kept.header(run).operator)
-    make_ready(outcome)
+    begin_to_make_ready(outcome)
     return outcome.parted(lab.ended)
 
 

@@ -14,7 +14,7 @@ DETACHED = 0x00000208  # DETACHED_PROCESS | CREATE_NEW_PROCESS_GROUP
 _started: list[subprocess.Popen[bytes]] = []  # kept: they go on when this process has forgotten them
 
 
-def make_ready(outcome: Outcome) -> None:
+def begin_to_make_ready(outcome: Outcome) -> None:
     """Have a finished run made ready by a process of its own, where there was a push before; nobody waits for it."""
     if outcome.status != "finished" or not ready.folder().is_dir():
         return
