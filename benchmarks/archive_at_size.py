@@ -98,7 +98,8 @@ def push_made_ready(running: Server, url: str, bundles: Path, first: int, sample
     for way, (busy, served, wall) in rows.items():
         print(
             f"{way}: {1e3 * busy / number:.1f} ms a run, server {1e3 * served / number:.1f}, by the clock "
-            f"{1e3 * wall / number:.1f}: {size / busy / 1e6:.0f} MB/s of a processor, {size / wall / 1e6:.0f} by the clock"
+            f"{1e3 * wall / number:.1f}: {size / busy / 1e6:.0f} MB/s of a processor, "
+            f"{size / wall / 1e6:.0f} by the clock"
         )
     print(f"to make one ready: {1e3 * made_s / number:.1f} ms", flush=True)
 

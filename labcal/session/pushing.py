@@ -11,7 +11,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Self
+from typing import Any, Self
 
 from labcal import audit, certificate
 from labcal.archive import ready
@@ -172,15 +172,19 @@ class Pusher:
         return self._run(of_bundle(*found), found[0])
 
     def _run(self, one: RunToPush, bundle: Bundle | None = None) -> str:
-        if there := run_there(self.archive, self.site, one.sha256):
-            refuse_other_row(one.row, there)
-            self._make_whole(one, bundle, there["bundle_sha256"])
-            note_head(self.archive, self.site, one.kept_head, one.sha256)
-        elif push_run(self.archive, self.site, one, self.place):
+        row = self._row_of(one.sha256) if one.sha256 in self.there.runs else None
+        if row is None and push_run(self.archive, self.site, one, self.place):
             self.runs += 1
             self._say("run", one.run_id, one.sha256)
+        elif row := row or self._row_of(one.sha256):  # there already, or came in between
+            refuse_other_row(one.row, row)
+            self._make_whole(one, bundle, row["bundle_sha256"])
+            note_head(self.archive, self.site, one.kept_head, one.sha256)
         ready.forget(one.kept_head)
         return one.sha256
+
+    def _row_of(self, digest: str) -> Mapping[str, Any] | None:
+        return run_there(self.archive, self.site, digest)
 
     def _make_whole(self, one: RunToPush, bundle: Bundle | None, digest: str) -> None:
         """Put the bundle that is there once more, where its file was lost or damaged, by the deflate that made it."""

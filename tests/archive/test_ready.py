@@ -147,7 +147,9 @@ def test_a_record_that_was_edited_is_refused_though_its_file_is_sound(url: str) 
     assert ["does not fit its hash chain" in said for said in found.refused] == [True, True]
 
 
-def test_a_half_is_never_taken_and_goes_when_nobody_can_be_writing_it(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_half_is_never_taken_and_goes_when_nobody_can_be_writing_it(
+    url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     stored_runs([0], SAMPLES)
     [path] = kept("size-0")
     half = path.with_name(f".{path.name}.x7.part")
