@@ -227,3 +227,17 @@ def test_a_push_that_is_stopped_has_noted_what_is_in_the_archive(
     noted = [entry.about["run"] for entry in session.read_audit().entries if entry.deed == "push"]
     assert sorted(noted) == sorted(there)
     assert len(noted) == 3
+
+
+def test_a_place_that_takes_no_bundle_refuses_each_run_once_and_keeps_what_was_made(
+    postgres: Server, database: str, url: str, tmp_path: Path
+) -> None:
+    stored_runs(range(2), SAMPLES)
+    there = kept("size-0", "size-1")
+    (tmp_path / "bundles").write_text("")
+    found = archiving.push(url)
+    assert ["bundles cannot be kept" in said for said in found.refused] == [True, True]
+    assert rows_of(postgres, database)["run"] == []
+    (tmp_path / "bundles").unlink()
+    assert files() == there
+    assert archiving.push(url).runs == 2
