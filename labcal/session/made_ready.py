@@ -15,13 +15,16 @@ _started: list[subprocess.Popen[bytes]] = []  # kept: they go on when this proce
 
 
 def begin_to_make_ready(outcome: Outcome) -> None:
-    """Have a finished run made ready by a process of its own, where there was a push before; nobody waits for it."""
+    """Have a finished run made ready by a process of its own, where there was a push before; nobody waits for it.
+
+    It stays in this session: Linux weighs a session of its own as a whole, whatever the priorities in it.
+    """
     if outcome.status != "finished" or not ready.folder().is_dir():
         return
     words = [sys.executable, "-P", "-m", "labcal.archive.make_ready", outcome.run_id]
     with suppress(OSError):
         child = subprocess.Popen(
             words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=for_children(),
-            start_new_session=True, creationflags=DETACHED if sys.platform == "win32" else 0,
+            creationflags=DETACHED if sys.platform == "win32" else 0,
         )  # fmt: skip
         _started[:] = [started for started in _started if started.poll() is None] + [child]
