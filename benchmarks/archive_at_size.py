@@ -10,7 +10,7 @@ import argparse
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -23,9 +23,13 @@ from made_up import Years, fill  # noqa: E402
 from postgres import Server, server  # noqa: E402
 from test_queries import ASKED, processor_s  # noqa: E402
 
+from labcal.archive import ready  # noqa: E402
+from labcal.archive.run_to_push import of_store  # noqa: E402
+from labcal.files.atomic import write_bytes  # noqa: E402
 from labcal.session import archiving  # noqa: E402
 
 AT_ONCE = 250  # runs between two pushes: does the pace fall as store, log and archive grow?
+IN_TURN, TURNS = 20, 5  # runs that one process makes ready
 YEARS = Years(500, 10)
 
 
@@ -42,6 +46,7 @@ def main() -> None:
         archiving.init_archive(url, None)
         fill(running, database, YEARS)
         push_runs(running, url, bundles, given.runs, given.samples)
+        push_made_ready(running, url, bundles, given.runs, given.samples)
         push_calibrations(running, url, given.calibrations)
         for question, (wanted, _) in ASKED.items():
             begun = time.perf_counter()
@@ -69,6 +74,42 @@ def push_runs(running: Server, url: str, bundles: Path, runs: int, samples: int)
             flush=True,
         )
     again(running, url)
+
+
+def push_made_ready(running: Server, url: str, bundles: Path, first: int, samples: int) -> None:
+    """In turns: runs as they lie in the store, as many that were made ready before, and a plain copy of their zips."""
+    rows = {name: [0.0] * 3 for name in ("as they lie in the store", "made ready before", "a plain copy")}
+    made_s, size, there = 0.0, 0, set(bundles.rglob("*.zip"))
+    for turn in range(TURNS):
+        for way, begin in zip(list(rows)[:2], (first, first + IN_TURN), strict=True):
+            stored_runs(batch := range(begin + 2 * turn * IN_TURN, begin + 2 * turn * IN_TURN + IN_TURN), samples)
+            before = own_s()
+            for number in batch if way == "made ready before" else ():
+                ready.keep(of_store(f"size-{number}"))
+            made_s += own_s() - before
+            there = set(bundles.rglob("*.zip"))
+            with timed(running) as took:
+                assert archiving.push(url).runs == IN_TURN
+            rows[way] = [sum(pair) for pair in zip(rows[way], took(), strict=True)]
+        with timed(running) as took:
+            size += plain_copy(set(bundles.rglob("*.zip")) - there, bundles.parent / "copied")
+        rows["a plain copy"] = [sum(pair) for pair in zip(rows["a plain copy"], took(), strict=True)]
+    number = TURNS * IN_TURN
+    for way, (busy, served, wall) in rows.items():
+        print(
+            f"{way}: {1e3 * busy / number:.1f} ms a run, server {1e3 * served / number:.1f}, by the clock "
+            f"{1e3 * wall / number:.1f}: {size / busy / 1e6:.0f} MB/s of a processor, "
+            f"{size / wall / 1e6:.0f} by the clock"
+        )
+    print(f"to make one ready: {1e3 * made_s / number:.1f} ms", flush=True)
+
+
+def plain_copy(paths: Iterable[Path], folder: Path) -> int:
+    """As a bundle is put: each flushed, then renamed. Returns how many bytes."""
+    folder.mkdir(exist_ok=True)
+    for path in paths:
+        write_bytes(folder / path.name, path.read_bytes())
+    return sum(path.stat().st_size for path in paths)
 
 
 def push_calibrations(running: Server, url: str, number: int) -> None:

@@ -150,7 +150,7 @@ class EaSupply:
             raise InstrumentError(
                 f"{self.name}: it has left remote control, as it does after a silence of {self.watchdog_s:g} s.",
                 fault="tripped",
-                remedy="What its output does then is set in its menu. See its panel, then begin this step again.",
+                remedy="What its output does then is set in its menu. See its panel, then try again.",
             )
 
     def make_safe(self) -> None:

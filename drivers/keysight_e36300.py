@@ -103,7 +103,7 @@ class KeysightSupply(CurrentSource):
             raise InstrumentError(
                 f"{self.name}: its watchdog is off.",
                 fault="tripped",
-                remedy="Was it switched off and on? Begin this step again.",
+                remedy="Was it switched off and on? Try again.",
             )
 
     def release(self) -> None:

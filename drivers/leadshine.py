@@ -123,7 +123,7 @@ class LeadshineStage:
             raise InstrumentError(
                 f"{self.name}: alarm {self.registers.read(ALARM, 1)[0]:04X}h.",
                 fault="stage fault",
-                remedy="Look the alarm up in its manual, remove the cause and begin this step again.",
+                remedy="Look the alarm up in its manual, remove the cause and try again.",
             )
         return status
 

@@ -122,7 +122,7 @@ class Esp301Stage:
             raise InstrumentError(
                 f"{self.name}: {words} failed: error {code}, {said or text}.",
                 fault="stage fault",
-                remedy="Look at the stage, home it and begin this step again.",
+                remedy="Look at the stage, home it and try again.",
             )
 
     def _moves(self) -> bool:

@@ -91,7 +91,7 @@ class Smc100Stage:
             raise InstrumentError(
                 f"{self.name}: it is {self._words(state)} (state {state:02X}).",
                 fault="stage fault",
-                remedy="Look at the stage, home it and begin this step again.",
+                remedy="Look at the stage, home it and try again.",
             )
         self._axis.refuse_elsewhere()
         return False

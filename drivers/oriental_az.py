@@ -129,7 +129,7 @@ class OrientalStage:
             raise InstrumentError(
                 f"{self.name}: alarm {code:02X}h, {ALARMS.get(code, 'see its manual')}.",
                 fault="stage fault",
-                remedy="Remove the cause, reset the alarm at the drive and begin this step again.",
+                remedy="Remove the cause, reset the alarm at the drive and try again.",
             )
 
     def _steps(self, deg: float) -> int:

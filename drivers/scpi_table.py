@@ -101,9 +101,7 @@ class TableSupply(CurrentSource):
     def _expect(self, question: str, pattern: str) -> None:
         if not re.fullmatch(pattern, reply := self._scpi.query(question), re.IGNORECASE):
             message = f"{self.name}: {question} is answered {quoted(reply)}, and must be {pattern!r}."
-            raise InstrumentError(
-                message, fault="wrong mode", remedy="Set it at its panel, then begin this step again."
-            )
+            raise InstrumentError(message, fault="wrong mode", remedy="Set it at its panel, then try again.")
 
     def query(self, text: str) -> str:
         """Ask; of an answer that is read by its bits, the bit."""

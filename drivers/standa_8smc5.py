@@ -146,5 +146,5 @@ class StandaStage:
         return (steps, rest) if parts >= 0 else (-steps, -rest)
 
     def _refuse(self, what: str) -> None:
-        remedy = "Look at the stage, home it and begin this step again."
+        remedy = "Look at the stage, home it and try again."
         raise InstrumentError(f"{self.name}: {what}.", fault="stage fault", remedy=remedy)

@@ -130,7 +130,7 @@ class AptStage:
         if said := [words for bit, words in apt.FAULTS.items() if bits >> bit & 1]:
             text, remedy = (
                 f"{self.name}: it says {' and '.join(said)}.",
-                "Look at the stage, home it and begin this step again.",
+                "Look at the stage, home it and try again.",
             )
             raise InstrumentError(text, fault="stage fault", remedy=remedy)
         return bits

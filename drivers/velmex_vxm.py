@@ -117,7 +117,7 @@ class VelmexStage:
 
     def _moves(self) -> bool:
         if (reply := self._ask("V", end=1)) in JOGS:
-            remedy = "Let go of it, home it and begin this step again."
+            remedy = "Let go of it, home it and try again."
             raise InstrumentError(f"{self.name}: it is turned from its own panel.", fault="touched", remedy=remedy)
         if reply not in (READY, BUSY):
             raise self._wrong("its state", reply)

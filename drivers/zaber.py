@@ -138,6 +138,4 @@ class ZaberStage:
             said, fault = "the stage reports a fault", "stage fault"
         else:
             return
-        raise InstrumentError(
-            f"{self.name}: warning {flag}: {said}.", fault=fault, remedy="Home it and begin this step again."
-        )
+        raise InstrumentError(f"{self.name}: warning {flag}: {said}.", fault=fault, remedy="Home it and try again.")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 WHAT_TO_DO = {  # as a rule; who raises knows better where it says so
     "another instrument": "Is this the instrument that bench.toml names, and is its link the right one?",
-    "link lost": "Plug it in, see that nobody else has opened it, then begin this step again.",
-    "out of step": "Is it slower than its timeout_s, does another program talk on its line? Begin this step again.",
-    "wrong reply": "Is this the instrument that bench.toml names? Look at its cable, then begin this step again.",
-    "refused": "Look at its panel, then begin this step again.",
-    "read-back": "Look at its panel, then begin this step again.",
-    "not arrived": "Look for what holds it, home it and begin this step again.",
-    "stage fault": "Look at the stage, home it and begin this step again.",
+    "link lost": "Plug it in, see that nobody else has opened it, then try again.",
+    "out of step": "Is it slower than its timeout_s, does another program talk on its line? Try again.",
+    "wrong reply": "Is this the instrument that bench.toml names? Look at its cable, then try again.",
+    "refused": "Look at its panel, then try again.",
+    "read-back": "Look at its panel, then try again.",
+    "not arrived": "Look for what holds it, home it and try again.",
+    "stage fault": "Look at the stage, home it and try again.",
 }
 
 

@@ -13,7 +13,18 @@ from labcal.bench.bench import Bench
 from labcal.bench.driver_kit.roles import Paced
 from labcal.bench.parameters import Limits
 from labcal.bench.stated import as_positions
-from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded, take_ambient
+from labcal.bench.steps import (
+    Plan,
+    Procedure,
+    Work,
+    coils_off,
+    listen,
+    measured,
+    note,
+    record,
+    recorded,
+    take_ambient,
+)
 from labcal.bench.streams.running import Running
 from labcal.bench.streams.samples import Samples, samples
 from labcal.earth.wmm import FIRST_YEAR, LAST_YEAR, wmm
@@ -45,8 +56,11 @@ def ambient(
     noise_nT: Annotated[float, Limits(0.01, 1e5, unit="nT"), "largest noise of one sample that passes"] = 20.0,
 ) -> Procedure:
     """Measure mean, drift, noise and mains of the room, and say whether it is fit for the job."""
+    plan = Plan((("mains", mains_s), ("room", duration_s)))
+    yield plan.begin(bench, "mains")
     yield from coils_off(bench)
     faults = yield from _mains(bench, mains_hz, harmonics, mains_s, mains_nT)
+    yield plan.begin(bench, "room")
     room = yield from _heard(bench, duration_s)
     take_ambient(bench, room["reference"].mean)
     faults += yield from _components(bench, room["reference"], drift_nT_per_min, noise_nT)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, across, attitude, set_up
+from labcal.bench.mounting import AXES, SET_UP, across, attitude, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.steps import (
     Procedure,
@@ -31,6 +31,7 @@ NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference", 1
 
 Array = NDArray[np.float64]
 NAMES = ("x", "y", "z")
+STEP_S = 1.5  # of lab time for a step beside its dwell
 
 
 def axes_check(
@@ -43,10 +44,18 @@ def axes_check(
     limit_deg: Annotated[float, Limits(1, 40, unit="deg"), "how far an axis may point beside"] = 15.0,
 ) -> Procedure:
     """Check sign, order and handedness of cage, reference and DUT, and the sense of the angle."""
+    plan = plan_with_set_up(2 * dwell_s, [("axes-check", check_axes_s(bench, dwell_s, turn_deg))])
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, SET_UP)
         yield from set_up(bench, axis, 2 * dwell_s, f"The coils step by {step_nT / 1000:g} µT and the platform turns.")
+        yield plan.begin(bench, "axes-check")
         yield from check_axes(bench, axis, step_nT, dwell_s, turn_deg, limit_deg)
+
+
+def check_axes_s(bench: Bench, dwell_s: float, turn_deg: float) -> float:
+    """Lab time [s] of `check_axes`: ten steps, each with its ramp, and a turn to and fro."""
+    return 10 * (dwell_s + STEP_S) + 2 * turn_deg / _rate_of(bench)
 
 
 def check_axes(
@@ -66,7 +75,8 @@ def check_axes(
     yield from coils_off(bench)
     yield Event(bench.clock.now(), "axes", "; ".join(words) or "axes, handedness and angle are as stated")
     if words:
-        raise LimitNotMet(f"axes-check: {'; '.join(words)}. Is the DUT mounted as asked? Then look at its axes.")
+        what = "Mount it again where it is not mounted as asked; else look at its axes."
+        raise LimitNotMet(f"axes-check: {'; '.join(words)}. {what}")
 
 
 def _steps_seen(bench: Bench, step_A: Array, dwell_s: float) -> Work[tuple[Array | None, Array]]:
@@ -121,7 +131,7 @@ def _sense_of_angle(
     bench: Bench, axis: str, step_nT: float, dwell_s: float, turn_deg: float, limit_deg: float
 ) -> Work[list[str]]:
     """Turn by +`turn_deg` in a field across the axis: in the body the field turns the other way."""
-    start, rate = bench.platform.angle_deg(), min(bench.platform.max_rate_deg_per_s, 10.0)
+    start, rate = bench.platform.angle_deg(), _rate_of(bench)
     before = yield from _seen_across(bench, step_nT, dwell_s)
     yield from turn(bench, start + turn_deg, rate)
     after = yield from _seen_across(bench, step_nT, dwell_s)
@@ -133,6 +143,10 @@ def _sense_of_angle(
     if abs(seen + turn_deg) <= limit_deg:
         return ["the angle runs the wrong way round: turn angle_sign in bench.toml"]
     return [f"a turn by {turn_deg:g}° is seen by the DUT as {seen:.0f}°"]
+
+
+def _rate_of(bench: Bench) -> float:
+    return min(bench.platform.max_rate_deg_per_s, 10.0)
 
 
 def _seen_across(bench: Bench, step_nT: float, dwell_s: float) -> Work[Array]:

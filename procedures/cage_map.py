@@ -21,6 +21,7 @@ NEEDS, LASTS_MIN = "a vector reference that can be moved, the coils' geometry in
 Array = NDArray[np.float64]
 SEPARATES = (("field-gradient", "cage-field"), ("field-gradient", "axis-tilt"))
 SPACING = 0.5445  # of a square Helmholtz pair, in sides
+STEP_S = 2.7  # of lab time for a point and sign beside its dwell
 
 
 def cage_map(
@@ -44,7 +45,7 @@ def cage_map(
     points = _points(radius_m, probes) if probes else np.zeros((0, 3))
     if not len(points):
         return
-    steps = tuple((f"point {n}", 6 * (dwell_s + 1.5) + 30) for n in range(len(points) + 1))
+    steps = tuple((f"point {n}", 6 * (dwell_s + STEP_S)) for n in range(len(points) + 1))
     plan = Plan(steps, frozenset(name for name, _ in steps))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
@@ -89,7 +90,7 @@ def _probed(bench: Bench, point: Array, field_nT: float, dwell_s: float) -> Work
     And the largest standard uncertainty of a component by noise.
     """
     yield from coils_off(bench)
-    x, y, z = 1000 * point
+    x, y, z = np.round(1000 * point) + 0.0  # no −0
     text = f"Put the reference at {x:.0f}, {y:.0f}, {z:.0f} mm from the DUT's place, in C, turned as it always stands."
     yield Prompt(bench.clock.now(), "probe", text, acts=True, drawing={"reference_m": point.tolist()})
     yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT. Hands off?")

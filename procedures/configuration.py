@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Annotated
 
 from labcal.bench.bench import Bench
-from labcal.bench.steps import Procedure, Work, coils_off
+from labcal.bench.steps import Plan, Procedure, Work, coils_off
 from labcal.errors import LimitNotMet
 from labcal.record.stream import Event, Prompt
 
@@ -29,9 +29,12 @@ def configuration(
     photographs: Annotated[bool, "ask for a photograph of each"] = True,
 ) -> Procedure:
     """Go through the checklist; every "no" is named at the end."""
-    yield from coils_off(bench)
+    plan = Plan(tuple((key, 0.0) for key, _ in ITEMS), frozenset(key for key, _ in ITEMS))  # a person's time alone
     missing: list[str] = []
     for key, question in ITEMS:
+        yield plan.begin(bench, key)
+        if key == ITEMS[0][0]:
+            yield from coils_off(bench)
         answer = yield Prompt(bench.clock.now(), key, question, ("yes", "no"))
         missing += [key] if answer == "no" else []
         if photographs:

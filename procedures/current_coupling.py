@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import attitude, set_up
+from labcal.bench.mounting import SET_UP, attitude, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Blocks, Plan, Procedure, Work, dut_nT, measured, rest
+from labcal.bench.steps import Blocks, Procedure, Work, dut_nT, measured, rest
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError
 from labcal.record.stream import Event, Prompt
@@ -19,6 +19,7 @@ from labcal.record.stream import Event, Prompt
 NEEDS, LASTS_MIN = "the DUT on the platform, loads of the spacecraft that can be switched", 3
 
 Array = NDArray[np.float64]
+STEP_S = 0.6  # of lab time for a load on, or off, beside its dwell
 SEPARATES = (
     ("offset-current", "offset-drift"),
     ("offset-current", "offset-temperature"),
@@ -41,10 +42,11 @@ def current_coupling(
     for load in chosen:
         if load not in currents:
             raise InputError(f"the DUT has no current channel {load!r}; it has {', '.join(currents) or 'none'}")
-    plan = Plan(tuple((load, 2 * repeats * dwell_s) for load in chosen))
+    plan = plan_with_set_up(5.0, [(load, 2 * repeats * (dwell_s + STEP_S)) for load in chosen], frozenset(chosen))
     matrix: dict[str, list[float]] = {}
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)
+        yield plan.begin(bench, SET_UP)
         yield from set_up(bench, "z", 5.0, "Every load is switched in turn, the others stay off.", mode)
         for load in chosen:
             yield from _switched(bench, load, False)

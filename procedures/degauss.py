@@ -15,6 +15,7 @@ from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measure_
 NEEDS, LASTS_MIN = "nothing magnetic in the cage that must not be touched", 3
 
 Array = NDArray[np.float64]
+ZERO_S, STEP_S = 10.0, 1.9  # before and after; of lab time for a reversal beside its hold
 
 
 def degauss(
@@ -26,19 +27,22 @@ def degauss(
     hold_s: Annotated[float, Limits(0.05, 10, unit="s"), "at each amplitude"] = 0.5,
 ) -> Procedure:
     """Alternate each coil's current with falling amplitude, and compare the ambient field before and after."""
-    plan = Plan(tuple((f"coil {name}", cycles * (hold_s + 1.0)) for name in "xyz"))
+    coils = tuple((f"coil {name}", cycles * (hold_s + STEP_S)) for name in "xyz")
+    plan = Plan((("field before", ZERO_S), *coils, ("field after", ZERO_S)))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield note(bench, "For cage and surroundings; this is no deperm of a spacecraft.")
-        yield from measure_ambient(bench, 10.0, name="before")
+        yield plan.begin(bench, "field before")
+        yield from measure_ambient(bench, ZERO_S, name="before")
         before = bench.cage.ambient_nT
         yield from ready(bench, f"Each coil alternates from ±{field_nT / 1000:g} µT downwards. Hands off?")
-        for coil, (step, _) in enumerate(plan.steps):
+        for coil, (step, _) in enumerate(coils):
             yield plan.begin(bench, step)
             yield from _one_coil(bench, coil, amplitudes(field_nT, last_nT, cycles), hold_s)
         bench.cage.check.outdated(bench.clock.now())  # by what degaussing is for
+        yield plan.begin(bench, "field after")
         yield from coils_off(bench)
-        yield from measure_ambient(bench, 10.0, name="after")
+        yield from measure_ambient(bench, ZERO_S, name="after")
         changed = float(np.linalg.norm(bench.cage.ambient_nT - before))
         yield from measured(bench, "change of the ambient field", changed, 0.0, "nT")
 

@@ -69,14 +69,15 @@ def dut_moment(
     field = field_nT * unit(up + across(bench))
     stands = [Stand(k, d * up, m) for k, d in enumerate(distances_m) for m in (AWAY, *mountings)]
     rests, turns = len(AT_REST) * (rest_s + 2), len(TURNING) * (360 / rate_deg_per_s + 4) + 12
-    plan = Plan(tuple((stand.name, rests + (stand.mounting != AWAY) * turns) for stand in stands))
+    steps = tuple((stand.name, rests + (stand.mounting != AWAY) * turns) for stand in stands)
+    plan = Plan(steps, frozenset(name for name, _ in steps))
     looks: list[Dwell] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         for stand in stands:
+            yield plan.begin(bench, stand.name)
             if stand.mounting == AWAY:
                 yield from _reference_at(bench, stand.place_m)
-            yield plan.begin(bench, stand.name)
             yield from _prepared(bench, stand, mode, ask=None if looks else field_nT)
             looks += yield from _at_rest(bench, stand, field, rest_s, session=len(looks))
             for number, sign in enumerate(TURNING if stand.mounting != AWAY else ()):

@@ -21,6 +21,7 @@ NEEDS, LASTS_MIN = "a vector reference", 3
 
 Array = NDArray[np.float64]
 STUCK_NT = 200.0
+ZERO_S, STEP_S = 5.0, 0.65  # coils-off zero before; of lab time for a correction beside its period
 
 
 def field_hold(
@@ -37,12 +38,16 @@ def field_hold(
     if bench.config.reference.kind != "vector" or len(field_nT) != 3:
         raise InputError("field-hold needs a vector reference and three numbers, --set field_nT=0,0,30000")
     target, rounds = np.array(field_nT), round(duration_s / period_s)
-    plan = Plan((("open loop", 3 * period_s), ("held", duration_s)))
+    held_s = rounds * (period_s + STEP_S)
+    plan = Plan(
+        (("ambient field", ZERO_S), ("open loop", 3 * period_s + 4), ("held", held_s)), frozenset({"open loop"})
+    )
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from measure_ambient(bench, 5.0)
-        yield from ready(bench, f"The field goes to {np.linalg.norm(target) / 1000:g} µT and stays. Hands off?")
+        yield plan.begin(bench, "ambient field")
+        yield from measure_ambient(bench, ZERO_S)
         yield plan.begin(bench, "open loop")
+        yield from ready(bench, f"The field goes to {np.linalg.norm(target) / 1000:g} µT and stays. Hands off?")
         yield from energise(bench, target)
         open_loop = yield from _error(bench, target, "open-loop", 3 * period_s)
         yield from measured(bench, "open-loop error", float(np.linalg.norm(open_loop)), 0.0, "nT")

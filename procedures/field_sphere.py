@@ -11,13 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import attitude, set_up
+from labcal.bench.mounting import SET_UP, attitude, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.position import position
 from labcal.bench.stated import as_positions
 from labcal.bench.steps import (
     Blocks,
-    Plan,
     Procedure,
     Work,
     coils_off,
@@ -82,9 +81,11 @@ def field_sphere(
     _refuse(bench, magnitudes_nT)
     fields, unseen = played(n_directions, magnitudes_nT), unseen_fields(verify, magnitudes_nT)
     each_s = dwell_s + STEP_S
-    plan = Plan((("sphere", len(fields) * each_s), *((("verify", verify * each_s),) if verify else ())))
+    steps = (("sphere", len(fields) * each_s), *((("verify", verify * each_s),) if verify else ()))
+    plan = plan_with_set_up(5.0, steps)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, SET_UP)
         yield from set_up(
             bench, axis, 5.0, f"The field goes to {max(magnitudes_nT) / 1000:g} µT in all directions.", mode
         )

@@ -34,7 +34,7 @@ def flip(
 
     The four attitudes add up to nothing, I + Rx + Ry + Rz = 0, so the mean of the readings is the offset.
     """
-    plan = Plan(tuple((name, dwell_s + 30.0) for name in TURNS), frozenset(TURNS))
+    plan = Plan(tuple((name, dwell_s + 0.5) for name in TURNS), frozenset(TURNS))
     seen: list[Samples] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)

@@ -32,6 +32,7 @@ from labcal.record.stream import Block, Event
 Array = NDArray[np.float64]
 LISTEN_S = 0.02  # between two looks at the source while nothing new is there
 PATIENT_S = 0.2  # likewise, before the first
+AMBIENT, WAIT = ("ambient field", 5.0), "wait for the source"  # steps
 FIRST_S = 60.0  # for the simulator to be started, with the coils at zero
 
 
@@ -69,15 +70,16 @@ class Followed:
 
 def follow(bench: Bench, url: str, duration_s: float, silent_s: float, max_age_s: float, limit_nT: float) -> Procedure:
     """Follow the source until it ends, or for `duration_s`; coils to zero where it is not to be believed."""
-    plan = Plan((("wait for the source", FIRST_S), ("play", duration_s)))
+    plan = Plan((AMBIENT, (WAIT, FIRST_S), ("play", duration_s)), frozenset({WAIT}))
     followed = Followed()
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         link = open_line(url, bench.clock)
         afterwards.callback(link.close)
-        yield from measure_ambient(bench, 5.0)
+        yield plan.begin(bench, AMBIENT[0])
+        yield from measure_ambient(bench, AMBIENT[1])
+        yield plan.begin(bench, WAIT)
         yield from ready(bench, f"Fields are played as {url} wants them, within the limits. Hands off?")
-        yield plan.begin(bench, "wait for the source")
         source = FieldSource(
             link, bench.clock, refuse=bench.cage.refuse_beyond_limits, ramp_s=lambda step: ramp_s(bench, step),
             silent_s=FIRST_S, max_age_s=max_age_s,

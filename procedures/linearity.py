@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, attitude, set_up
+from labcal.bench.mounting import AXES, SET_UP, attitude, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.stated import as_positions
-from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, note, rest
+from labcal.bench.steps import Procedure, coils_off, dut_nT, energise, measured, note, rest
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.geometry import unit
@@ -24,6 +24,8 @@ from labcal.uncertainty.verdicts import half_expanded, in_body, largest, u_decla
 NEEDS, LASTS_MIN = "the DUT at rest in the cage", 3
 
 Array = NDArray[np.float64]
+SWEEPS = ("field upwards", "field downwards", "field upwards again")
+ZERO_S, STEP_S = 10.0, 1.5  # coils-off zero before; of lab time for a step beside its dwell
 SEPARATES = (
     ("nonlinearity", "cross-field"),
     ("nonlinearity", "hysteresis"),
@@ -51,13 +53,16 @@ def linearity(
     along_B = unit(direction)
     up = list(np.linspace(-1, 1, 2 * steps + 1))
     ladder = [*up, *reversed(up), *up]
-    plan = Plan((("field steps", len(ladder) * (dwell_s + 1.0)),))
+    sweep_s = len(up) * (dwell_s + STEP_S)
+    plan = plan_with_set_up(ZERO_S, [(name, sweep_s) for name in SWEEPS])
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, axis, 10.0, f"The field steps up to ±{field_nT / 1000:g} µT.", mode)
-        yield plan.begin(bench, "field steps")
+        yield plan.begin(bench, SET_UP)
+        yield from set_up(bench, axis, ZERO_S, f"The field steps up to ±{field_nT / 1000:g} µT.", mode)
         fields, readings = list[Array](), list[Array]()
         for number, fraction in enumerate(ladder):
+            if number % len(up) == 0:
+                yield plan.begin(bench, SWEEPS[number // len(up)])
             yield from energise(bench, fraction * field_nT * (along_B @ at_zero))
             name = f"step-{number}-{fraction * field_nT / 1000:+.3g}uT"
             blocks = yield from rest(bench, name, dwell_s, mode=mode, body_from_cage=at_zero)

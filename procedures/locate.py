@@ -26,7 +26,7 @@ SEPARATES = (("field-gradient", "cage-field"), ("field-gradient", "axis-tilt"))
 AXES = "xyz"
 SIGNS = (1, -1, -1, 1)  # what drifts evenly drops out
 SENSORS: tuple[Stream, ...] = ("reference", "dut")
-HANDS_S, READS = 60.0, 8
+READS, STEP_S = 8, 2.0  # of a current; of lab time for a sign beside its dwell
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,8 +61,9 @@ def locate_sensors(
 ) -> Procedure:
     """Find where DUT and reference stand, from the gradients of coil pairs with one half reversed."""
     geometry = _geometry(bench)
-    swapped = tuple((f"coil {axis}", HANDS_S) for axis in sorted(geometry.halves))
-    plan = Plan((("as they should be", 60.0), *swapped), frozenset(name for name, _ in swapped))
+    driven_s = len(SIGNS) * (dwell_s + STEP_S)  # of one coil
+    swapped = tuple((f"coil {axis}", driven_s) for axis in sorted(geometry.halves))
+    plan = Plan((("as they should be", 3 * driven_s), *swapped), frozenset(name for name, _ in swapped))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "as they should be")
@@ -111,7 +112,9 @@ def _leads(bench: Bench, axis: str, reversed_: bool) -> Work[None]:
     text = f"Swap the two leads {half}. They must come back before anything else is measured, also if this run is "
     text = f"{text}stopped." if reversed_ else f"Put the two leads {half} back as they were."
     drawing = {"half": axis, "reversed": reversed_}
-    yield Prompt(bench.clock.now(), f"half-{axis}-{'reversed' if reversed_ else 'back'}", text, (), True, drawing)
+    yield Prompt(
+        bench.clock.now(), f"half-{axis}-{'reversed' if reversed_ else 'back'}", text, acts=True, drawing=drawing
+    )
 
 
 def _driven(bench: Bench, coil: int, field_nT: float, dwell_s: float, *, confirm_signs: bool = True) -> Work[Response]:

@@ -28,15 +28,17 @@ def platform_signature(
     limit_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "largest signature that passes"] = 20.0,
 ) -> Procedure:
     """Measure the platform's own field with the reference at the DUT's place, coils off."""
-    plan = Plan((("turning", 360 / rate_deg_per_s), ("holding", dwell_s), ("motor off", dwell_s + 20)))
+    plan = Plan(
+        (("turning", 360 / rate_deg_per_s), ("holding", dwell_s), ("motor off", dwell_s)), frozenset({"motor off"})
+    )
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)
+        yield plan.begin(bench, "turning")
         yield from coils_off(bench)
         yield from to_angle(bench, 0.0)
         text = "Take the DUT away and put the reference at its place, on a stand that does not turn."
         drawing = {"reference_m": [0.0, 0.0, 0.0], "dut_away": True}
         yield Prompt(bench.clock.now(), "reference-at-DUT", text, acts=True, drawing=drawing)
-        yield plan.begin(bench, "turning")
         blocks = yield from turn(bench, 360.0, rate_deg_per_s)
         turning, angle = samples(blocks, "reference"), samples(blocks, "angle", "angle_deg")
         yield plan.begin(bench, "holding")

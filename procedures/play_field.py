@@ -29,7 +29,7 @@ from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Segment
-from procedures.from_outside import follow
+from procedures.from_outside import AMBIENT, follow
 from procedures.tracking_error import rms_error
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage; a table of the field, an orbit, or a simulator", 10
@@ -66,13 +66,14 @@ def play_field(
         np.arange(0.0, duration_s, step_s), altitude_km, inclination_deg, _utc(epoch), attitude
     )  # fmt: skip
     holds = np.diff(t, append=2 * t[-1] - t[-2]) / speed
-    plan = Plan((("play", float(holds.sum())),))
+    plan = Plan((AMBIENT, ("play", float(holds.sum()))), frozenset({"play"}))
     strongest = float(np.linalg.norm(b, axis=1).max())
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from measure_ambient(bench, 5.0)
-        yield from ready(bench, f"Fields up to {strongest / 1000:.1f} µT are played. Hands off?")
+        yield plan.begin(bench, AMBIENT[0])
+        yield from measure_ambient(bench, AMBIENT[1])
         yield plan.begin(bench, "play")
+        yield from ready(bench, f"Fields up to {strongest / 1000:.1f} µT are played. Hands off?")
         errors = yield from recorded(bench, Segment("play", "free"), _played(bench, b, holds))
         yield from coils_off(bench)
     yield from rms_error(bench, "rms tracking error", errors + b, b, limit_nT)

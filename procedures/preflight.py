@@ -78,7 +78,7 @@ def preflight(
     reverse: Annotated[bool, "the last magnitude also reversed"] = True,
     inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,
     modes: Annotated[tuple[str, ...], "the DUT's power modes"] = ("nominal", "full"),
-    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: as fast as timing_nT and the range allow"] = 0.0,
+    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: as fast as timing and the range allow"] = 0.0,
     timing_nT: Annotated[float, Limits(0.1, 1_000, unit="nT"), "error that timing may make"] = 8.0,
     u_time_s: Annotated[float, Limits(1e-6, 1, unit="s"), "timing uncertainty, at least"] = 0.005,
     step_deg: Annotated[float, Limits(0, 90, unit="deg"), "0: continuous, else stepped"] = 0.0,
@@ -157,6 +157,12 @@ def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
 
 
+def _first_mode_again(bench: Bench, setting: PreflightPlan) -> Work[None]:
+    """Mounted anew the DUT is in its first mode: asked for where there are others, for it may come up in any."""
+    if len(setting.modes) > 1:
+        yield from switch_mode(bench, setting.modes[0])
+
+
 def _check_sync(bench: Bench, setting: PreflightPlan, axis: str) -> Work[PreflightPlan]:
     """Timing; the rate follows from the timing uncertainty found."""
     yield setting.plan().begin(bench, "sync-check")
@@ -182,7 +188,7 @@ def _about(
     yield setting.plan().begin(bench, f"mount-{axis}")
     if axis != mounted:
         yield from _mount_or_redo(bench, setting, f"mount-{axis}", f"mount-{axis}", axis, last)
-        yield from switch_mode(bench, setting.modes[0])
+        yield from _first_mode_again(bench, setting)
     if kept_nT is None:
         yield from _turns_about_it(bench, setting, axis, done)
     else:
@@ -209,7 +215,7 @@ def _turns_about_it(bench: Bench, setting: PreflightPlan, axis: str, done: froze
             setting.estimate.forget()
             yield setting.plan().begin(bench, f"mount-{axis}")
             yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
-            yield from switch_mode(bench, setting.modes[0])
+            yield from _first_mode_again(bench, setting)
 
 
 def _mounted_wrongly(bench: Bench, key: str, wrong: LimitNotMet) -> Work[None]:
@@ -229,7 +235,7 @@ def _mount_or_redo(bench: Bench, setting: PreflightPlan, step: str, key: str, ax
         yield not_used(bench, [name for name, _, _ in setting.turns(last)], reason or "")
         setting.estimate.forget()
         yield from mount(bench, f"mount-{last}", attitude(bench, last), how_to_mount(last))
-        yield from switch_mode(bench, setting.modes[0])
+        yield from _first_mode_again(bench, setting)
         setting = setting.without(last)
         yield from _turns_about_it(bench, setting, last, frozenset())
         yield setting.plan().begin(bench, step)

@@ -12,7 +12,7 @@ from labcal.bench.steps import Plan, Resume
 from procedures.running_estimate import RunningEstimate
 
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
-MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, for the time that is left
+MOUNT_S, SYNC_S, AXES_S = 10.0, 42.0, 44.0  # lab time of what is not a turn, for the time that is left
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,15 +89,17 @@ class PreflightPlan:
                 yield f"{axis}{field_nT / 1000:+g}uT-{mode}", mode, field_nT
 
     def plan(self) -> Plan:
-        """All steps with their lab time, those that are kept with none."""
+        """All steps with their lab time, those that are kept with none: theirs counts as done."""
         one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
-        steps = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
+        steps, kept_s = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)], 0.0
         for axis in self.axes:
             left = {name: one for name, _, _ in self.left(axis, self.finished)}
-            mount_s, closure_s = (MOUNT_S + self.dwell_s, self.dwell_s) if self.to_mount(axis) else (0.0, 0.0)
-            steps += [(f"mount-{axis}", mount_s), *((name, left.get(name, 0.0)) for name, _, _ in self.turns(axis))]
-            steps += [(f"closure-{axis}", closure_s)]
-        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)), self.asks())
+            turns = [(name, left.get(name, 0.0)) for name, _, _ in self.turns(axis)]
+            ends_s = MOUNT_S + self.dwell_s, self.dwell_s
+            mount_s, closure_s = ends_s if self.to_mount(axis) else (0.0, 0.0)
+            steps += [(f"mount-{axis}", mount_s), *turns, (f"closure-{axis}", closure_s)]
+            kept_s += one * (len(turns) - len(left)) + sum(ends_s) - mount_s - closure_s
+        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)), self.asks(), kept_s)
 
     def asks(self) -> frozenset[str]:
         """The steps that begin with mounting or switching; the first mounting is in the zero."""

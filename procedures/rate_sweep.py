@@ -6,10 +6,10 @@ from contextlib import ExitStack
 from typing import Annotated, Literal
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, inclined_field, set_up
+from labcal.bench.mounting import AXES, SET_UP, inclined_field, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, rotate_once
-from labcal.bench.steps import Plan, Procedure, coils_off, energise
+from labcal.bench.steps import Procedure, coils_off, energise
 
 NEEDS, LASTS_MIN = "the DUT on a platform with a motor", 7
 
@@ -32,9 +32,10 @@ def rate_sweep(
         for rate in rates_deg_per_s
         for way, to_deg in (("forth", 360.0), ("back", 0.0))
     ]
-    plan = Plan(tuple((turn.name, turn.seconds()) for turn in turns))
+    plan = plan_with_set_up(zero_s, [(turn.name, turn.seconds()) for turn in turns])
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, SET_UP)
         yield from set_up(
             bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
         )

@@ -43,7 +43,8 @@ def reference_check(
     if bench.config.reference.kind != "vector":
         raise InputError("reference-check needs a vector reference")
     _enforce_due_date(bench, due_days)
-    plan = Plan((("zero by half turns", 5 * (dwell_s + 20)), ("six directions", 6 * (dwell_s + 2))))
+    steps = (("zero by half turns", 5 * (dwell_s + 0.5)), ("six directions", 6 * (dwell_s + 2)))
+    plan = Plan(steps, frozenset({"six directions"}))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "zero by half turns")

@@ -6,13 +6,14 @@ from contextlib import ExitStack
 from typing import Annotated, Literal
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, inclined_field, set_up
+from labcal.bench.mounting import AXES, SET_UP, inclined_field, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, rotate_once
-from labcal.bench.steps import Plan, Procedure, coils_off, energise, record
+from labcal.bench.steps import Procedure, coils_off, energise, record
 
 NEEDS, LASTS_MIN = "the DUT on the platform", 9
 
+ZERO_S, STEP_S = 10.0, 6.0  # coils-off zero before; of lab time for the field to come and go
 SEPARATES = (("offset-step", "offset-drift"), ("offset-current", "offset-drift"), ("periodic", "offset-drift"))
 
 
@@ -32,11 +33,12 @@ def repeat(
         Rotation(f"{axis}-again-{n + 1}", AXES[axis], mode, rate_deg_per_s, 360.0 * ((n + 1) % 2), mounting=axis)
         for n in range(times)
     ]
-    plan = Plan(tuple((turn.name, turn.seconds() + pause_s) for turn in turns))
+    plan = plan_with_set_up(ZERO_S, [(turn.name, turn.seconds() + STEP_S + pause_s) for turn in turns])
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, SET_UP)
         yield from set_up(
-            bench, axis, 10.0, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
+            bench, axis, ZERO_S, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
         )
         for turn in turns:
             yield plan.begin(bench, turn.name)

@@ -65,6 +65,7 @@ def scalar_cage(
     plan = Plan((("components", len(singles) * each_s), ("constant modulus", len(turning) * each_s)))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, "components")
         yield from coils_off(bench)
         text, place = (
             "Put the scalar sensor into the cage's centre, its dead zones away from the fields.",
@@ -72,7 +73,6 @@ def scalar_cage(
         )
         yield Prompt(bench.clock.now(), "sensor-in-the-centre", text, acts=True, drawing={"reference_m": place})
         yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT, then the field rotates. Hands off?")
-        yield plan.begin(bench, "components")
         first = yield from _seen(bench, singles, dwell_s)
         A, b0 = _asked(lambda: by_components(first))
         yield plan.begin(bench, "constant modulus")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, across, set_up
+from labcal.bench.mounting import AXES, SET_UP, across, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.steps import (
     Blocks,
@@ -28,6 +28,7 @@ NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference", 1
 
 Array = NDArray[np.float64]
 SPREAD = 9  # points over one sample period
+STEP_S, STOOD_S = 1.0, 1.0  # lab time of a step beside its chip; recorded after each turn
 
 
 def sync_check(
@@ -41,10 +42,18 @@ def sync_check(
     limit_s: Annotated[float, Limits(1e-3, 5, unit="s"), "longest delay that passes"] = 0.5,
 ) -> Procedure:
     """Measure the delay of DUT, reference and angle against the set-point and each other."""
+    plan = plan_with_set_up(4.0, [("sync-check", check_sync_s(bench, chips, chip_s, turn_deg))])
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, SET_UP)
         yield from set_up(bench, axis, 4.0, f"A square wave of {step_nT / 1000:g} µT follows.")
+        yield plan.begin(bench, "sync-check")
         yield from check_sync(bench, axis, step_nT, chips, chip_s, turn_deg, limit_s)
+
+
+def check_sync_s(bench: Bench, chips: int, chip_s: float, turn_deg: float) -> float:
+    """Lab time [s] of `check_sync`: the wave with its ramps, and a turn to and fro."""
+    return chips * (chip_s + STEP_S) + 2 * (turn_deg / _rate_of(bench) + STOOD_S)
 
 
 def check_sync(
@@ -118,13 +127,17 @@ def _left_over(seen: Samples, t_s: Array, level: Array) -> float:
 
 def _behind_the_angle(bench: Bench, axis: str, step_nT: float, turn_deg: float) -> Work[tuple[float, float]]:
     """Turn to and fro in a steady field: what the DUT shows late has the sign of the rate."""
-    start, rate = bench.platform.angle_deg(), min(bench.platform.max_rate_deg_per_s, 10.0)
+    start, rate = bench.platform.angle_deg(), _rate_of(bench)
     yield from drive(bench, np.linalg.solve(bench.cage.matrix_nT_per_A, step_nT * across(bench)))
     kept: Blocks = []
     for to_deg in (start + turn_deg, start):
         kept += yield from turn(bench, to_deg, rate)
-        kept += yield from record(bench, 1.0)
+        kept += yield from record(bench, STOOD_S)
     return behind(dut_nT(bench, kept), samples(kept, "angle", "angle_deg"), np.asarray(AXES[axis]))
+
+
+def _rate_of(bench: Bench) -> float:
+    return min(bench.platform.max_rate_deg_per_s, 10.0)
 
 
 def behind(dut: Samples, angle: Samples, axis: Array) -> tuple[float, float]:

@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import attitude, how_to_mount
+from labcal.bench.mounting import SET_UP, attitude, how_to_mount, plan_with_set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.steps import (
     Blocks,
-    Plan,
     Procedure,
     coils_off,
     dut_nT,
@@ -50,16 +49,18 @@ def temperature_drift(
     name = channel or next(iter(temperatures), "")
     if name not in temperatures:
         raise InputError(f"the DUT has no temperature channel {name!r}; it has {', '.join(temperatures) or 'none'}")
-    plan = Plan(tuple((f"round {n + 1}", len(fields_nT) * (dwell_s + 1.0)) for n in range(rounds)))
+    visits = [(f"round {n + 1}", len(fields_nT) * (dwell_s + 1.5)) for n in range(rounds)]
+    plan = plan_with_set_up(10.0, visits)
     at_zero, kept = attitude(bench, "z"), {field: Blocks() for field in fields_nT}
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, SET_UP)
         yield from mount(bench, "mount-z", at_zero, how_to_mount("z"))
         yield from switch_mode(bench, mode)
         yield Prompt(bench.clock.now(), "warm", "Warm the DUT within its limits, then let it cool.", acts=True)
         yield from ready(bench, "The field is set again and again while the DUT warms and cools. Hands off?")
         yield from measure_ambient(bench, 10.0)
-        for number, (step, _) in enumerate(plan.steps):
+        for number, (step, _) in enumerate(visits):
             yield plan.begin(bench, step)
             for field_nT in fields_nT:
                 yield from energise(bench, field_nT * np.asarray(bench.config.platform.axis_cage))

@@ -11,13 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, set_up
+from labcal.bench.mounting import AXES, SET_UP, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.position import position
 from labcal.bench.rotation import Rotation
 from labcal.bench.stated import as_positions
 from labcal.bench.steps import (
-    Plan,
     Procedure,
     Work,
     coils_off,
@@ -41,6 +40,7 @@ NEEDS, LASTS_MIN = "the DUT on the platform, its calibration file", 8
 
 Array = NDArray[np.float64]
 GOLDEN = (np.sqrt(5) - 1) / 2
+ZERO_S, STEP_S = 10.0, 6.0  # coils-off zero before; of lab time for a position beside its dwell and turn
 ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitted
 
 
@@ -76,12 +76,17 @@ def verify(
 ) -> Procedure:
     """Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file."""
     angles, fields = spread(bench, positions, magnitude_nT)
-    plan = Plan(tuple((f"position {n + 1}", dwell_s + 4.0) for n in range(positions)))
+    turns_s = np.abs(np.diff(angles, prepend=0.0)) / rate_deg_per_s
+    spots = [(f"position {n + 1}", dwell_s + STEP_S + float(turn_s)) for n, turn_s in enumerate(turns_s)]
+    plan = plan_with_set_up(ZERO_S, spots)
     found: list[list[Block]] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from set_up(bench, axis, 10.0, f"The field goes to {magnitude_nT / 1000:g} µT, the platform turns.", mode)
-        for (step, _), angle, field_nT in zip(plan.steps, angles, fields, strict=True):
+        yield plan.begin(bench, SET_UP)
+        yield from set_up(
+            bench, axis, ZERO_S, f"The field goes to {magnitude_nT / 1000:g} µT, the platform turns.", mode
+        )
+        for (step, _), angle, field_nT in zip(spots, angles, fields, strict=True):
             yield plan.begin(bench, step)
             yield from turn(bench, float(angle), rate_deg_per_s)
             yield from energise(bench, field_nT)

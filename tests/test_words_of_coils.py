@@ -95,7 +95,7 @@ NO_CLAIM = {
     "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.": HELP,
     "its watchdog has taken it to zero": READ,
     "its output is off": READ,
-    "Begin this step again: its output has to go on anew.": ORDER,
+    "Try again: its output has to go on anew.": ORDER,
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,
     "Each coil goes to ±{} µT, then the field rotates. Hands off?": ASKED,

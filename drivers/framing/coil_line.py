@@ -74,7 +74,5 @@ class CoilLine:
     def _refused(self, words: str, why: str) -> str:
         message = f"{self._name}: {words!r} failed: {WHY.get(why, quoted(why))}."
         if why == "watchdog":
-            raise InstrumentError(
-                message, fault="tripped", remedy="Begin this step again: its output has to go on anew."
-            )
+            raise InstrumentError(message, fault="tripped", remedy="Try again: its output has to go on anew.")
         raise InstrumentError(message, fault="refused")

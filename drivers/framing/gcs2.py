@@ -14,7 +14,7 @@ ERRORS = {
     15: "no such axis", 17: "out of range", 23: "no such axis", 54: "a parameter it does not know",
     -1024: "its position was too far off, and its servo went off",
 }  # fmt: skip
-REMEDY = "Look at the stage, home it and begin this step again."
+REMEDY = "Look at the stage, home it and try again."
 
 
 @dataclass

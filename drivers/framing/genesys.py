@@ -82,7 +82,7 @@ class Conversation:
         if reply != OK:
             self.refuse_earlier(text, reply)
             raise InstrumentError(f"{self.name}: {text!r} was answered {quoted(reply)}.", fault="wrong reply",
-                                  remedy="Does another program talk on its line? Begin this step again.")  # fmt: skip
+                                  remedy="Does another program talk on its line? Try again.")  # fmt: skip
 
     def _answer(self, text: str) -> str:
         if self._bus.owed:

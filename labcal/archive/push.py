@@ -54,6 +54,7 @@ class AuditRow:
 class Known:
     """What the archive has of a site, as far as it can be known without reading runs."""
 
+    runs: frozenset[str]  # SHA-256 of each
     heads: Mapping[str, str]  # {head of the chain in a store: SHA-256 of the run}
     documents: frozenset[tuple[str, str]]  # SHA-256 of the calibration, of the document
 
@@ -65,11 +66,12 @@ def known(archive: Archive, site: str) -> Known:
     """
     heads, documents = tables.KEPT_HEAD.c, tables.DOCUMENT.c
     with archive.transaction() as connection:
-        runs = set(connection.scalars(select(tables.RUN.c.sha256).where(tables.RUN.c.site == site)))
+        runs = frozenset(connection.scalars(select(tables.RUN.c.sha256).where(tables.RUN.c.site == site)))
         files = set(connection.scalars(select(tables.CALIBRATION.c.sha256).where(tables.CALIBRATION.c.site == site)))
         kept = connection.execute(select(heads.head, heads.sha256).where(heads.site == site)).all()
         beside = connection.execute(select(documents["of"], documents.sha256).where(documents.site == site)).all()
     return Known(
+        runs,
         {str(head): str(digest) for head, digest in kept if digest in runs},
         frozenset((str(of), str(digest)) for of, digest in beside if of in files),
     )

@@ -77,8 +77,8 @@ class Audit:
     fault: str = ""
 
 
-def append(home: Path, deed: Deed, who: str, about: Mapping[str, str]) -> None:
-    """Add an entry to the log in `home`; the first one makes the log and the lab's key.
+def append(home: Path, deed: Deed, who: str, *abouts: Mapping[str, str]) -> None:
+    """Add an entry about each to the log in `home`, all or none; the first one makes the log and the lab's key.
 
     Raises InputError where the log or the key cannot be used: then nothing is added.
     """
@@ -94,7 +94,8 @@ def append(home: Path, deed: Deed, who: str, about: Mapping[str, str]) -> None:
         if last is None:
             begun = _entry(1, "begin", who, {"key": lab_key.public_text(key.public_key())}, START)
             number, before = 1, _add(log, begun, key.sign)
-        _add(log, _entry(number + 1, deed, who, about, before), key.sign)
+        for place, about in enumerate(abouts, number + 1):
+            before = _add(log, _entry(place, deed, who, about, before), key.sign)
         log.execute("COMMIT")
 
 

@@ -217,13 +217,13 @@ class Bench:
         return named_links(text, {name: one.link for name, one in self.config.instruments.items()}, brief=brief)
 
     def handled(self, prompt: Prompt) -> None:
-        """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
+        """A person does at the DUT's place what `prompt` asks: the ambient field of before judges no current then."""
         self.hands_near = True
         asked = set(prompt.drawing)
         elsewhere = prompt.key == "ready" or (bool(asked) and asked <= {"angle_deg", "mode"})
         if prompt.acts and not elsewhere:
             moved = bool(asked & {"reference_m", "reference_turned"})
-            self.cage.check.outdated(self.clock.now(), reference_moved=moved)
+            self.cage.check.outdated(self.clock.now(), reference_moved=moved, by_hands=True)
 
     def stop(self) -> None:
         """End all streams."""

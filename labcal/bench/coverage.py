@@ -66,7 +66,7 @@ def refuse_unseen(bench: Bench, blocks: Blocks) -> None:
         raise InstrumentError(
             f"{bench.dut.name}: it sent nothing at {in_words(gaps(blocks))} of this turn.",
             fault="coverage",
-            remedy="See that it sends, then begin this step again.",
+            remedy="See that it sends, then try again.",
         )
 
 

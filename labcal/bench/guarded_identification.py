@@ -31,7 +31,7 @@ class AskedSupply:
             raise InstrumentError(
                 f"{self.name}: the guardian is gone ({error}); how the coils are is not known.",
                 fault="guardian lost",
-                remedy="Say `labcal bench off`, then begin this step again.",
+                remedy="Say `labcal bench off`, then try again.",
             ) from error
 
 

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.steps import Work, measure_ambient, mount, ready, switch_mode
+from labcal.bench.steps import Plan, Work, measure_ambient, mount, ready, switch_mode
 from labcal.geometry import rotate, shortest_rotation, unit
 from labcal.record.vector import Vector
 
 Array = NDArray[np.float64]
 AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+SET_UP, MOVES_S = "mounting and zero", 3.0  # the step that `set_up` is, and its lab time beside the zero
 MARK = {"x": "body Y towards the cage's Y", "y": "body X towards the cage's X", "z": "body X towards the cage's X"}
 
 
@@ -41,6 +44,11 @@ def inclined_field(bench: Bench, magnitude_nT: float, inclination_deg: float, az
     tilt = np.radians(inclination_deg)
     sideways = rotate(axis, np.radians([azimuth_deg]), across(bench))[0]
     return np.asarray(magnitude_nT * (np.cos(tilt) * axis + np.sin(tilt) * sideways))
+
+
+def plan_with_set_up(zero_s: float, steps: Sequence[tuple[str, float]], asks: frozenset[str] = frozenset()) -> Plan:
+    """The plan of a procedure that begins with `set_up`, which is its first step."""
+    return Plan(((SET_UP, zero_s + MOVES_S), *steps), asks)
 
 
 def set_up(bench: Bench, axis: str, zero_s: float, question: str, mode: str | None = None) -> Work[None]:

@@ -9,7 +9,7 @@ blocks = yield from recorded(bench, segment, record(bench, 10.0))
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any, TypeVar
 
@@ -18,6 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.coils.state import LabState
+from labcal.bench.plan import Plan as Plan  # procedures have both from here
+from labcal.bench.plan import Resume as Resume
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError, LimitNotMet
 from labcal.record.run import Segment
@@ -34,7 +36,6 @@ from labcal.record.stream import (
     Prompt,
     SegmentClosed,
     SegmentOpened,
-    Step,
 )
 from labcal.record.vector import Matrix
 
@@ -47,42 +48,6 @@ ANEW = "again"  # in that of a step that failed: what comes on and turns where i
 MARGIN_S = 0.3
 AT_REST_DEG = 0.5  # a dial so near is not turned again
 TICK_S, VIRTUAL_TICK_S = 0.5, 5.0  # samples are handed on at least so often; on a virtual clock nobody waits
-
-
-@dataclass(frozen=True, slots=True)
-class Plan:
-    """What a procedure will do: names and lab time of its steps, so that each can say what is left.
-
-    `asks`: the steps that begin with a question to a person, so that each can say when the next one comes.
-    """
-
-    steps: tuple[tuple[str, float], ...]  # name, s
-    asks: frozenset[str] = frozenset()
-
-    def begin(self, bench: Bench, name: str) -> Step:
-        """The item that opens the step `name`."""
-        names = tuple(n for n, _ in self.steps)
-        number = names.index(name)
-        left = sum(seconds for _, seconds in self.steps[number:])
-        first = names if number == 0 else ()
-        asking = next((n for n in range(number + 1, len(names)) if names[n] in self.asks), None)
-        until = None if asking is None else sum(seconds for _, seconds in self.steps[number:asking])
-        needed = "" if asking is None else names[asking]
-        took = self.steps[number][1]
-        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, took, until, needed)
-
-
-@dataclass(frozen=True, slots=True)
-class Resume:
-    """What an interrupted run had finished, given to a procedure that declares the keyword `resume`.
-
-    `done`: names of finished steps. `measured`: the first value of each measurement by name. `times`: how often it was
-    gone on with, this time included.
-    """
-
-    done: frozenset[str]
-    measured: dict[str, float]
-    times: int = 1
 
 
 def record(
@@ -160,7 +125,7 @@ def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
             yield from turn_by_hand(bench, angle_deg)
         return
     if not bench.homed:
-        yield from hands_off(bench, f"The platform looks for its zero and turns to {angle_deg:g}°.")
+        yield from hands_off(bench, f"Next the platform looks for its zero and turns to {angle_deg:g}°.")
     elif abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:  # to find its zero it turns as well
         yield from hands_off(bench, f"The platform turns to {angle_deg:g}°.")
     bench.platform.home()
@@ -334,8 +299,14 @@ def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:
 
 
 def switch_mode(bench: Bench, mode: str) -> Work[None]:
-    """Coils off where they are on, as hands go near; then ask the person to bring the DUT into `mode`."""
+    """Coils off where they are on, as hands go near; then ask the person to bring the DUT into `mode`.
+
+    A DUT of which bench.toml states that mode alone is in it: nobody is asked.
+    """
     bench.config.dut.limits.refuse_mode(mode)
+    if bench.config.dut.limits.modes == (mode,):
+        yield ModeChanged(bench.clock.now(), mode)
+        return
     if bench.cage.on:
         yield from coils_off(bench)
     text = f"Switch the DUT to power mode {mode}."

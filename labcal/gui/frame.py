@@ -31,7 +31,7 @@ from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_mark, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
-from labcal.gui.widgets.common import OneLine, ReadoutGrid, Surface, button, label, named, plain, set_state
+from labcal.gui.widgets.common import ReadoutGrid, Surface, TwoLines, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -52,8 +52,11 @@ class SidePanel(Surface):
     def __init__(self) -> None:
         super().__init__(Qt.Edge.LeftEdge)
         self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        self._column.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         self._column.setSpacing(GRID)
+        self.keep_off = label("", "ask", wrap=True)  # on every page here, and the largest words of this panel
+        self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
+        self._column.addWidget(self.keep_off)
         self.unit = QPushButton("nT")
         self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
         self.unit.clicked.connect(self._next_unit)
@@ -67,7 +70,6 @@ class SidePanel(Surface):
         self._column.addLayout(head)
         self.field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
         self._column.addWidget(self.field)
-        self._column.addSpacing(GRID)
         coils_head = QHBoxLayout()
         self.coils_age = label("", "caption")
         coils_head.addWidget(label(self.tr("COILS   A"), "caption"))
@@ -84,8 +86,6 @@ class SidePanel(Surface):
             self.tr("Read all"),
             self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
         )
-        self._column.addSpacing(GRID)
-        self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._column.addWidget(self._instruments(), 1)
         self.instrument_rows: list[QLabel] = []
 
@@ -96,13 +96,14 @@ class SidePanel(Surface):
         area.setFrameShape(QScrollArea.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setMinimumHeight(3 * GRID)
+        area.setMinimumHeight(GRID)
         area.viewport().setAutoFillBackground(False)
         self._lights = QVBoxLayout()
         self._lights.setSpacing(GRID // 4)
         self.legend = label("", "caption", wrap=True)
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         column.addWidget(self.read_all)  # above what may be longer than the room
         column.addLayout(self._lights)
         column.addWidget(self.legend)
@@ -116,6 +117,9 @@ class SidePanel(Surface):
 
     def show_state(self, state: LabState) -> None:
         """Write the field, the coils and the lights."""
+        self.keep_off.setText(state.keep_off[0])
+        set_state(self.keep_off, state.keep_off[1])
+        self.keep_off.setVisible(bool(state.keep_off[0]))
         self.unit.setText(state.unit)
         self._show_field(state)
         now = state.now
@@ -125,6 +129,7 @@ class SidePanel(Surface):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
         shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
+        self.zero_words.setVisible(bool(now.coil_words))
         set_state(self.zero_words, mark)
         shape, mark = platform_mark(now.platform_words, now.coil_words)
         self.platform.setText(f"{shape} {in_words(now.platform_words)}".strip())
@@ -140,6 +145,7 @@ class SidePanel(Surface):
         now = state.now
         set_old, old = ("" if one is None else "old" for one in (now.coil_old_s, now.field_old_s))
         self.field_age.setText(age_words(now.field_old_s))
+        self.field_age.setVisible(bool(self.field_age.text()))
         self.field.show_row(0, size(now.field_set_nT), state=set_old)
         self.field.show_row(1, size(now.field_measured_nT), state=old)
         u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
@@ -195,7 +201,7 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.said_at, self.message, self.waiting = label("", "caption"), OneLine(), label()
+        self.said_at, self.message, self.waiting = label("", "caption"), TwoLines(), label()
         self.next = NextButton(self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"))
         changed = self.tr("Next has just changed, and did nothing. It is now: {0}. Press it again.")
         self.next.too_soon.connect(lambda: lab.update(message=changed.format(self.next.following)))
@@ -333,6 +339,7 @@ class Frame(QMainWindow):
         """The sheet with all keys; nothing waits for it."""
         sheet = KeySheet(self, self.keys())
         sheet.setStyleSheet(self.sheet())
+        sheet.fit_into(self.size())
         sheet.show()
 
     def sheet(self) -> str:
@@ -343,12 +350,13 @@ class Frame(QMainWindow):
         """Room for texts `scale` times their size."""
         self._scale = scale
         self._give_room()
-        for entry in (self.top.dut, self.top.operator):
-            entry.setMaximumWidth(int(18 * GRID * scale))
 
     def _give_room(self) -> None:
         """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
-        sidebar, side = (15, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
+        narrow = self.width() < NARROW_PX * self._scale
+        sidebar, side, entry = (15, 23, 15) if narrow else (17, 31, 18)
+        for field in (self.top.dut, self.top.operator):
+            field.setMaximumWidth(int(entry * GRID * self._scale))
         self.sidebar.setFixedWidth(int(sidebar * GRID * self._scale))
         self.side.setFixedWidth(int(side * GRID * self._scale))
 

@@ -14,7 +14,7 @@ from labcal.gui.widgets.common import OneLine, Surface, label, plain, set_state
 
 
 class TopBar(Surface):
-    """DUT, operator, bench, SIMULATED where it is, and Coils off: in sight on every page."""
+    """DUT, operator, bench, SIMULATED where it is, HANDS OFF where it holds, and Coils off: in sight on every page."""
 
     def __init__(self) -> None:
         super().__init__(Qt.Edge.BottomEdge)
@@ -33,7 +33,7 @@ class TopBar(Surface):
             value.editingFinished.connect(partial(value.setCursorPosition, 0))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
-            row.addSpacing(2 * GRID)
+            row.addSpacing(GRID)
         self._tips = {entry: entry.toolTip() for entry in (self.dut, self.operator)}
         self.dut.returnPressed.connect(self.operator.setFocus)
         takes_scans(self.dut)
@@ -44,6 +44,9 @@ class TopBar(Surface):
         self.simulated = label(self.tr("SIMULATED"), "simulated")
         row.addWidget(self.simulated)
         row.addStretch()
+        self.keep_off = label("", "keep_off")
+        self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
+        row.addWidget(self.keep_off)
         self.off = QPushButton(self.tr("COILS OFF   F12"))
         self.off.setObjectName("off")
         self.off.setToolTip(self.tr("Take every coil to zero now (F12). Works in every state and asks nothing."))
@@ -62,6 +65,10 @@ class TopBar(Surface):
             entry.setToolTip(plain(f"{text}\n{self._tips[entry]}") if text else self._tips[entry])
         self._show_objections(state)
         self.bench.setText(state.bench or "–")
+        words, mark = state.keep_off
+        self.keep_off.setText(words)
+        set_state(self.keep_off, mark)
+        self.keep_off.setVisible(bool(words))
         self.simulated.setVisible(state.simulated)
 
     def _show_objections(self, state: LabState) -> None:

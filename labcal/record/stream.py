@@ -68,6 +68,7 @@ class Step:
 
     The first step states the names of all, in order; `step_s` is the lab time of this one alone. `needed_s` is the lab
     time until `needed_for`, the next step that begins with a question to a person; None where none is to come.
+    `whole_s` is the lab time of all steps, what an interruption has kept of them included.
     """
 
     t_s: float
@@ -79,6 +80,7 @@ class Step:
     step_s: float | None = None
     needed_s: float | None = None
     needed_for: str = ""
+    whole_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

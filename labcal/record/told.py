@@ -25,7 +25,7 @@ class Told:
     """Notes and photographs in the order that they were made, in the words that were typed.
 
     `remarks`: what the procedure itself noted. `open`: of the run's checks the last result of each that is no PASS;
-    `not_measured`: the closures that it was to have and has not.
+    `not_measured`: the closures and delays that it was to have and has not.
     """
 
     interruptions: tuple[Interruption, ...] = ()

@@ -9,15 +9,17 @@ from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.cage import Cage
 from labcal.bench.config import read_config
-from labcal.bench.driver_kit.roles import RotationPlatform
 from labcal.bench.opening import open_bench
 from labcal.bench.platform import BenchPlatform
-from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened
+from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened, Step
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.prompts import first_choice
 from labcal.runner.run import run_procedure
@@ -42,27 +44,43 @@ class Rehearsal:
     angles_deg: tuple[float, float] | None = None
     temperature_C: tuple[float, float] | None = None  # that the DUT's limits allow
     shortfalls: list[str] = field(default_factory=list)  # what does not come of it with these settings
-    person: list[str] = field(default_factory=list)  # what a person is asked to do, mounting and switching included
+    person: dict[str, list[str]] = field(
+        default_factory=dict
+    )  # what a person is asked to do, and in which step each time
+    _mounts: set[str] = field(default_factory=set, repr=False)  # of these what brings the DUT to the platform
+    _step: str = field(default="", repr=False)
+    _cage: Cage | None = field(default=None, repr=False)
     _platform: BenchPlatform | None = field(default=None, repr=False)
     _last: tuple[float, float] | None = field(default=None, repr=False)
 
-    def watch(self, platform: RotationPlatform) -> None:
-        """This one turns: how fast it may, by whose limit, and how fast it is asked to."""
+    def watch(self, bench: Bench) -> None:
+        """Its platform turns: how fast it may, by whose limit, how fast it is asked to; its cage makes the field."""
+        platform, self._cage = bench.platform, bench.cage
         if isinstance(platform, BenchPlatform):
             whose = "DUT's limit in bench.toml" if platform.limited_by_dut else "platform's limit"
             self._platform, self.limit = platform, (platform.max_rate_deg_per_s, whose)
 
     def see(self, item: Item) -> None:
         """Take one item of the rehearsal into account."""
-        if isinstance(item, Event) and "field_nT" in item.data and item.kind == "set-point":
-            self.field_nT = max(self.field_nT, float(np.linalg.norm(item.data["field_nT"])))
+        if isinstance(item, Event) and item.kind == "set-point":
+            self.field_nT = max(self.field_nT, self._field_of(item.data))
         elif isinstance(item, SegmentOpened):
             self.segments += 1
         elif isinstance(item, Prompt) and item.acts:
-            self.person.append(item.text)
+            self.person.setdefault(item.text, []).append(self._step)
+            self._mounts |= {item.text} if "body_from_cage" in item.drawing else set()
+        elif isinstance(item, Step):
+            self._step = item.name
         elif isinstance(item, Block) and item.stream == "angle":
             for t, angle in zip(item.t_s.tolist(), item.values[:, 0].tolist(), strict=True):
                 self._turned(t, angle)
+
+    def _field_of(self, set_point: Mapping[str, Any]) -> float:
+        """Its magnitude [nT], stated or by the currents."""
+        if "field_nT" in set_point or self._cage is None:
+            return float(np.linalg.norm(set_point.get("field_nT", 0.0)))
+        made = self._cage.matrix_nT_per_A @ np.asarray(set_point["current_A"], dtype=float)
+        return float(np.linalg.norm(made + self._cage.ambient_nT))
 
     def _turned(self, t_s: float, angle_deg: float) -> None:
         """Angles are read with some noise: no turn is called faster than it was asked to be."""
@@ -95,8 +113,15 @@ class Rehearsal:
             f"DUT kept within {kept} °C" if kept else "no temperature limits are stated",
             f"about {self.seconds / 60:.0f} min, without a person's steps",
         ]
-        asked = [f"– {text.replace(' -', ' −')}" for text in dict.fromkeys(self.person)]
-        return [*said, *(["what a person is asked:", *asked] if asked else [])]
+        asked = [f"– {text.replace(' -', ' −')}{self._how_often(text)}" for text in self.person]
+        in_all = f"what a person is asked, {sum(map(len, self.person.values()))}× in all:"
+        return [*said, *([in_all, *asked] if asked else [])]
+
+    def _how_often(self, text: str) -> str:
+        """Of what is asked more than once; of a mounting the steps as well, so that none is missed."""
+        steps = self.person[text]
+        where = f": {', '.join(steps)}" if text in self._mounts else ""
+        return f" ({len(steps)}×{where})" if len(steps) > 1 else ""
 
 
 def rehearsed(bench: Path, procedure: FoundProcedure, given: Mapping[str, str], seed: int | None = None) -> Rehearsal:
@@ -112,7 +137,7 @@ def rehearsed(bench: Path, procedure: FoundProcedure, given: Mapping[str, str], 
             limits = lab.config.dut.limits.temperature_C
             found = Rehearsal(procedure.name, procedure.title, read_config(bench).simulated, temperature_C=limits)
             found.shortfalls = procedure.shortfalls(given)
-            found.watch(lab.platform)
+            found.watch(lab)
             begun = clock.now()
             outcome = run_procedure(lab, procedure, given, store=store, answer=first_choice, on_item=found.see)
             found.seconds = clock.now() - begun

@@ -51,6 +51,7 @@ from labcal.session.instruments import (
     read_lab,
     serve_bench,
 )
+from labcal.session.made_ready import begin_to_make_ready
 from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
     check_store,
@@ -177,6 +178,8 @@ def run(
             remark=remark, control=control, on_item=on_item, show=show, first=first,
         )  # fmt: skip
         outcome = note_run(outcome, kept, operator) if store is None else outcome
+    if store is None:
+        begin_to_make_ready(outcome)
     return outcome.parted(lab.ended)
 
 
@@ -205,6 +208,7 @@ def resume(
             show=show,
         )  # fmt: skip
         outcome = note_run(outcome, kept, kept.header(run).operator)
+    begin_to_make_ready(outcome)
     return outcome.parted(lab.ended)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from datetime import datetime
@@ -17,8 +18,14 @@ from labcal.store import Store
 
 def note(deed: audit.Deed, who: str = "", **about: str | None) -> None:
     """Add to the log what was done, and to what; without `who` the user of the machine did it. Raises InputError."""
+    note_all(deed, [about], who)
+
+
+def note_all(deed: audit.Deed, abouts: Iterable[Mapping[str, str | None]], who: str = "") -> None:
+    """The same of several, an entry for each, at one go."""
+    stated = ({name: value for name, value in about.items() if value is not None} for about in abouts)
     try:
-        audit.append(home(), deed, who, {name: value for name, value in about.items() if value is not None})
+        audit.append(home(), deed, who, *stated)
     except InputError as fault:
         raise InputError(f"done ({deed}), but not in the audit log: {fault.what}", file=fault.file) from None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from labcal.record.delays import delays_open
 from labcal.record.stream import Item, Measurement, Step
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
@@ -25,11 +26,11 @@ def open_checks(found: Mapping[str, Measurement]) -> tuple[Measurement, ...]:
     return tuple(sorted(left, key=lambda m: -WORST.index(m.verdict)))
 
 
-def not_closed(items: Iterable[Item], found: Mapping[str, Measurement]) -> tuple[str, ...]:
-    """The closures that a run was to have and has not: of an axis that was broken off and never closed."""
-    steps = (name for item in items if isinstance(item, Step) for name in item.names if "closure-" in name)
+def not_measured(items: Iterable[Item], found: Mapping[str, Measurement]) -> tuple[str, ...]:
+    """Closures that a run was to have and has not, of an axis that was broken off and never closed; and its delays."""
+    steps = [name for item in items if isinstance(item, Step) for name in item.names if name.startswith("closure-")]
     wanted = dict.fromkeys(name.replace("-", " ") for name in steps)
-    return tuple(name for name in wanted if name not in found)
+    return (*(name for name in wanted if name not in found), *delays_open(steps, found))
 
 
 def open_words(left: Iterable[Measurement], not_measured: Iterable[str]) -> tuple[str, ...]:

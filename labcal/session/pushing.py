@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import closing
 from dataclasses import dataclass, field
@@ -10,9 +11,10 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Self
+from typing import Any, Self
 
 from labcal import audit, certificate
+from labcal.archive import ready
 from labcal.archive.ahead import ahead, worth_it
 from labcal.archive.bundles import put
 from labcal.archive.push import (
@@ -35,7 +37,7 @@ from labcal.files.home import home
 from labcal.files.plain_file import read_limited
 from labcal.model import Calibration
 from labcal.session.archive_check import refuse_other_row
-from labcal.session.audited import note, noted_signatures
+from labcal.session.audited import note_all, noted_signatures
 from labcal.session.opened_archive import own_site, place_of_bundles
 from labcal.session.signing import CALIBRATIONS, SUPERSEDING, signatures
 from labcal.session.sources import is_path, run_bundle
@@ -44,6 +46,7 @@ from labcal.store.listing import FILE as STORE
 
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
+NOTED_EVERY_S = 0.5
 LARGE = 2**25  # bytes in the store, 250 000 samples with their lines: to make it ready takes 250 MB
 
 
@@ -77,6 +80,8 @@ class Pusher:
     calibrations: int = 0
     entries: int = 0
     refused: list[str] = field(default_factory=list)
+    _unnoted: list[dict[str, str]] = field(default_factory=list)
+    _noted_s: float = 0.0
     _made_from: dict[str, list[Path]] | None = None
     _noted: dict[str, datetime] | None = None
 
@@ -88,12 +93,15 @@ class Pusher:
 
     def push(self, names: Sequence[str]) -> Pushed:
         """Push what is named, else all; then the audit log. What cannot be pushed is passed over and reported."""
-        for name in names:
-            self._one(name, self._named)
-        if not names:
-            self._new_runs()
-            for path in _signed_calibrations():
-                self._one(str(path), self._named)
+        try:
+            for name in names:
+                self._one(name, self._named)
+            if not names:
+                self._new_runs()
+                for path in _signed_calibrations():
+                    self._one(str(path), self._named)
+        finally:  # what is there is noted, whatever kept the rest back
+            self._one("the audit log", lambda _: self._note())
         self._one("the audit log", lambda _: self._audit_log())
         counts = (self.runs, self.calibrations, self.entries)
         return Pushed(self.archive.address.shown, self.site, *counts, tuple(self.refused))
@@ -128,12 +136,28 @@ class Pusher:
             return
         with closing(Store.read_only(home() / STORE)) as store:
             found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
-            new = [run_id for run_id, head in found if head is None or head not in self.there.heads]
+            heads = {run_id: head for run_id, head in found if head is None or head not in self.there.heads}
+            ready.forget_all_but(heads.values())
+            ready.want()
+            new = self._made_ready(heads)
             with TemporaryDirectory(prefix="labcal-push-", ignore_cleanup_errors=True) as folder:
                 work, large = partial(of_store_into, folder), partial(_is_large, store)
-                with closing(ahead(work, new, worth_it(len(new)), large)) as ready:
-                    for run_id, run in ready:
+                with closing(ahead(work, new, worth_it(len(new)), large)) as made:
+                    for run_id, run in made:
                         self._one(run_id, partial(self._when_ready, run))
+
+    def _made_ready(self, heads: Mapping[str, str | None]) -> list[str]:
+        """Push those that were made ready before; returns the others, whose files are not there or not sound."""
+        there, done = [run_id for run_id, head in heads.items() if ready.is_kept(head)], set[str]()
+        with closing(ahead(ready.kept, there)) as found:
+            for run_id, run in found:
+                if one := run.result():
+                    self._one(run_id, partial(self._when_kept, one))
+                    done.add(run_id)
+        return [run_id for run_id in heads if run_id not in done]
+
+    def _when_kept(self, one: RunToPush, _: str) -> None:
+        self._run(one)
 
     def _when_ready(self, run: Future[tuple[RunToPush, Path]], _: str) -> None:
         self._run(taken(*run.result()))
@@ -148,14 +172,19 @@ class Pusher:
         return self._run(of_bundle(*found), found[0])
 
     def _run(self, one: RunToPush, bundle: Bundle | None = None) -> str:
-        if there := run_there(self.archive, self.site, one.sha256):
-            refuse_other_row(one.row, there)
-            self._make_whole(one, bundle, there["bundle_sha256"])
-            note_head(self.archive, self.site, one.kept_head, one.sha256)
-        elif push_run(self.archive, self.site, one, self.place):
+        row = self._row_of(one.sha256) if one.sha256 in self.there.runs else None
+        if row is None and push_run(self.archive, self.site, one, self.place):
             self.runs += 1
             self._say("run", one.run_id, one.sha256)
+        elif row := row or self._row_of(one.sha256):  # there already, or came in between
+            refuse_other_row(one.row, row)
+            self._make_whole(one, bundle, row["bundle_sha256"])
+            note_head(self.archive, self.site, one.kept_head, one.sha256)
+        ready.forget(one.kept_head)
         return one.sha256
+
+    def _row_of(self, digest: str) -> Mapping[str, Any] | None:
+        return run_there(self.archive, self.site, digest)
 
     def _make_whole(self, one: RunToPush, bundle: Bundle | None, digest: str) -> None:
         """Put the bundle that is there once more, where its file was lost or damaged, by the deflate that made it."""
@@ -201,8 +230,17 @@ class Pusher:
             self._of_store(calibration.run_id)
 
     def _say(self, kind: str, name: str, digest: str) -> None:
-        note("push", archive=self.archive.address.shown, site=self.site, sha256=digest, **{kind: name})
+        about = {"archive": self.archive.address.shown, "site": self.site, "sha256": digest, kind: name}
+        self._unnoted.append(about)
+        if time.monotonic() - self._noted_s > NOTED_EVERY_S:
+            self._note()
         self.on_remark(f"{kind} {name}")
+
+    def _note(self) -> None:
+        """Note what was pushed since in this lab's audit log, at one go: the disk takes each entry alone in 15 ms."""
+        abouts, self._unnoted, self._noted_s = self._unnoted, [], time.monotonic()
+        if abouts:
+            note_all("push", abouts)
 
     def _audit_log(self) -> None:
         """Push the entries that fit and are not there yet; none from the first on that does not fit.

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from labcal.record.stream import BY, PROCEDURE, RESUMED, Event, Item, Step
 from labcal.record.told import Interruption, Told
-from labcal.session.checks import not_closed, open_checks, results
+from labcal.session.checks import not_measured, open_checks, results
 from labcal.store import Store
 
 UNMARKED = "offsets so far"  # how a preflight's own remarks began before they were marked as such
@@ -25,7 +25,7 @@ def told(run_id: str) -> Told:
         found = [replace(one, gone_s=None, timed=False) for one in found]
     notes, remarks = notes_of(items)
     last = results(items)
-    return Told(tuple(found), notes, remarks, open_checks(last), not_closed(items, last))
+    return Told(tuple(found), notes, remarks, open_checks(last), not_measured(items, last))
 
 
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:

@@ -15,7 +15,7 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
+from labcal.bench.coils.agreement import BEFORE_HANDS, CHANGED, NO_AMBIENT
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
 from labcal.bench.steps import coils_off, drive, measure_ambient, mount, record
@@ -204,20 +204,36 @@ def test_without_a_reference_at_the_dut_it_is_the_supplys_word(tmp_path: Path, p
         assert bench.sentence() == f"{BY_WORD}: no vector reference stands at the DUT"
 
 
-def test_an_ambient_field_older_than_the_mounting_is_no_witness(bench: Bench) -> None:
+def test_an_ambient_field_older_than_the_mounting_is_no_witness_of_a_current(bench: Bench) -> None:
     assert bench.cage.witness.why == NO_AMBIENT
     with_ambient(bench)
     work = mount(bench, "mount-z", np.eye(3), "Mount.")
     asked = next(item for item in work if isinstance(item, Prompt) and item.key == "mount-z")
     assert bench.sentence() == AT_ZERO
     bench.handled(asked)
-    bench.cage.zero()
     assert bench.sentence() == f"{BY_WORD}: {BEFORE_HANDS}"  # not: none yet
+    bench.cage.zero()
+    assert bench.cage.witness.why == BEFORE_HANDS  # of a zero it says so, with what it is worth
     bench.clock.wait_until(bench.clock.now() + 0.1)
     bench.cage.set_currents([0.5, 0.0, 0.0])  # the sign behind the contacts is seen from zero: that is its ambient
     lies_from_now(bench)
     with pytest.raises(InstrumentError, match=NOT_BY_REFERENCE):
         bench.cage.zero()
+
+
+def test_while_hands_mount_the_ambient_field_of_before_says_zero_and_nothing_of_a_current_that_flows(
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with_ambient(bench)
+    work = mount(bench, "mount-z", np.eye(3), "Mount.")
+    bench.handled(next(item for item in work if isinstance(item, Prompt) and item.key == "mount-z"))
+    bench.clock.wait_until(bench.clock.now() + 1.0)
+    list(record(bench, 1.0))
+    assert bench.sentence() == AT_ZERO
+    reading = lab_of(bench).reference_nT
+    monkeypatch.setattr(lab_of(bench), "reference_nT", lambda t_s: reading(t_s) + 0.3 * 49_950.0)  # of 0.3 A
+    list(record(bench, 1.0))
+    assert bench.sentence() == f"{BY_WORD}: {CHANGED}"
 
 
 def test_a_question_of_hands_off_leaves_the_witness(bench: Bench) -> None:

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 from served_lab import three_on_one_pair
 
-from labcal.bench.clock import VirtualClock
+from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import read_config
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.controller import Guardian
@@ -88,8 +88,8 @@ def test_who_was_stopped_itself_replaces_nobody_when_it_wakes() -> None:
 class Pair:
     """Three Ridens on one emulated pair with a clock of their own, and the frames that went to them."""
 
-    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.clock, self.sent = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), list[bytes]()
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch, clock: Clock | None = None) -> None:
+        self.clock, self.sent = clock or VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), list[bytes]()
         monkeypatch.setattr("labcal.bench.guardian.owned_lines.RealClock", lambda: self.clock)
         monkeypatch.setattr("labcal.bench.guardian.duty.runtime_folder", lambda: folder)
         self.file, self.noted = folder / "bench.toml", list[str]()
@@ -165,8 +165,15 @@ def test_another_supply_than_before_hears_zero_and_off_before_it_is_refused(pair
     }  # fmt: skip
 
 
+@pytest.fixture
+def in_real_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pair:
+    """The same, for lines that work at the same time: each would move a clock of their own on past others' answers."""
+    return Pair(tmp_path, monkeypatch, RealClock())
+
+
 @pytest.mark.parametrize("end", ["close", "give_back"])
-def test_at_its_end_the_supplies_are_given_back_to_their_panels(pair: Pair, end: str) -> None:
+def test_at_its_end_the_supplies_are_given_back_to_their_panels(in_real_time: Pair, end: str) -> None:
+    pair = in_real_time
     text = pair.file.read_text(encoding="utf-8").replace("riden-rd60xx", "ea-9000").replace("//pair", "//")
     pair.file.write_text(re.sub(r"address = \d", "address = 0", text), encoding="utf-8")
     guardian = pair.guardian()
@@ -183,7 +190,8 @@ def test_at_its_end_the_supplies_are_given_back_to_their_panels(pair: Pair, end:
     assert [emulator._bits[402] for emulator in panels] == [False] * 3
 
 
-def test_a_supply_that_is_slow_to_take_its_panel_back_keeps_no_other_line_waiting(pair: Pair) -> None:
+def test_a_supply_that_is_slow_to_take_its_panel_back_keeps_no_other_line_waiting(in_real_time: Pair) -> None:
+    pair = in_real_time
     text = pair.file.read_text(encoding="utf-8").replace("riden-rd60xx", "ea-9000").replace("//pair", "//")
     pair.file.write_text(re.sub(r"address = \d", "address = 0", text), encoding="utf-8")
     guardian, all_asked = pair.guardian(), threading.Barrier(3, timeout=20.0)

@@ -91,7 +91,7 @@ def test_a_program_that_holds_one_port_keeps_no_other_coil_on(lab: Served) -> No
     assert at_zero(lab, "yz")
     assert (code, said["x"].split(" ")[0]) == (3, "unknown")
     assert "holds this port" in said["x"]
-    assert said["x"].endswith("End it, then begin this step again.")
+    assert said["x"].endswith("End it, then try again.")
 
 
 def test_a_session_s_guardian_tells_which_supplies_are_its_own(lab: Served, session: Sessions, tmp_path: Path) -> None:

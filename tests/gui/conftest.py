@@ -14,6 +14,7 @@ from shiboken6 import delete, isValid
 
 from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.translations import sentences
 from labcal.gui.viewmodels import app_state
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets import hold_button, next_button, prompt_card
@@ -29,7 +30,8 @@ PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a s
 
 @pytest.fixture(autouse=True)
 def answered_soon(monkeypatch):
-    """No second is waited for at each question, and no key of the test before is down."""
+    """No second is waited for at each question, no key of the test before is down, and no bench file has a name."""
+    monkeypatch.setattr(sentences.BenchFile, "name", sentences.BENCH_FILE)
     monkeypatch.setattr(prompt_card, "DEAD_MS", DEAD_MS)
     monkeypatch.setattr(next_button, "TOO_SOON_MS", 0)  # a test reads no words
     hold_button.heard_ms.clear()

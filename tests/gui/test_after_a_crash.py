@@ -31,7 +31,7 @@ def test_after_a_crash_it_stands_where_it_stood_and_says_what_happened(new_windo
     come_back(new_window, "Fit", "window-1.zip", ran=True)
     assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
     assert "window-1.zip" in new_window.fault.text.text()
-    assert "resume it on Start" in new_window.fault.remedy.text()
+    assert "go on with it on Start" in new_window.fault.remedy.text()
     left = RunLine("r9", "2026-11-22T01:10:00+00:00", "interrupted", "EM-21", "J. Doe", "preflight")
     new_window.app_state.quick_worker.answer(ListRuns, (left,))
     assert new_window.top.dut.text() == "EM-21"  # its run is the one to go on with

@@ -109,7 +109,9 @@ def test_reconnect_lets_go_reads_the_file_again_and_asks_everybody(qtbot, still,
     answers = tuple(InstrumentAnswer(n, "", "", "", silent if n == "supply_x" else None) for n in names)
     still.app_state.off_worker.answer(Identify, Identified(answers))
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
-    assert said["supply_x"] == "✕ supply_x does not answer. Switch it on."
+    assert said["supply_x"] == "✕ supply_x does not answer."
+    bench.show_readings()
+    assert bench.to_do.text() == "supply_x: Switch it on. Read all asks again."
     assert said["stage"] == "✓ answers"
     assert still.message.text() == "6 of 7 instruments answered: ✕ supply_x"
 

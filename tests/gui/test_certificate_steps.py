@@ -233,3 +233,20 @@ def test_what_was_done_is_said_in_the_card_of_its_step(page):
     page._app_state.quick_worker.answer(Approve, APPROVED)
     assert page.steps.approval.done.text() == "Approved by a.smith."
     assert not page.paper.said.text()
+
+
+def test_until_when_it_will_be_good_and_whence_that_comes_is_said_before_it_is_signed(page):
+    told(page, DRAFT, "a.smith", "j.doe")
+    valid = page.steps.valid
+    assert valid.isVisible()
+    assert valid.text().startswith("No last day of use is stated: it never expires by itself. That day is stated by")
+    page.steps.stated.until.setText("2027-11-21")
+    assert valid.text().startswith("Good until 2027-11-21. That day is stated by who approves (2), by the interval of")
+    page.steps.stated.until.setText("21.13.2027")
+    assert valid.text().startswith("No last day of use is stated")
+    page.refresh()
+    told(page, replace(APPROVED, until="2027-11-21"), "a.smith")
+    assert valid.text() == "Good until 2027-11-21. So it was stated when it was approved."
+    page.refresh()
+    told(page, replace(RELEASED, until="2027-11-21"), "a.smith")
+    assert valid.text() == "Good until 2027-11-21."

@@ -249,7 +249,7 @@ def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_d
         "°/s",
         "°C",
         " min,",
-        "asked:\n– The platform looks for its zero",
+        "× in all:\n– Next the platform looks for its zero",
         "– Mount the DUT",
     ):
         assert words in said

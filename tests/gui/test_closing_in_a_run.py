@@ -32,7 +32,7 @@ def test_nothing_is_closed_or_said_before_an_answer(qtbot, running):
     question = running.leaving.question
     assert (running.isVisible(), question.isVisible(), running.hung_up) == (True, True, [])
     assert running.app_state.bench_worker.said == []
-    assert {"Stop", "Keep running behind", "Resume later"} == {one.text() for one in question.buttons.values()}
+    assert {"Stop", "Keep running behind", "Go on later"} == {one.text() for one in question.buttons.values()}
     assert question.findChild(type(question.back), "off").isVisible()
     assert question.back.isDefault()
     qtbot.keyClick(question, Qt.Key.Key_Return)

@@ -23,7 +23,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
-from labcal.gui.translations.sentences import form_of
+from labcal.gui.translations.sentences import form_of, of_this_bench
 from labcal.gui.viewmodels.failed_step import asked_text
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton, heard_ms
 from labcal.gui.widgets.prompt_card import WORDS, acting
@@ -63,6 +63,7 @@ SAID_IN_WORDS = {
     "serial",
     FAULT,
 }
+IN_WORDS = ("turn-", "serial-", "photo-", "skip-", "redo-")  # keys of what is answered by a number or in words
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError
@@ -221,7 +222,7 @@ class Asked:
 
     def is_shown(self):
         card, prompt = self.card, self.prompt
-        words = asked_text(prompt)
+        words = of_this_bench(asked_text(prompt))
         assert card.isVisible()
         shown = f"{card.text.text()} {card.details.text()}".replace("\N{NO-BREAK SPACE}", " ").strip()
         assert shown.startswith(words)  # of a step that failed its advice stands below, with the button to press
@@ -234,6 +235,11 @@ class Asked:
         assert set(prompt.drawing) <= PICTURED | SAID_IN_WORDS, f"nobody shows {dict(prompt.drawing)}"
         assert card.drawing.isVisible() == bool({"body_from_cage", "angle_deg"} & set(prompt.drawing))
         assert card.entry.isVisible() == (not prompt.choices)
+        asks = "?" in words
+        if prompt.choices:
+            assert ("yes" in prompt.choices or prompt.key == "ready") == asks, f"{words} {prompt.choices}"
+        else:
+            assert prompt.key.startswith(IN_WORDS), f"{words}: nothing is to be written"
 
     def buttons(self):
         """What answers the question, and with what words."""

@@ -41,7 +41,8 @@ def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbo
     listed = [page.others.item(n).text() for n in range(4)]
     assert not [one for one in listed if "nats" in one]
     assert [one.split("\n")[1] for one in listed if "rival" not in one] == [
-        "it alone takes 1.0 nT off the held-out rms", "no better than chance or a slow wander", "too little evidence"
+        "it alone takes 1.0 nT off the held-out rms beside declared errors",
+        "no better than chance or a slow wander", "too little evidence"
     ]  # fmt: skip
     page.others.setCurrentRow(0)
     assert page.change_why.text() == as_a_drop(reasons[2])

@@ -150,7 +150,7 @@ def test_a_turn_that_is_begun_again_has_neither_ticks_nor_rows_of_the_one_that_w
     assert run.axis_checks("z")["noise"] == "PASS"
     send(running, SegmentOpened(9.0, Segment(TURN, "rotation")))
     assert list(run.measurements) == [other.name]
-    assert len(run.locus[TURN].rows()) == 0
+    assert len(run.drawn.now[TURN].rows()) == 0
 
 
 def test_the_spheres_follow_by_the_clock_however_seldom_rows_come(running):

@@ -9,12 +9,14 @@ from lab_states import told
 
 from labcal.bench.coils.agreement import BEFORE_HANDS, NO_AMBIENT
 from labcal.bench.coils.state import AT_ZERO, CoilReading, Heard, LabState, PlatformReading, Witness
+from labcal.bench.mounting import how_to_mount
 from labcal.errors import InstrumentError
 from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import Identify, ResumeRun, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.known_lab import AMBIENT_S, ANSWERS_S, LOST_FIRST_S, KnownLab
+from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.record import Segment
 from labcal.record.stream import Event, Prompt, SegmentOpened, Step
 
@@ -328,7 +330,7 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     assert card.hands.text() == "▲ Hands out: coils NOT confirmed at zero"
     says(running, platform=PlatformReading(fault="link lost"), faulty=("stage",))
     assert card.hands.text() == "▲ Hands out: platform NOT confirmed at a standstill"
-    says(running, platform=stands(age_s=5.0), faulty=("stage",))
+    says(running, platform=stands(age_s=WATCHED_S + 2.0), faulty=("stage",))
     assert card.hands.text() == "▲ Hands out: the platform is not being read"
     assert card.hands.isVisibleTo(card)
 
@@ -377,3 +379,17 @@ def test_in_the_midst_of_a_turn_there_is_no_next_and_the_line_keeps_its_height(r
     assert not running.next.isVisible()
     running.open_page("Start")
     assert (running.next.isVisible(), running.next.text()) == (True, "Next: See the run")
+
+
+def test_in_a_small_window_whether_hands_may_go_in_is_said_whole_beside_what_to_mount(running, qtbot):
+    running.open_page("Run")
+    running.resize(1024, 700)
+    card, at_zero = running.page("Run").live.prompt, {"platform": stands(), "witness": Witness("", BEFORE_HANDS)}
+    for axis, answers in (("x", ("done",)), ("z", ("done", "redo x"))):
+        send(running, replace(MOUNT, text=how_to_mount(axis), choices=answers))
+        says(running, **at_zero)
+        qtbot.waitUntil(lambda: card.alive and card.drawing.isVisible())
+        qtbot.wait(100)  # laid out by then
+        assert card.hands.text().endswith(BEFORE_HANDS)
+        for words in (card.hands, card.text):
+            assert words.height() >= words.heightForWidth(words.width())

@@ -88,7 +88,7 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
             11.0,
             10.0,
             "ml: ✓ The calibration is good in size: 11.0 nT of |b| are left over in held-out rows, "
-            "no more than the stated noise, 10.0 nT. "
+            "no more than the noise that is stated of |b| in one reading, 10.0 nT. "
             "What is left of the direction, the loop judges.",
             "good",
         ),
@@ -96,7 +96,7 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
             11.6,
             10.0,
             "ml: ▲ The map alone is not enough yet, however well it was measured: 11.6 nT of |b| are left over "
-            "in held-out rows, the stated noise is 10.0 nT. Trace the residual.",
+            "in held-out rows, the noise that is stated of |b| in one reading is 10.0 nT. Trace the residual.",
             "warning",
         ),
         (11.0, None, "ml: 11.0 nT of |b| are left over in held-out rows; no noise is stated to compare it with.", ""),

@@ -85,7 +85,7 @@ def test_the_supply_is_named_as_long_as_it_is_true_and_figures_are_a_click_deepe
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends(z=raw)))
     card = still.fault
     assert card.by_hand.text() == "Switch off by hand: supply_z"
-    assert card.by_hand.objectName() == "large"
+    assert card.by_hand.objectName() == "ask"
     assert card.coils.text() == "coils NOT confirmed at zero"
     assert card.text.isHidden()
     assert raw in card.details.toPlainText()

@@ -7,7 +7,7 @@ from labcal.gui.ipc.messages import ListCalibrations, ListKeys
 from labcal.gui.ipc.record_messages import TellRecord
 from labcal.record.stream import BY, PROCEDURE, Event, Measurement, Step
 from labcal.record.told import Told
-from labcal.session.checks import not_closed, open_checks, open_words, results, worst
+from labcal.session.checks import not_measured, open_checks, open_words, results, worst
 from labcal.session.told import notes_of
 
 CLOSED = Measurement(1.0, "closure y", 426.6, 3.5, "nT", 500.0)
@@ -20,7 +20,9 @@ def test_the_worst_result_of_a_run_is_that_of_its_verdict_and_not_the_largest_cl
     assert worst(results(ITEMS)) is OPEN
     assert worst(results([CLOSED, FIELD])) is CLOSED
     assert open_checks(results(ITEMS)) == (OPEN,)
-    assert not_closed(ITEMS, results(ITEMS)) == ("closure z",)
+    assert not_measured(ITEMS, results(ITEMS)) == ("closure z",)
+    vector = [*ITEMS, Measurement(1.0, "zero: ref_x", 20.0, 1.0, "nT"), Measurement(2.0, "delay z", 0.1, 0.1, "s", 0.5)]
+    assert not_measured(vector, results(vector)) == ("closure z", "delay y")
 
 
 def test_what_was_measured_again_counts_as_it_was_measured_last():

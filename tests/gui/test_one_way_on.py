@@ -113,10 +113,10 @@ def test_the_loop_page_names_one_figure_for_the_error_before(still, qtbot, patie
     def causes():
         return [page.others.item(row).text() for row in range(page.others.count())]
 
-    alone = "it alone takes 18.9 nT off the held-out rms"
+    alone = "it alone takes 18.9 nT off the held-out rms beside declared errors"
     qtbot.waitUntil(lambda: len(causes()) == 2 and any(alone in one for one in causes()), timeout=patience)
     assert "50.0 → 50.0 nT" in page.before_after.text()
-    assert page.noise.text().startswith("before → after, held-out rms of the vector")
+    assert page.noise.text().startswith("before → after: held-out rms of the vector, with the errors in it")
     shown = [one.text() for one in page.findChildren(QLabel) if one.isVisible()]
     shown += causes()
     assert [text for text in shown if "48.8" in text] == []
@@ -125,7 +125,9 @@ def test_the_loop_page_names_one_figure_for_the_error_before(still, qtbot, patie
 
 
 def test_what_a_cause_takes_off_is_the_difference_of_its_two_figures():
-    assert as_a_drop("the held-out rms falls from 164.0 to 26.8 nT") == ("it alone takes 137.2 nT off the held-out rms")
+    assert as_a_drop("the held-out rms falls from 164.0 to 26.8 nT") == (
+        "it alone takes 137.2 nT off the held-out rms beside declared errors"
+    )
 
 
 @pytest.fixture

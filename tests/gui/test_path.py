@@ -336,8 +336,8 @@ def test_next_leads_to_the_setting_that_is_refused_else_to_begin(still, path, qt
     assert still.next.text() == "Next: Calibrate EM-07"
 
 
-def test_start_is_not_ready_where_the_side_panel_says_what_is_wrong(still):
-    question, lab = still.page("Start").question, still.app_state.lab
+def test_start_is_not_ready_where_the_side_panel_says_what_is_wrong(new_window):
+    question, lab = new_window.page("Start").question, new_window.app_state.lab
     assert question.text().startswith("Ready.")
     lab.update(now=replace(lab.state.now, lights=(("supply_x", "fault", "the link was lost"),)))
     assert question.text() == "✕ Not ready: supply_x. See the Bench page."

@@ -82,7 +82,8 @@ def test_each_curve_has_its_name_beside_it_as_soon_as_it_is_drawn(qtbot):
 
 def test_a_mounting_is_needed_for_in_words():
     assert needed_title("mount-y") == "mount it with body Y up"
-    assert needed_title("closing") == "closing"
+    assert needed_title("closing") == "mount it as at first"
+    assert (step_title("position-7"), step_title("position 7")) == ("position 7", "position 7")
 
 
 def test_a_small_limit_is_written_out():
@@ -109,7 +110,21 @@ def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
     assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "x+20uT-nominal", "closing"), 20.0))
-    assert all(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
+    assert all(part.isVisible() for part in (live.steps, live.lights, live.loci))
+    assert not live.coverage.isVisible()  # of which axis?
+    send(still, Step(20.0, 2, 3, "x+20uT-nominal", 40.0, (), 20.0))
+    assert live.coverage.isVisible()
+
+
+def test_what_stands_still_at_many_angles_has_no_lights_of_turns(still):
+    still.app_state.run.start(RunProcedure("verify", "bench.toml"))
+    names = ("mounting and zero", "position 1")
+    send(still, Step(0.0, 1, 2, names[0], 60.0, names, 20.0), Step(20.0, 2, 2, names[1], 40.0, (), 40.0))
+    send(still, SegmentOpened(21.0, Segment("position-1", "rotation")))
+    live = still.page("Run").live
+    live.draw()
+    assert (live.loci.isVisible(), live.lights.isVisible(), live.coverage.isVisible()) == (True, False, False)
+    assert live.headline.text() == "Hands off · 39 s · position 1"
 
 
 def test_a_dut_at_rest_has_no_circle_and_no_lights_of_turns(still):

@@ -78,7 +78,8 @@ def test_a_preflight_is_clicked_through_to_its_verdicts_though_its_worker_is_kil
     answer_all(qtbot, by_mouse, window, page)
     assert (run.status, run.fault) == ("finished", None)
     assert run.measurements["closure x"].verdict == "PASS"
-    assert page.live.lights.worst["x"].text() == "X  ✓ PASS"
+    assert page.live.lights.worst["x"].text() == "X  ▲ not complete"  # one turn tells no delay
+    assert page.live.verdict.word.text().replace("\N{NO-BREAK SPACE}", " ").startswith("▲ PASS, without delay x")
     assert [mark for _, mark in run.steps()] == ["done"] * run.step.total
     assert len(run.dut) > 500
     qtbot.waitUntil(at_zero, timeout=LONG_MS)

@@ -12,6 +12,7 @@ from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.sentences import COILS, FORMS, NAME_FORMS, form_of, in_words
+from labcal.gui.viewmodels.lab_now import LabNow
 from labcal.gui.viewmodels.loop_words import without_evidence
 from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.parameter_form import title_of
@@ -112,7 +113,7 @@ def test_all_that_loop_estimators_and_procedures_say_has_a_form():
             marks=pytest.mark.slow,
         ),
         pytest.param(
-            "x: the link was lost. Plug it in, see that nobody else has opened it, then begin this step again.",
+            "x: the link was lost. Plug it in, see that nobody else has opened it, then try again.",
             "x: Die Verbindung ging verloren. Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen "
             "Schritt neu beginnen.",
             marks=pytest.mark.slow,
@@ -141,10 +142,10 @@ def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new
     assert "Y" in card.text.text()
     assert new_window.message.text().startswith(MOUNT[1])
     new_window.side.show_state(new_window.app_state.lab.state)
-    card.say_lab(AT_ZERO)
+    card.say_lab(LabNow(coil_words=AT_ZERO))
     assert card.lab.text() == "✓ Spulen auf null"
     assert card.lab.property("state") == "good"
-    card.say_lab(AT_ZERO, "platform NOT confirmed at a standstill")
+    card.say_lab(LabNow(coil_words=AT_ZERO, platform_words="platform NOT confirmed at a standstill"))
     assert card.lab.text() == "✓ Spulen auf null"
     assert card.stands.text() == "✕ Stillstand des Tisches NICHT bestätigt"
     assert card.stands.property("state") == "bad"

@@ -72,7 +72,7 @@ def test_the_table_of_bench_is_never_of_another_moment_than_the_panel(still):
     for current_A, angle_deg, words in ((0.161, 15.0, "+0.161 A"), (0.0, 0.0, "+0.000 A")):
         worker.states.emit(lab_with(current_A, angle_deg))
         table = {page.table.text(row, 0): page.table.text(row, 4) for row in range(page.table.rowCount())}
-        assert table["coil-x"] == words
+        assert table["coil x"] == words
         assert table["platform"].startswith(f"+{angle_deg:.1f}°")
         assert f"{angle_deg:.0f}°" in still.side.platform.text()
 

@@ -183,7 +183,7 @@ def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_i
     still.style_queue.finish()
     send(still, Event(23.0, "not-used", "lift moved", {"segments": [name], "reason": "lift moved"}))
     assert lights.worst["x"].text() == "X  ○"
-    assert name not in still.app_state.run.locus
+    assert name not in still.app_state.run.drawn.now
 
 
 def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought):

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel
@@ -11,7 +12,8 @@ from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import Answer, ListRuns, Rehearse, ResumeRun, RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.run_verdict import run_verdict
-from labcal.record.stream import FAULT, Measurement, Prompt, Step
+from labcal.record.run import Segment
+from labcal.record.stream import FAULT, Block, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 from labcal.runner.control import Left
 
 FIRST = Step(0.0, 1, 2, "x+20uT-nominal", 60.0, ("x+20uT-nominal", "closing"))
@@ -126,7 +128,9 @@ def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_b
 
 
 def test_a_wrong_mounting_is_asked_about_and_to_mount_again_is_the_blue_one(running, by_mouse):
-    wrong = "axes-check: the DUT's z axis shows +x. Is the DUT mounted as asked? Then look at its axes."
+    wrong = (
+        "axes-check: the DUT's z axis shows +x. Mount it again where it is not mounted as asked; else look at its axes."
+    )
     running.app_state.bench_worker.items.emit((Prompt(1.0, "opening-failed", wrong, ("stop", "remount")),))
     card = running.page("Run").live.prompt
     assert {made.text(): made.objectName() for made in card.choices.values()} == {
@@ -176,12 +180,49 @@ def test_who_goes_on_sees_which_turns_are_kept_and_what_was_broken_off_for_good(
 
     step(1)
     assert [mark for _, mark in run.steps()] == ["now", "done", "done", "next", "next", "next"]
-    assert (run.steps_done(), running.page("Run").live.time_left.progress.value()) == (2, 2)
+    assert (run.steps_done(), running.page("Run").live.time_left.progress.value()) == (2, 333)
     step(5)
     assert [mark for _, mark in run.steps()] == ["done", "done", "done", "skipped", "now", "next"]
     step(6)
     worker.answer(ResumeRun, Ended("r1", "finished"))
     assert run_verdict(run).rule.endswith("Not measured: closure x.")
+
+
+SILENT = Fault("instrument", "dut: no answer")
+
+
+def test_a_refused_go_on_leaves_the_steps_the_bar_and_what_was_drawn_as_they_were(running):
+    live, run, worker = running.page("Run").live, running.app_state.run, running.app_state.bench_worker
+    names, turn = ("zero", "x+20uT-nominal", "closing"), Segment("x+20uT-nominal", "rotation")
+    read = Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), np.array([15.0]), np.array([[1.0, 2.0, 3.0]]))
+    begun = Step(0.0, 1, 3, "zero", 100.0, names, 10.0, whole_s=100.0)
+    worker.items.emit((begun, Step(10.0, 2, 3, names[1], 90.0, (), 60.0, whole_s=100.0), SegmentOpened(11.0, turn)))
+    worker.items.emit((read, SegmentClosed(70.0), Step(70.0, 3, 3, "closing", 30.0, (), 30.0, whole_s=100.0)))
+    worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
+    worker.items.emit(())
+    before = [text_of(live.steps), live.time_left.progress.value()]
+    assert before == [["✓  offset and first position", "✓  x +20 µT nominal", "✕  closing"], 700]
+    run.resume("r1", run.order)
+    for state in ("starting", "ended"):
+        assert (run.state, live.steps.isVisible()) == (state, True)
+        assert [text_of(live.steps), live.time_left.progress.value()] == before
+        assert (len(run.drawn.rows()), len(run.drawn.rows(earlier=True))) == (0, 1)  # pale from now on
+        worker.answer(ResumeRun, Ended("r1", "interrupted", SILENT)) if state == "starting" else None
+    run.resume("r1", run.order)
+    worker.items.emit((Measurement(171.0, f"{turn.id}: missing sectors", 6.0, 0.0, "", 0.0), replace(begun, t_s=171.0)))
+    assert (run.axis, live.turn.isVisible()) == ("", False)  # of no axis: no share of a circle is told
+    assert len(run.drawn.rows(earlier=True)) == 1
+    worker.items.emit((Step(181.0, 2, 3, turn.id, 90.0, (), 60.0, whole_s=100.0),))
+    live.draw()
+    assert (live.covered.text(), live.turn.isVisible()) == ("X:  75 % of the circle", True)
+    worker.items.emit((SegmentOpened(182.0, turn),))
+    live.draw()
+    assert live.covered.text() == "X, this turn:   0 % of the circle"
+    assert len(run.drawn.rows(earlier=True)) == 0  # it is measured again
+
+
+def text_of(steps):
+    return [steps.item(row).text() for row in range(steps.count())]
 
 
 def test_an_axis_whose_closure_is_made_up_is_to_be_mounted_again(running):

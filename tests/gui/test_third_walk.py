@@ -16,7 +16,7 @@ from labcal.record import Segment
 from labcal.record.stream import FAULT, Block, Event, Measurement, Prompt, SegmentOpened, Step
 from labcal.runner.rehearsal import Rehearsal
 
-LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then begin this step again.")
+LOST = Fault("instrument", "dut: the link was lost.", "Plug it in, then try again.")
 
 
 def begun(still):
@@ -63,7 +63,7 @@ def test_a_turn_that_is_tried_again_begins_with_an_empty_circle(still):
     assert run.coverage() > 0
     worker.items.emit((Prompt(3.0, "failed-x+20uT", "x+20uT: lost", ("stop", "retry", "skip")),))
     assert run.coverage() == 0
-    assert "x+20uT" not in run.locus
+    assert "x+20uT" not in run.drawn.now
     card = still.page("Run").live.prompt
     assert "Skipped, it is missing" in card.hint.text()
 
@@ -98,11 +98,11 @@ def test_a_lost_link_is_short_in_the_headline_and_its_advice_names_the_button_th
         still,
         no_answer="supply_z",
         what="supply_z: the link was lost (Input/output error).",
-        remedy="Plug it in, see that nobody else has opened it, then begin this step again.",
+        remedy="Plug it in, see that nobody else has opened it, then try again.",
     )
     assert card.text.text() == "✕ No answer from supply_z"
     assert card.details.text() == (
-        "supply_z: the link was lost. Plug it in, see that nobody else has opened it, then begin this step again. "
+        "supply_z: the link was lost. Plug it in, see that nobody else has opened it, then try again. "
         "Here that is “Hands off: try again”."
     )
     assert "Hands off: try again" in card.choices["retry"].text()
@@ -201,6 +201,35 @@ def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):
     verdict = run_verdict(still.app_state.run)
     assert (verdict.word, verdict.state) == ("▲ PASS, without closure x", "warning")
     assert live.verdict.isVisibleTo(live)
+
+
+def test_a_delay_that_no_turn_told_is_said_in_the_verdict_and_turns_no_axis_green(still):
+    live, emit = begun(still), still.app_state.bench_worker.items.emit
+    names = ("zero", "mount-z", "z+20uT-nominal", "closure-z", "closing")
+    told = [("zero: ref_x", None), ("closure z", 500.0), ("z+20uT-nominal: noise", 20.0)]
+    looks = [*told, ("z+20uT-nominal: missing sectors", 1.5), ("z+20uT-nominal: wrong signs", 1.5)]
+    emit((Step(1.0, 1, 5, "zero", 0.0, names), Step(2.0, 5, 5, "closing", 0.0)))
+    emit(tuple(Measurement(2.0, name, 1.0, 0.1, "nT", limit) for name, limit in looks))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
+    verdict = run_verdict(still.app_state.run)
+    assert (verdict.word, verdict.state) == ("▲ PASS, without delay z", "warning")
+    assert verdict.rule.endswith("Not measured: delay z.")
+    assert live.lights.worst["z"].text() == "Z  ▲ not complete"
+    assert [axis for axis, column in live.lights.columns.items() if column.isVisibleTo(live.lights)] == ["z"]
+    emit((Measurement(3.0, "delay z", 0.1, 0.01, "s", 0.5),))
+    assert run_verdict(still.app_state.run).word == "✓ PASS"
+    assert live.lights.worst["z"].text() == "Z  ✓ PASS"
+
+
+def test_what_a_run_does_not_look_at_is_not_open_beside_its_verdict(still):
+    live, emit = begun(still), still.app_state.bench_worker.items.emit
+    emit((Step(1.0, 1, 2, "mounting and zero", 0.0, ("mounting and zero", "z+50uT")), Step(2.0, 2, 2, "z+50uT", 0.0)))
+    looks = ("missing sectors", "noise", "wrong signs")
+    emit(tuple(Measurement(2.0, f"z+50uT: {look}", 1.0, 0.1, "nT", 5.0) for look in looks))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
+    assert live.lights.worst["z"].text() == "Z  ✓ PASS"
+    assert "closure" not in live.lights.looks["z"].text()
+    assert live.lights.columns["x"].isHidden()
 
 
 def test_a_persons_own_coils_off_is_called_so_and_names_the_platform(still):

@@ -49,6 +49,7 @@ def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_deta
     still.open_page("History")
     worker, page = still.app_state.quick_worker, still.page("History")
     worker.answer(ListRuns, (replace(RUN, run_id="r1"),))
+    page.faces.setCurrentIndex(0)  # another test may have left the comparison
     page.table.selectRow(0)
     worker.answer(TellRecord, replace(TOLD, remarks=(SURPRISED,) * 7))
     told = page.told

@@ -65,7 +65,7 @@ def test_samples_come_in_nanotesla_and_only_a_segment_s_go_on_the_sphere(run, wo
     send(worker, block("dut", axes, [3.0], [10.0, 20.0, 30.0]), block("angle", ("angle_deg",), [3.0], [[7.0]]))
     send(worker, SegmentClosed(4.0), block("dut", axes, [5.0], [1.0, 2.0, 3.0]))
     assert len(run.dut) == 3
-    np.testing.assert_allclose(run.field_rows(), [[40.0, 80.0, 120.0]])
+    np.testing.assert_allclose(run.drawn.rows(), [[40.0, 80.0, 120.0]])
     assert run.coverage() == pytest.approx(1 / 24)
 
 

@@ -120,7 +120,7 @@ def test_a_run_goes_on_without_its_window_and_the_next_one_hears_all_of_it(worke
     assert (first.order, first.bench.name, last.number) == (ORDER, "simulated cage", 7)
     assert last.answer["status"] == "finished"
     items = [item for event in between if isinstance(event, Recorded) for item in event.items]
-    assert [one.name for one in items if isinstance(one, Step)] == ["open loop", "held"]
+    assert [one.name for one in items if isinstance(one, Step)] == ["ambient field", "open loop", "held"]
     assert any(isinstance(event, StateRead) for event in between)
 
 

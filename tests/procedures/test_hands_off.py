@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import closing
 from datetime import UTC, datetime
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.opening import open_bench
 from labcal.bench.steps import mount
 from labcal.demo import simulated_bench
-from labcal.record.stream import Prompt
+from labcal.record.stream import ModeChanged, Prompt
 from labcal.runner import find
 from labcal.runner.prompts import first_choice
 from labcal.testing.procedures import ProcedureTrial, check_normal_end
@@ -63,6 +64,17 @@ AN_AXIS = ["mode-full", "ready", "mode-nominal", "ready"]
 def test_each_procedure_hears_hands_off_last(name: str, given: Mapping[str, str], asked: list[str]) -> None:
     trial = ProcedureTrial(find(name), given, simulated_bench(), first_choice)
     assert [item.key for item in check_normal_end(trial) if isinstance(item, Prompt)] == asked
+
+
+@pytest.mark.parametrize(("modes", "asked"), [('["nominal"]', []), ('["nominal", "full", "safe"]', ["mode-nominal"])])
+def test_a_power_mode_is_asked_for_once_where_a_run_has_one_and_never_where_the_dut_has(
+    bench_file: Callable[..., Path], modes: str, asked: list[str]
+) -> None:
+    bench = bench_file("", ('["nominal", "full", "safe"]', modes))
+    trial = ProcedureTrial(find("preflight"), SHORT | {"modes": "nominal"}, bench, first_choice)
+    items = check_normal_end(trial)
+    assert [one.key for one in items if isinstance(one, Prompt) and one.key.startswith("mode")] == asked
+    assert {one.mode for one in items if isinstance(one, ModeChanged)} == {"nominal"}
 
 
 def test_who_is_asked_to_mount_is_told_where_the_platform_stands() -> None:

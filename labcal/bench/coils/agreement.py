@@ -3,6 +3,7 @@
 Expected is b = M I + the ambient field, measured at zero since the DUT was mounted last. Allowed between the two: the
 step that also tells the sign of a coil, what a place wanders since its ambient field was measured, and with current a
 tenth of the coils' own field: coil constants are stated to a few per cent, and the reference stands beside the centre.
+While hands mount, the ambient field of before them judges a zero alone, by what it still excludes (`before_hands`).
 """
 
 from __future__ import annotations
@@ -10,12 +11,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.bench.coils.before_hands import DRIFT_NT_PER_H, BeforeHands, least_that_matters_nT
 from labcal.bench.coils.sign import PROBE_NT
 from labcal.bench.coils.state import Vector, Witness
 
 Array = NDArray[np.float64]
 LIMIT_NT = PROBE_NT
-DRIFT_NT_PER_H = 100.0  # Earth's day is a tenth of it; a storm, and a room that warms, are as much
 OF_FIELD = 0.1
 PERSISTS_S = 2.5  # a lift that passes is gone by then or spoils the measurement, a current is still there
 NO_SAMPLE_S = 2.0
@@ -23,6 +24,8 @@ CANDIDATE_S = 60.0
 STUCK = 20  # readings, three axes each: noise and a converter's step leave no live sensor so still
 NO_AMBIENT = "the reference has no ambient field to compare with yet"
 BEFORE_HANDS = "the reference's ambient field is from before hands were at the DUT"
+CHANGED = "the reference sees more change than a mounting makes"
+OF_BEFORE = (BEFORE_HANDS, CHANGED)  # so it says why, whichever verdict goes with it: not for a later comparison
 NOT_YET = "the reference has sent nothing since the currents settled"
 NOT_STREAMING = "the reference is not streaming"
 UNHEARD = {
@@ -34,11 +37,14 @@ UNHEARD = {
 class FieldCheck:
     """Compares what the reference sees with what it should. `blind`: why this bench has none that may; "" where it has.
 
-    Nothing here waits or raises: `see` takes readings as they come, `witness` says what they show.
+    Nothing here waits or raises: `see` takes readings as they come, `witness` says what they show. `limit_A` (3,): of
+    the coils' currents.
     """
 
-    def __init__(self, matrix_nT_per_A: Array, blind: str = "") -> None:
+    def __init__(self, matrix_nT_per_A: Array, limit_A: Array, blind: str = "") -> None:
         self._matrix, self._blind = matrix_nT_per_A, blind
+        self._matters_nT = least_that_matters_nT(matrix_nT_per_A, limit_A, OF_FIELD)
+        self._before: BeforeHands | None = None  # what was measured last, where only hands have been at the DUT since
         self._ambient: Array | None = None
         self._had_ambient = False  # and hands were at the DUT since
         self._ambient_s = 0.0
@@ -71,13 +77,19 @@ class FieldCheck:
 
     def take_ambient(self, field_nT: Array, now_s: float) -> None:
         """The field (3,) [nT, C] that the reference saw with the coils at zero."""
-        self._ambient, self._ambient_s = np.asarray(field_nT, dtype=float), now_s
+        self._ambient, self._ambient_s, self._before = np.asarray(field_nT, dtype=float), now_s, None
         if self.witness.verdict == "not known":
             self.witness = Witness(why=self._why_not())
 
-    def outdated(self, now_s: float, *, reference_moved: bool = False) -> None:
-        """The DUT is mounted anew, or its surroundings are not what they were: the ambient field is not known."""
-        self._had_ambient |= self._ambient is not None
+    def outdated(self, now_s: float, *, reference_moved: bool = False, by_hands: bool = False) -> None:
+        """The DUT is mounted anew, or its surroundings are not what they were: the ambient field is not known.
+
+        `by_hands`: no more than a mounting changes has changed; what was measured before judges a zero still.
+        """
+        if self._ambient is not None:
+            self._had_ambient, self._before = True, BeforeHands(self._ambient, self._ambient_s)
+        if reference_moved or not by_hands:
+            self._before = None
         self._ambient, self._candidate, self._mounted_s, self._bad_s = None, None, now_s, None
         self._moved |= reference_moved
         if self.witness.verdict != "disagrees":
@@ -106,7 +118,7 @@ class FieldCheck:
     def see(self, t_s: Array, field_nT: Array) -> None:
         """Take in readings (n, 3) [nT, C] at `t_s` (n,), in order."""
         self._count_the_same(field_nT)
-        rows = t_s >= self._since_s
+        rows = t_s >= max(self._since_s, self._mounted_s)
         if self._blind or self._currents_A is None or not rows.any():
             return
         t, field = t_s[rows], field_nT[rows]
@@ -116,8 +128,9 @@ class FieldCheck:
             self.witness = Witness(why="the reference repeats one reading")
         elif self._ambient is not None:
             self._judge(seen, float(t[settled][0]) if settled.any() else None, float(t[-1]))
-        elif self.zero_expected and settled.any() and t[settled][0] >= self._mounted_s:
+        elif self.zero_expected and settled.any():
             self._candidate = seen, float(t[-1])
+            self._judge_by_before(seen, float(t[-1]))
 
     def _why_not(self) -> str:
         if self._blind or self._ambient is None:
@@ -133,6 +146,19 @@ class FieldCheck:
             moved = np.flatnonzero(np.any(np.diff(np.vstack([before, field_nT]), axis=0) != 0, axis=1))
             self._same = len(field_nT) - int(moved[-1]) if len(moved) else self._same + len(field_nT)
             self._last = field_nT[-1]
+
+    def _judge_by_before(self, seen: Array, now_s: float) -> None:
+        """A zero, while hands mount: an agreement where that excludes a current that matters, and never a doubt."""
+        before = self._before
+        if before is None or self.witness.verdict == "disagrees":
+            return
+        apart, limit = before.apart_nT(seen), before.limit_nT(LIMIT_NT, now_s)
+        hidden = before.most_hidden_nT(LIMIT_NT, now_s)
+        if apart <= limit and hidden < self._matters_nT:
+            expected = _vector(before.field_nT)
+            self.witness = Witness("agrees", BEFORE_HANDS, _vector(seen), expected, apart, limit, now_s)
+        else:
+            self.witness = Witness(why=CHANGED if apart > hidden else BEFORE_HANDS)
 
     def _judge(self, seen: Array, bad_since_s: float | None, now_s: float) -> None:
         assert self._ambient is not None

@@ -78,7 +78,7 @@ class Cage:
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
-        self.check = FieldCheck(self.matrix_nT_per_A, blind)
+        self.check = FieldCheck(self.matrix_nT_per_A, np.asarray(config.limits.current_A, dtype=float), blind)
         self.latch = latch or StoredDoubt(())
         self._read = {axis: CoilReading(axis) for axis in AXES}
         limits = config.limits

@@ -19,6 +19,7 @@ MEAN_OF = 20  # readings of a reference are shown as one
 AT_ZERO = "coils at zero"
 BY_WORD = "zero by the supply's word only"
 BY_SUPPLIES = "coils read back at zero by their supplies"  # the same, for who is to reach in
+BY_BOTH = "coils at zero, by their supplies and by the field"  # AT_ZERO, likewise: what each proof is
 NOT_CONFIRMED = "coils NOT confirmed at zero"
 WAS_ZERO = "coils confirmed at zero"  # when it was read, and the reference agreed then
 WAS_ZERO_BY_WORD = "coils read back at zero by the supply's word"

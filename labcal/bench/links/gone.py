@@ -17,14 +17,14 @@ GONE = (
     errno.ECONNREFUSED, errno.EHOSTUNREACH, errno.ENETUNREACH, errno.ENETDOWN, errno.ESHUTDOWN,
 )  # fmt: skip
 HUNG_UP = "returned no data"  # as pyserial says it, who states no number
-NOT_GONE = "Begin this step again; if it comes again, look at its cable and its adapter."
+NOT_GONE = "Try again; if it comes again, look at its cable and its adapter."
 
 
 def not_open(url: str, error: OSError | None = None) -> InstrumentError:
     """The error for a line that does not open; without `error`, for one that has been closed."""
     why = f" ({_words(error)})" if error else ""
     if error is not None and error.errno in BUSY:
-        remedy = "End that program, then begin this step again."
+        remedy = "End that program, then try again."
         return InstrumentError(f"{url}: another program has opened it{why}.", fault="in use", remedy=remedy)
     if error is None or _number(error) in GONE:
         return InstrumentError(f"{url}: the link was lost{why}.", fault="link lost")

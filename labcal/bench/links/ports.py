@@ -29,7 +29,7 @@ __all__ = [
 ]  # fmt: skip
 
 GUARDIAN = "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile."
-PROGRAM = "End it, then begin this step again."  # a labcal that talks to one instrument, and brings nothing to zero
+PROGRAM = "End it, then try again."  # a labcal that talks to one instrument, and brings nothing to zero
 DRIVEN = "driven"  # in a guardian's card: the essentials of its bench, for who finds it dead
 BRIEF, BRIEF_S = "brief", 5.0  # in the card of who only reads and lets go at once: whoever wants the port waits so long
 BEFORE = "before"  # in the card of who came after it, and has not brought its coils to an end yet: that card
@@ -187,7 +187,7 @@ def refuse_connected(urls: Iterable[str]) -> None:
             raise InstrumentError(
                 f"{url}: a program of user {user_name(uid)} is connected to it.",
                 fault="in use",
-                remedy=f"Ask user {user_name(uid)} to end it, then begin this step again.",
+                remedy=f"Ask user {user_name(uid)} to end it, then try again.",
             )
 
 
@@ -281,7 +281,7 @@ def _opened(url: str, port: str) -> InstrumentError:
     named = "" if other is None else f": {other.program!r}{other.whose} (process {other.pid}){_since(other.begun)}"
     ask = "End that program" if other is None or not other.whose else f"Ask{other.whose.removeprefix(' of')} to end it"
     return InstrumentError(
-        f"{url}: another program has opened it{named}.", fault="in use", remedy=f"{ask}, then begin this step again."
+        f"{url}: another program has opened it{named}.", fault="in use", remedy=f"{ask}, then try again."
     )
 
 

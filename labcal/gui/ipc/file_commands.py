@@ -73,7 +73,7 @@ def _line(one: RunSummary, loop: Mapping[str, Any] | None = None) -> RunLine:
 def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:
     """The last run that was closed: when, which, and its worst result, of a closure or not: a run has one verdict."""
     from labcal import session
-    from labcal.session.checks import not_closed, results, worst
+    from labcal.session.checks import not_measured, results, worst
     from labcal.store import Store
 
     finished = (one for one in reversed(session.runs()) if one.status == "finished")
@@ -82,7 +82,7 @@ def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:
             items = list(store.items(one.run_id, but="block"))
             found = results(items)
             if any("closure" in name for name in found) and (least := worst(found)) is not None:
-                open_yet = least.verdict == "PASS" and not_closed(items, found)
+                open_yet = least.verdict == "PASS" and any("closure" in one for one in not_measured(items, found))
                 return Checked(_line(one), least, UNDECIDED if open_yet else least.verdict)
     return None
 

@@ -1,7 +1,6 @@
 """Every message between the window and its workers: commands, words into a run, events. One frozen dataclass each.
 
-A command names its answer: `class FitRun(Command[Fitted])`. What carries it out is the one handler that takes it, in
-one of the `*_commands`; what the window does is ask for it with `Client.request`.
+A command names its answer: `class FitRun(Command[Fitted])`. Its one handler, in one of the `*_commands`, does it.
 """
 
 from __future__ import annotations
@@ -22,6 +21,7 @@ from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.lab_messages import Identify as Identify
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
 from labcal.gui.ipc.record_messages import TellRecord as TellRecord
+from labcal.gui.ipc.record_messages import TellTurned as TellTurned
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.ipc.words import Abort as Abort
 from labcal.gui.ipc.words import Answer as Answer

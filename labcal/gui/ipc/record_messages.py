@@ -6,10 +6,18 @@ from dataclasses import dataclass
 
 from labcal.gui.ipc.kinds import Command
 from labcal.record.told import Told
+from labcal.record.turned import TurnBefore
 
 
 @dataclass(frozen=True, slots=True)
 class TellRecord(Command[Told]):
     """What the record of this run tells."""
+
+    run: str
+
+
+@dataclass(frozen=True, slots=True)
+class TellTurned(Command[tuple[TurnBefore, ...]]):
+    """Where the field was in the turns that this run has recorded."""
 
     run: str

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Earth, Identified, Instrument
 from labcal.gui.ipc.messages import FindOnLines, Identify
@@ -17,10 +17,11 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.guardian import GUARDIAN, guardian_is
+from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, alarm_of, old_s, shown_name
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, old_s
 from labcal.gui.viewmodels.number_format import format_number, short_number
+from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
@@ -33,8 +34,14 @@ from labcal.gui.widgets.measurement_table import Table
 READINGS_MS = 500
 TOGETHER_S = 2  # read no further apart, currents and field are of one moment
 MOST_ROWS = 12  # of the table would like to be seen
-ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
+LETTERS = 40  # of how an instrument stands
 HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
+
+
+def one_sentence(words: str) -> str:
+    """What has room in a column beside others; the whole stands above the table."""
+    first = words.partition(". ")[0]
+    return first if len(first) <= LETTERS else first[: LETTERS - 1].rpartition(" ")[0] + " …"
 
 
 class BenchPage(QWidget):
@@ -89,8 +96,8 @@ class BenchPage(QWidget):
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
-        column.addWidget(self._instruments_card(), 3)
-        column.addWidget(self._cage_card(), 2)
+        column.addWidget(self._instruments_card())
+        column.addWidget(self._cage_card(), 1)
         return holder
 
     def _instruments_card(self) -> Card:
@@ -107,7 +114,7 @@ class BenchPage(QWidget):
         )
         self.reconnect.clicked.connect(self._reconnect)
         self.choose = button(
-            self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines")
+            self.tr("Open a bench file …"), self.tr("A bench file (.toml): what stands in the lab, on which lines")
         )
         self.choose.clicked.connect(self._choose)
         self.simulated = simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
@@ -123,6 +130,7 @@ class BenchPage(QWidget):
         row = Flow(simulated, self.choose, self.make, self.edit, self.reconnect, self.check)
         self.table = Table(HEADINGS, 3)
         self.table.show_rows(MOST_ROWS, MOST_ROWS)
+        self.table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)  # no empty half
         for column in ("last reading", "state"):  # beside the name, where a narrow window shows them too
             header, at = self.table.horizontalHeader(), HEADINGS.index(column)
             header.moveSection(header.visualIndex(at), 2)
@@ -241,7 +249,7 @@ class BenchPage(QWidget):
 
     def _show(self) -> None:
         facts = self._app_state.facts
-        there = sorted(facts.instruments.items(), key=lambda one: ROLES.index(one[1].role)) if facts else []
+        there = sorted(facts.instruments.items(), key=lambda one: ORDER.index(one[1].role)) if facts else []
         self.heading.setText(self.tr("Instruments of {0}").format(facts.name) if facts else self.tr("Instruments"))
         self.file.setText(Path(self._app_state.bench).name)
         self.file.setToolTip(self._app_state.bench)
@@ -264,11 +272,9 @@ class BenchPage(QWidget):
         self.edit.setEnabled(there)
 
     def _show_row(self, row: int, name: str, one: Instrument) -> None:
-        for column, text in enumerate((one.role, name, one.link)):
+        for column, text in enumerate((role_word(one.role), name, one.link)):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one.driver})")
         self._show_identity(row, name, one.role)
-        text, colour = self._standing(name)
-        self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
 
     def _show_identity(self, row: int, name: str, role: str) -> None:
         """Who answered; amber where that is another than is stated, which what is typed at the top may change."""
@@ -281,13 +287,10 @@ class BenchPage(QWidget):
         self.table.set_cell(row, 3, f"▲ {other}: {said}" if other else said, colour=ink)
 
     def _standing(self, name: str) -> tuple[str, str]:
-        """How an instrument stands now, in the words of the panel at the right; where it failed, with what to do."""
+        """How an instrument stands now, in the words of the panel at the right."""
         lights = self._app_state.lab.state.now.lights
         light, words = next(((light, words) for one, light, words in lights if one == name), ("absent", ""))
-        answered = self._app_state.answered.get(name)
         shape, colour, plain = LIGHT_SHAPES[light]
-        if light == "fault" and answered is not None and answered.fault is not None:
-            words = f"{words} {answered.fault.remedy}".strip()
         return f"{shape} {words or translated(plain)}", {"": "muted", "old": "muted"}.get(colour, colour)
 
     def _lab_changed(self) -> None:
@@ -309,7 +312,8 @@ class BenchPage(QWidget):
         ages = {name: age_words(since) for name, since in now.heard_old_s}
         seen = now.field_measured_nT  # what the panel at the right says of it
         for row in range(self.table.rowCount()):
-            role, name = self.table.text(row, 0), self.table.text(row, 1)
+            name = self.table.text(row, 1)
+            role = "" if facts is None else facts.instruments[name].role
             self._show_identity(row, name, role)
             words, age, said = "–", ages.get(name, ""), run.reading.get(name)
             if role.startswith("coil"):
@@ -327,23 +331,14 @@ class BenchPage(QWidget):
             standing, colour = self._standing(name)
             text = f"{words}   {age}" if old and not standing.endswith(age) else words  # an age stands once in a row
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
-            text = standing
-            self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
+            tip = f"{standing}\n{remedy_of(self._app_state, name)}".strip() if colour == "bad" else ""
+            self.table.set_cell(row, 5, one_sentence(standing), colour=getattr(self._theme, colour), tip=tip)
         self._show_cage()
 
     def _say_what_to_do(self) -> None:
         """Why Next leads here: what does not answer, or coils that are not known to be at zero."""
-        now = self._app_state.lab.state.now
-        guardian = shown_name(GUARDIAN)
-        lost = ", ".join(name for name in now.failed if name != guardian)
-        words = self.tr("{0}: see to plug, power and cable. Read all asks again.").format(lost) if lost else ""
-        if guardian in now.failed:
-            alone = self.tr("The guardian is lost. COILS OFF (F12) works without it.")
-            words = f"{alone} {guardian_is(GUARDIAN)} {words}".strip()
-        if alarm := alarm_of(now.coil_words):
-            by_hand = self.tr("Switch off by hand: {0}").format(", ".join(self._app_state.by_hand()))
-            words = f"{alarm}. {by_hand}. {words}".strip()
-        self.to_do.setText(f"{words} {now.in_common}".strip())
+        words = to_do(self._app_state)
+        self.to_do.setText(words)
         self.to_do.setVisible(bool(words))
 
     def _show_cage(self) -> None:

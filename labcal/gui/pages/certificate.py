@@ -19,7 +19,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.lab import LabState
-from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, state_of, steps
+from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, handed_out_as, state_of, steps
 from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
@@ -222,6 +222,7 @@ class CertificatePage(QWidget):
             stands = self.stands(one)
             self.steps.show_steps(stands)
             self.paper.show_step(stands[-1])
+            set_state(self.paper.words, "warning" if handed_out_as(one) else "")
 
     @property
     def begins_at(self) -> QWidget:

@@ -53,6 +53,7 @@ class Paper(StepCard):
         self.apply.clicked.connect(self._apply)
         row, words = QHBoxLayout(), QVBoxLayout()
         self.words.setMinimumWidth(20 * GRID)
+        self.words.setContentsMargins(0, GRID, 0, 0)  # in line with the words of the buttons
         for part in (self.words, self.said):
             words.addWidget(part)
         self._paper = "", ""  # the calibration that was copied, and where its certificate goes

@@ -15,8 +15,8 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.key_rules import approver_objection, as_key_name, key_name_objection, key_objection
-from labcal.gui.viewmodels.signing import SigningStep, ambiguity, awaited
-from labcal.gui.widgets.common import button, combo_box, say_wanted, set_state
+from labcal.gui.viewmodels.signing import SigningStep, ambiguity, awaited, valid_words
+from labcal.gui.widgets.common import button, combo_box, label, say_wanted, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.secret import secret_entry
 from labcal.gui.widgets.stated_fields import StatedFields
@@ -96,7 +96,9 @@ class SigningSteps(StepRow):
         self.passphrase = self._secret(self.tr("Passphrase"), self.tr("Of this person's key; asked each time"))
         self.sign = button(self.tr("Sign"), self.tr("Sign the file as it is"))
         self.sign.clicked.connect(self._sign)
-        card.put((self.signer, self.passphrase), self.sign)
+        self.valid = label("", wrap=True)
+        self.valid.setAccessibleName(self.tr("Until when it is good"))
+        card.put((self.signer, self.passphrase, self.valid), self.sign)
         return card
 
     def _secret(self, name: str, tip: str) -> QLineEdit:
@@ -176,6 +178,7 @@ class SigningSteps(StepRow):
         )
         refused = refused if draft else ""
         self.approval.say_wrong(refused)
+        self.valid.setText("" if one is None else valid_words(one, self.stated.stated()[0]))
         self.approver.setEnabled(draft)  # nobody can be added after the first signature
         self.approve.setEnabled(draft and bool(approver) and not refused)
         signs = one is not None and bool(self.keys)

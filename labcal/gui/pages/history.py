@@ -18,6 +18,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.comparable import run_key, why_not_compared
 from labcal.gui.viewmodels.export_formats import FORMATS, Format
 from labcal.gui.viewmodels.run_search import NOT_WHOLE, cells, file_name, in_order, matches, measured_s, moment_s
+from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import Card, button, combo_box, label, set_state, shrinkable
 from labcal.gui.widgets.comparison import ComparisonView
@@ -64,8 +65,9 @@ class HistoryPage(QWidget):
         """Trend and comparison in the theme's colours."""
         self._theme = theme
         self.trend.set_theme(theme)
-        for face in (self.comparison, self.recording):
-            face.set_theme(theme)
+        self.comparison.set_theme(theme)
+        self.recording.set_theme(theme)
+        self._idle_queue.add(self._show)
 
     def build_more(self) -> bool:
         """Build another part of what compares two runs; says whether any was missing."""
@@ -176,7 +178,7 @@ class HistoryPage(QWidget):
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
         header = self.table.horizontalHeader()
-        header.setSectionsClickable(True)
+        header.moveSection(5, 2)  # what became of it stands where a narrow window shows it
         header.setSortIndicatorShown(True)
         header.setSortIndicator(0, Qt.SortOrder.DescendingOrder)
         header.sectionClicked.connect(self.sort_by)
@@ -230,7 +232,8 @@ class HistoryPage(QWidget):
         for row, one in enumerate(found):
             for column, text in enumerate(cells(one, stands(one.run_id))):
                 tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_words(one.status)}
-                self.table.set_cell(row, column, text or "–", tip=tips.get(column, ""))
+                ink = self._theme.warning if column == 5 and doubtful(text) else self._theme.text
+                self.table.set_cell(row, column, text or "–", colour=ink, tip=tips.get(column, ""))
         self._keep_chosen(chosen, found)
         self._chosen()
 
@@ -265,8 +268,7 @@ class HistoryPage(QWidget):
         self._show()
 
     def _chosen(self) -> None:
-        one = self.chosen()
-        several = self.chosen_runs()
+        one, several = self.chosen(), self.chosen_runs()
         self.told.show_run("" if one is None or self.of_archive else one.run_id)
         self.open.setEnabled(one is not None and one.status not in NOT_WHOLE)
         self.export.setEnabled(bool(several) and all(each.status not in NOT_WHOLE for each in several))
@@ -293,8 +295,7 @@ class HistoryPage(QWidget):
         """State another serial of the DUT of `run`, in the operator's name."""
         if refused := self._app_state.serial_objection(serial.strip()):
             return self.fault.show_fault(Fault("input", refused, self.tr("Nothing was changed.")))
-        said = self.tr("Run {0}: DUT {1}").format(run, serial.strip())
-        who = self._app_state.lab.state.operator
+        said, who = self.tr("Run {0}: DUT {1}").format(run, serial.strip()), self._app_state.lab.state.operator
 
         def corrected(_: object) -> None:
             self._app_state.lab.update(message=said)

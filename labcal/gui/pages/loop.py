@@ -17,7 +17,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
-from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, said_plainly, without_evidence
+from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, of_which_error, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.viewmodels.study import cause_name
@@ -140,6 +140,7 @@ class LoopPage(QWidget):
 
     def _left_card(self) -> Card:
         card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
+        card.unit.setToolTip(self.tr("Band: the noise of one axis of one row"))
         self.left = Residuals(self._theme)
         self.left.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.left)
@@ -147,6 +148,7 @@ class LoopPage(QWidget):
 
     def _who_card(self) -> Card:
         card = Card(self.tr("2  What could cause it"))
+        card.body.addWidget(shrinkable(label(self.tr("Rms beside declared errors"), "caption")))
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)
@@ -266,13 +268,11 @@ class LoopPage(QWidget):
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
-        beside = self.tr("Here beside the errors that the run declares of its reference and mounting; above with them.")
+        beside = self.tr("These figures are beside the errors that the run declares; above they are in it.")
         self.summary.setText(f"{in_words(loop.summary)} {beside}")
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
-        floor = format_number(loop.noise_floor_nT, signed=False)
-        said = self.tr("before → after, held-out rms of the vector; noise alone: {0} nT, {1}")
-        self.noise.setText(said.format(floor, translated(loop.noise_floor_source)))
+        self.noise.setText(of_which_error(loop))
         self._show_unknown(loop)
         self._fill_against(loop)
         self._name_change()
@@ -283,7 +283,7 @@ class LoopPage(QWidget):
         if self._study.loop is None:
             return
         loop = self._study.loop
-        base = loop.before_nT
+        base = next((e.holdout_rms_before_nT for e in loop.accepted if e.holdout_rms_before_nT), loop.before_nT)
         rows: list[tuple[str, float, tuple[float, float] | None, str]] = [
             (self.tr("as calibrated"), base, None, self._theme.muted)
         ]

@@ -36,7 +36,7 @@ class RunPage(QWidget):
         return next(self._more, False)
 
     def _build(self, theme: Theme) -> Iterator[bool]:
-        loci = Loci(theme)
+        loci = Loci(theme, clouds=2)  # of this stretch, and pale of those before it was gone on with
         loci.setParent(self)  # a theme that comes before it has its place is its own as well
         yield True
         while loci.build_more():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from functools import partial
 
@@ -18,6 +19,7 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.grouped_list import GroupedList
@@ -26,6 +28,7 @@ from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.parameter_form import ParameterForm, title_of
 from labcal.gui.widgets.work_bar import WorkBar
 
+ASKED = re.compile(r"– (?P<text>.*?)(?: \((?P<times>\d+)×(?:: (?P<steps>.*))?\))?")  # a line of a plan
 HEADING = Qt.ItemDataRole.UserRole  # of an item that is no procedure
 PACE_WORDS = {"true": "real time"}
 
@@ -322,8 +325,12 @@ def needs_text(one: Procedure, *, plannable: bool = True) -> str:
 
 def plan_line(line: str) -> str:
     """A line of the plan, a question with its dash before it, in the window's language."""
-    dash, _, asked = line.partition("– ")
-    return in_words(line) if dash or not asked else f"– {in_words(asked)}"
+    asked = ASKED.fullmatch(line)
+    if asked is None:
+        return in_words(line)
+    steps = ", ".join(map(step_title, asked["steps"].split(", "))) if asked["steps"] else ""
+    often = f" ({asked['times']}×{f': {steps}' if steps else ''})" if asked["times"] else ""
+    return f"– {in_words(asked['text'])}{often}"
 
 
 def _limits_of(facts: Bench | None) -> tuple[tuple[str, ...], float | None]:

@@ -176,7 +176,7 @@ class Live(QWidget):
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
         self.covered = label("", "caption")
-        self.coverage.setToolTip(self.tr("How much of the turn this segment has seen, in sectors of 15°"))
+        self.coverage.setToolTip(self.tr("How much of the circle the turn about this axis has seen, in sectors of 15°"))
         self.turn = QWidget()
         row = QHBoxLayout(self.turn)
         row.setContentsMargins(0, 0, 0, 0)
@@ -233,7 +233,7 @@ class Live(QWidget):
         if self._just_went_on.isActive():
             self.pause.setEnabled(False)
         self.stop.setEnabled(run.alive and run.state != "stopping" and not self._just_went_on.isActive())
-        turned = bool(run.names or run.locus)  # else nothing is recorded, and there is nothing to fit
+        turned = run.turns() or bool(run.drawn.now)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
         decided = ended and not self._details  # the verdict has the whole place
         again = self._goes_on = (
@@ -250,9 +250,10 @@ class Live(QWidget):
                 (self.close_run, ended),
                 (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
-                (self.lights, run.turns() and not decided),
-                (self.turn, run.turns() and not ended),
-                *((widget, turned) for widget in (self.time_left.progress, self.steps, self.loci)),
+                (self.lights, run.looks_at_axes() and not decided),
+                (self.turn, bool(run.axis) and run.turns() and not ended),
+                (self.steps, bool(run.names)),
+                (self.loci, turned),
             ):
                 widget.setVisible(shown)
         set_primary(self.close_run, not again and not (turned and run.status == "finished"))
@@ -290,7 +291,7 @@ class Live(QWidget):
             self.verdict.say_reason("")
             return self.fault.hide()
         self._say_coils_left()
-        if "begin this step again" in fault.remedy.lower():
+        if "try again" in fault.remedy.lower():
             self.fault.remedy.setText(f"{self.fault.remedy.text()} {self._where_to_begin_again()}")
         if fault.kind != "stopped":
             return None
@@ -322,7 +323,7 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         set_primary(self.go_on, not now.to_be_mended)
-        self.prompt.say_lab(now.coil_words, now.platform_words, now.platform_deg)
+        self.prompt.say_lab(now)
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed)
         self.prompt.say_serials(self._app_state.lab.state.other_serials)
@@ -365,7 +366,7 @@ class Live(QWidget):
 
     def _show_steps(self) -> None:
         self.steps.show_steps(self._run.steps(), self._theme)
-        self.time_left.show_steps()
+        self.time_left.show_share()
 
     def _say_now(self) -> None:
         now = self._app_state.lab.state.now
@@ -378,7 +379,8 @@ class Live(QWidget):
         self._say_now()
         percent = round(100 * run.coverage())
         self.coverage.setValue(percent)
-        self.covered.setText(self.tr("{0} % of the circle").format(f"{percent:3d}".replace(" ", FIGURE_SPACE)))
+        words = self.tr("{0}, this turn: {1} % of the circle") if run.segment else self.tr("{0}: {1} % of the circle")
+        self.covered.setText(words.format(run.axis.upper(), f"{percent:3d}".replace(" ", FIGURE_SPACE)))
         rows = run.dut.rows()
         self._ticks += 1
         if len(rows) != self._drawn or not run.alive or len(rows) >= 10_000:
@@ -388,4 +390,5 @@ class Live(QWidget):
             self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
         if self._behind and (self._ticks >= LOCI_EVERY or not run.alive):
             self._ticks, self._behind = 0, False
-            self.loci.show_field(run.field_rows())
+            self.loci.show_field(run.drawn.rows())
+            self.loci.show_field(run.drawn.rows(earlier=True), 1)

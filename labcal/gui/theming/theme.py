@@ -106,7 +106,8 @@ QLabel#title { font-size: ${title_pt}pt; font-weight: 600; }
 QLabel#caption { font-size: ${small_pt}pt; color: $muted; }
 QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
 QLabel#simulated { background: transparent; color: $warning; border: 2px solid $warning; font-weight: 700;
-                   padding: 4px 12px; border-radius: 4px; letter-spacing: 2px; }
+                   padding: 4px 6px; border-radius: 4px; letter-spacing: 1px; }
+QLabel#keep_off { font-weight: 700; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }
@@ -117,8 +118,8 @@ QPushButton:disabled { color: $muted; background: $page; }
 QPushButton#primary { background: $accent; color: $on_accent; border-color: $accent; font-weight: 600; }
 QPushButton#primary:focus { border: 2px solid $text; }
 QPushButton#primary:disabled { background: $line; color: $muted; border-color: $line; }
-QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700; padding: 12px 24px; }
-QPushButton#off:focus { border: 3px solid $text; padding: 9px 21px; }
+QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700; padding: 12px 14px; }
+QPushButton#off:focus { border: 3px solid $text; padding: 9px 11px; }
 QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 10px 12px; }
 QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; padding-left: 8px; }
 QPushButton#rail:disabled { background: $surface; }

@@ -145,13 +145,11 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "Switch the sensor off and on, and look at its range."),
     QT_TRANSLATE_NOOP("Data", "Is the ambient field what it was when it was measured last?"),
     QT_TRANSLATE_NOOP("Data", "Is this the instrument that bench.toml names, and is its link the right one?"),
-    QT_TRANSLATE_NOOP("Data", "Plug it in, see that nobody else has opened it, then begin this step again."),
-    QT_TRANSLATE_NOOP(
-        "Data", "Is this the instrument that bench.toml names? Look at its cable, then begin this step again."
-    ),
-    QT_TRANSLATE_NOOP("Data", "Look at its panel, then begin this step again."),
-    QT_TRANSLATE_NOOP("Data", "Look for what holds it, home it and begin this step again."),
-    QT_TRANSLATE_NOOP("Data", "Look at the stage, home it and begin this step again."),
+    QT_TRANSLATE_NOOP("Data", "Plug it in, see that nobody else has opened it, then try again."),
+    QT_TRANSLATE_NOOP("Data", "Is this the instrument that bench.toml names? Look at its cable, then try again."),
+    QT_TRANSLATE_NOOP("Data", "Look at its panel, then try again."),
+    QT_TRANSLATE_NOOP("Data", "Look for what holds it, home it and try again."),
+    QT_TRANSLATE_NOOP("Data", "Look at the stage, home it and try again."),
     QT_TRANSLATE_NOOP("Data", "{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one"),
     QT_TRANSLATE_NOOP("Data", "{0}: does not open: the passphrase is wrong or the file is damaged"),
     QT_TRANSLATE_NOOP(

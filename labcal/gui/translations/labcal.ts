@@ -216,10 +216,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A bench.toml: what stands in the lab, on which lines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Simulated lab</source>
         <translation type="unfinished"></translation>
     </message>
@@ -284,18 +280,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: see to plug, power and cable. Read all asks again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
@@ -305,6 +289,10 @@
     </message>
     <message>
         <source>Open a bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bench file (.toml): what stands in the lab, on which lines</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -573,6 +561,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Go on later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -582,10 +574,6 @@
     </message>
     <message>
         <source>The window goes out of sight, and comes back when you are needed or the run has ended.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Resume later</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -827,6 +815,14 @@
     </message>
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils at zero, by their supplies and by the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference sees more change than a mounting makes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1082,7 +1078,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
+        <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next the platform looks for its zero and turns to {0}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1103,10 +1103,6 @@
     </message>
     <message>
         <source>The platform turns to {0}°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The platform looks for its zero and turns to {0}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1690,23 +1686,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
+        <source>Look at its panel, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
+        <source>Look for what holds it, home it and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
+        <source>Look at the stage, home it and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2322,7 +2318,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
+        <source>0: as fast as timing and the range allow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3262,11 +3258,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms beside declared errors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it alone takes {0} nT off the held-out rms</source>
+        <source>it alone takes {0} nT off the held-out rms beside declared errors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4162,10 +4158,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}: {1} nT, within which the zero lies</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4690,6 +4682,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>what a person is asked, {0}× in all:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>DUT {0} axis: angle off its direction</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4698,7 +4694,75 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>mounting and zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambient field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field downwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field upwards again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} m, DUT away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} m, {1} up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the platform rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4711,10 +4775,6 @@
     </message>
     <message>
         <source>about {0} min, without a person&apos;s steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>what a person is asked:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5691,6 +5751,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5707,7 +5771,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} % of the circle</source>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5736,10 +5804,6 @@
     </message>
     <message>
         <source>What happens now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How much of the turn this segment has seen, in sectors of 15°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5844,6 +5908,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>These figures are beside the errors that the run declares; above they are in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5904,6 +5972,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Band: the noise of one axis of one row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rms beside declared errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5921,14 +5997,6 @@ after this step …</source>
     </message>
     <message>
         <source>Trace the residual of this run to its cause.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6203,10 +6271,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ handed out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Fit the run</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6235,11 +6299,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hand it out</source>
+        <source>Hand it out, as {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hand it out, as PROVISIONAL</source>
+        <source>Hand it out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6606,6 +6670,10 @@ after this step …</source>
 <context>
     <name>SidePanel</name>
     <message>
+        <source>Whether hands have to be off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6733,6 +6801,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Until when it is good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6764,7 +6836,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
+        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7065,6 +7137,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Whether hands have to be off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>COILS OFF   F12</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7222,6 +7298,10 @@ after this step …</source>
     </message>
     <message>
         <source>Leads swapped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leads put back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7430,6 +7510,10 @@ after this step …</source>
     </message>
     <message>
         <source>mount it with body {0} up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mount it as at first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7801,10 +7885,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>noise alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no fields all round at one magnitude: see field-sphere</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8097,6 +8177,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} and {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8273,6 +8357,22 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Good until {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No last day of use is stated: it never expires by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That day is stated by who approves (2), by the interval of your lab; labcal works none out here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So it was stated when it was approved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8281,15 +8381,31 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed out as {0}. Next: another DUT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PROVISIONAL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>handed out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>As AMBIGUOUS: why is said above.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8381,6 +8497,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>HANDS OFF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8466,6 +8590,50 @@ after this step …</source>
     </message>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: see to plug, power and cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read all asks again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -216,8 +216,8 @@
         <translation>Datei öffnen …</translation>
     </message>
     <message>
-        <source>A bench.toml: what stands in the lab, on which lines</source>
-        <translation>Eine bench.toml: was im Labor steht, an welchen Leitungen</translation>
+        <source>A bench file (.toml): what stands in the lab, on which lines</source>
+        <translation>Eine Messplatzdatei (.toml): was im Labor steht, an welchen Leitungen</translation>
     </message>
     <message>
         <source>Simulated lab</source>
@@ -298,18 +298,6 @@
     <message>
         <source>{0}, simulated</source>
         <translation>{0}, simuliert</translation>
-    </message>
-    <message>
-        <source>{0}: see to plug, power and cable. Read all asks again.</source>
-        <translation>{0}: nach Stecker, Strom und Kabel sehen. „Alle lesen“ fragt wieder.</translation>
-    </message>
-    <message>
-        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
-        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -570,11 +558,11 @@
     </message>
     <message>
         <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
-        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, kann aber nicht fortgesetzt werden.</translation>
+        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, es geht damit aber nicht weiter.</translation>
     </message>
     <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
-        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Fortsetzen auf der Startseite.</translation>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Was fehlt, wird später gemessen: Weiter, auf der Startseite.</translation>
     </message>
     <message>
         <source>Keep running behind</source>
@@ -585,8 +573,8 @@
         <translation>Das Fenster verschwindet und kommt wieder, wenn Sie gebraucht werden oder die Messung zu Ende ist.</translation>
     </message>
     <message>
-        <source>Resume later</source>
-        <translation>Später fortsetzen</translation>
+        <source>Go on later</source>
+        <translation>Später weiter</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -828,6 +816,14 @@
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
         <translation>das Umgebungsfeld der Referenz ist von vor dem letzten Griff an den Prüfling</translation>
+    </message>
+    <message>
+        <source>coils at zero, by their supplies and by the field</source>
+        <translation>Spulen auf null, nach ihren Netzgeräten und nach dem Feld</translation>
+    </message>
+    <message>
+        <source>the reference sees more change than a mounting makes</source>
+        <translation>die Referenz sieht eine größere Änderung, als ein Einbau macht</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -1082,8 +1078,12 @@
         <translation>Der Tisch dreht auf {0}°. Hände weg?</translation>
     </message>
     <message>
-        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
-        <translation>Der Tisch sucht seine Null und dreht auf {0}°. Hände weg?</translation>
+        <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation>Als Nächstes sucht der Tisch seine Null und dreht auf {0}°. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Next the platform looks for its zero and turns to {0}°.</source>
+        <translation>Als Nächstes sucht der Tisch seine Null und dreht auf {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT.</source>
@@ -1104,10 +1104,6 @@
     <message>
         <source>The platform turns to {0}°.</source>
         <translation>Die Plattform dreht sich auf {0}°.</translation>
-    </message>
-    <message>
-        <source>The platform looks for its zero and turns to {0}°.</source>
-        <translation>Die Plattform sucht ihren Nullpunkt und dreht sich auf {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
@@ -1243,7 +1239,7 @@
     </message>
     <message>
         <source>{0} cannot go on after an interruption: start it anew</source>
-        <translation>{0} kann nach einer Unterbrechung nicht fortgesetzt werden: neu beginnen</translation>
+        <translation>{0} kann nach einer Unterbrechung nicht weiter: neu beginnen</translation>
     </message>
     <message>
         <source>{0}: there is no such file</source>
@@ -1690,24 +1686,24 @@
         <translation>Ist es das Gerät, das bench.toml nennt, und stimmt seine Verbindung?</translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
-        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen Schritt neu beginnen.</translation>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
+        <translation>Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
-        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann diesen Schritt neu beginnen.</translation>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
+        <translation>Ist es das Gerät, das bench.toml nennt? Das Kabel ansehen, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
-        <translation>Seine Anzeige ansehen, dann diesen Schritt neu beginnen.</translation>
+        <source>Look at its panel, then try again.</source>
+        <translation>Seine Anzeige ansehen, dann noch einmal.</translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
-        <translation>Suchen, was es aufhält, es auf null fahren und diesen Schritt neu beginnen.</translation>
+        <source>Look for what holds it, home it and try again.</source>
+        <translation>Suchen, was es aufhält, es auf null fahren und noch einmal.</translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
-        <translation>Den Tisch ansehen, auf null fahren und diesen Schritt neu beginnen.</translation>
+        <source>Look at the stage, home it and try again.</source>
+        <translation>Den Tisch ansehen, auf null fahren und noch einmal.</translation>
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
@@ -2322,8 +2318,8 @@
         <translation>wie genau die Achse steht; 0: nicht genannt</translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
-        <translation>0: so schnell, wie timing_nT und der Bereich es erlauben</translation>
+        <source>0: as fast as timing and the range allow</source>
+        <translation>0: so schnell, wie die Zeiten und der Bereich es erlauben</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -3262,12 +3258,12 @@
         <translation>die zurückgehaltene rms fällt von {0} auf {1} nT</translation>
     </message>
     <message>
-        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
-        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms</translation>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms beside declared errors</source>
+        <translation>mit den anderen von {0} darin nimmt sie allein {1} nT von der zurückgehaltenen rms neben angegebenen Fehlern</translation>
     </message>
     <message>
-        <source>it alone takes {0} nT off the held-out rms</source>
-        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms</translation>
+        <source>it alone takes {0} nT off the held-out rms beside declared errors</source>
+        <translation>sie allein nimmt {0} nT von der zurückgehaltenen rms neben angegebenen Fehlern</translation>
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
@@ -4162,10 +4158,6 @@
         <translation>Referenz: die Achsen sind linkshändig</translation>
     </message>
     <message>
-        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
-        <translation>Achsenprüfung: {0}. Ist der Prüfling wie verlangt eingebaut? Dann seine Achsen ansehen.</translation>
-    </message>
-    <message>
         <source>{0}: {1} nT, within which the zero lies</source>
         <translation>{0}: {1} nT, innerhalb deren der Nullpunkt liegt</translation>
     </message>
@@ -4690,6 +4682,10 @@
         <translation>dreht zwischen {0} und {1}°, am schnellsten mit {2} °/s; die Grenze des Prüflings in bench.toml ist {3} °/s</translation>
     </message>
     <message>
+        <source>what a person is asked, {0}× in all:</source>
+        <translation>was ein Mensch gefragt wird, insgesamt {0}×:</translation>
+    </message>
+    <message>
         <source>DUT {0} axis: angle off its direction</source>
         <translation>Prüfling, Achse {0}: Winkel zu ihrer Richtung</translation>
     </message>
@@ -4698,8 +4694,76 @@
         <translation>Referenz, Achse {0}: Winkel zu ihrer Richtung</translation>
     </message>
     <message>
+        <source>mounting and zero</source>
+        <translation>Einbau und Nullmessung</translation>
+    </message>
+    <message>
+        <source>ambient field</source>
+        <translation>Umgebungsfeld</translation>
+    </message>
+    <message>
+        <source>mains</source>
+        <translation>Netzfrequenz</translation>
+    </message>
+    <message>
+        <source>field before</source>
+        <translation>Feld davor</translation>
+    </message>
+    <message>
+        <source>field after</source>
+        <translation>Feld danach</translation>
+    </message>
+    <message>
+        <source>field upwards</source>
+        <translation>Feld aufwärts</translation>
+    </message>
+    <message>
+        <source>field downwards</source>
+        <translation>Feld abwärts</translation>
+    </message>
+    <message>
+        <source>field upwards again</source>
+        <translation>Feld wieder aufwärts</translation>
+    </message>
+    <message>
+        <source>{0} m, DUT away</source>
+        <translation>{0} m, ohne Prüfling</translation>
+    </message>
+    <message>
+        <source>{0} m, {1} up</source>
+        <translation>{0} m, {1} oben</translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation>Nachprüfung</translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation>Abdeckungen</translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation>Batterien</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>phones</source>
+        <translation>Telefone</translation>
+    </message>
+    <message>
+        <source>chairs</source>
+        <translation>Stühle</translation>
+    </message>
+    <message>
         <source>the platform rests</source>
         <translation>der Tisch ruht</translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
+        <translation>Achsenprüfung: {0}. Neu einbauen, wenn er nicht wie verlangt eingebaut ist; sonst seine Achsen ansehen.</translation>
     </message>
     <message>
         <source>DUT kept within {0} to {1} °C</source>
@@ -4712,10 +4776,6 @@
     <message>
         <source>about {0} min, without a person&apos;s steps</source>
         <translation>etwa {0} min, ohne die Schritte eines Menschen</translation>
-    </message>
-    <message>
-        <source>what a person is asked:</source>
-        <translation>was ein Mensch gefragt wird:</translation>
     </message>
     <message>
         <source>{0}: missing sectors</source>
@@ -5719,8 +5779,12 @@
         <translation>Was jetzt geschieht</translation>
     </message>
     <message>
-        <source>How much of the turn this segment has seen, in sectors of 15°</source>
-        <translation>Wie viel der Drehung dieser Abschnitt gesehen hat, in Sektoren von 15°</translation>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, diese Drehung: {1} % des Kreises</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0}: {1} % des Kreises</translation>
     </message>
     <message>
         <source>Here that is Go on: what was finished is kept.</source>
@@ -5743,6 +5807,10 @@
         <translation>Weiter</translation>
     </message>
     <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Wie viel des Kreises die Drehung um diese Achse gesehen hat, in Sektoren von 15°</translation>
+    </message>
+    <message>
         <source>Pausing
 after this step …</source>
         <translation>Pause nach
@@ -5755,10 +5823,6 @@ diesem Schritt …</translation>
     <message>
         <source>{0} Or Close, and begin anew.</source>
         <translation>{0} Oder Schließen und neu beginnen.</translation>
-    </message>
-    <message>
-        <source>{0} % of the circle</source>
-        <translation>{0} % des Kreises</translation>
     </message>
 </context>
 <context>
@@ -5853,8 +5917,16 @@ diesem Schritt …</translation>
         <translation>Rauschen k=2</translation>
     </message>
     <message>
+        <source>Band: the noise of one axis of one row</source>
+        <translation>Band: das Rauschen einer Achse einer Zeile</translation>
+    </message>
+    <message>
         <source>2  What could cause it</source>
         <translation>2  Mögliche Ursachen</translation>
+    </message>
+    <message>
+        <source>Rms beside declared errors</source>
+        <translation>Rms neben angegebenen Fehlern</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
@@ -5905,12 +5977,8 @@ diesem Schritt …</translation>
         <translation>sucht … {0}</translation>
     </message>
     <message>
-        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
-        <translation>Hier neben den Fehlern, die die Messung von Referenz und Einbau angibt; oben mit ihnen.</translation>
-    </message>
-    <message>
-        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation>vorher → nachher, zurückgehaltene rms des Vektors; Rauschen allein: {0} nT, {1}</translation>
+        <source>These figures are beside the errors that the run declares; above they are in it.</source>
+        <translation>Diese Zahlen sind neben den Fehlern, die die Messung angibt; oben sind sie darin.</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -6149,7 +6217,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
-        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start fortsetzen.</translation>
+        <translation>Was sie noch nicht gemessen hat, würde fehlen: auf der Seite Start weiter.</translation>
     </message>
     <message>
         <source>Run {0} {1}. {2}</source>
@@ -6189,7 +6257,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go on with the run</source>
-        <translation>Messung fortsetzen</translation>
+        <translation>Weiter mit der Messung</translation>
     </message>
     <message>
         <source>Mend {0}</source>
@@ -6202,10 +6270,6 @@ diesem Schritt …</translation>
     <message>
         <source>See what is found</source>
         <translation>Sehen, was gefunden wird</translation>
-    </message>
-    <message>
-        <source>✓ handed out</source>
-        <translation>✓ übergeben</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -6236,12 +6300,12 @@ diesem Schritt …</translation>
         <translation>Der nächste Prüfling</translation>
     </message>
     <message>
-        <source>Hand it out</source>
-        <translation>Ausgeben</translation>
+        <source>Hand it out, as {0}</source>
+        <translation>Ausgeben, als {0}</translation>
     </message>
     <message>
-        <source>Hand it out, as PROVISIONAL</source>
-        <translation>Ausgeben, als VORLÄUFIG</translation>
+        <source>Hand it out</source>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -6607,6 +6671,10 @@ diesem Schritt …</translation>
 <context>
     <name>SidePanel</name>
     <message>
+        <source>Whether hands have to be off</source>
+        <translation>Ob die Hände weg sein müssen</translation>
+    </message>
+    <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
         <translation>Einheit der Anzeige wechseln: nT, µT, mG. Eingabefelder behalten ihre.</translation>
     </message>
@@ -6734,6 +6802,10 @@ diesem Schritt …</translation>
         <translation>Die Datei signieren, wie sie ist</translation>
     </message>
     <message>
+        <source>Until when it is good</source>
+        <translation>Bis wann sie gilt</translation>
+    </message>
+    <message>
         <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
         <translation>Der Name des Schlüssels ist {0}, aus „{1}“; oder einen anderen tippen.</translation>
     </message>
@@ -6765,8 +6837,8 @@ diesem Schritt …</translation>
         <translation>Das Fenster brach ab und wurde neu gestartet. Was es zuletzt sagte, liegt in {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
-        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start fortsetzen.</translation>
+        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
+        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start weiter.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6845,7 +6917,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Eine Messung von {0} brach ab: unten fortsetzen, oder neu messen.</translation>
+        <translation>▲ Eine Messung von {0} brach ab: unten weiter, oder neu messen.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -6945,7 +7017,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Go on with  {0}</source>
-        <translation>Fortsetzen:  {0}</translation>
+        <translation>Weiter mit:  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -7064,6 +7136,10 @@ diesem Schritt …</translation>
     <message>
         <source>SIMULATED</source>
         <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Whether hands have to be off</source>
+        <translation>Ob die Hände weg sein müssen</translation>
     </message>
     <message>
         <source>COILS OFF   F12</source>
@@ -7224,6 +7300,10 @@ diesem Schritt …</translation>
     <message>
         <source>Leads swapped</source>
         <translation>Anschlüsse getauscht</translation>
+    </message>
+    <message>
+        <source>Leads put back</source>
+        <translation>Anschlüsse zurückgetauscht</translation>
     </message>
     <message>
         <source>Switched</source>
@@ -7432,6 +7512,10 @@ diesem Schritt …</translation>
     <message>
         <source>mount it with body {0} up</source>
         <translation>mit Körper {0} oben einbauen</translation>
+    </message>
+    <message>
+        <source>mount it as at first</source>
+        <translation>wie am Anfang einbauen</translation>
     </message>
     <message>
         <source>current {0}</source>
@@ -7842,10 +7926,6 @@ diesem Schritt …</translation>
         <translation>zurückgehaltene rms  nT</translation>
     </message>
     <message>
-        <source>noise alone</source>
-        <translation>Rauschen allein</translation>
-    </message>
-    <message>
         <source>no fields all round at one magnitude: see field-sphere</source>
         <translation>keine Felder ringsum bei einem Betrag: siehe field-sphere</translation>
     </message>
@@ -8098,6 +8178,10 @@ diesem Schritt …</translation>
         <translation>Etwas stimmt nicht, was nichts Bekanntes erklärt. Nicht unterschreiben: siehe 4.</translation>
     </message>
     <message>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
+    </message>
+    <message>
         <source>{0} and {1}</source>
         <translation>{0} und {1}</translation>
     </message>
@@ -8179,7 +8263,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
-        <translation>Er kann nicht fortgesetzt werden: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
+        <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -8274,6 +8358,22 @@ diesem Schritt …</translation>
         <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
     <message>
+        <source>Good until {0}.</source>
+        <translation>Gilt bis {0}.</translation>
+    </message>
+    <message>
+        <source>No last day of use is stated: it never expires by itself.</source>
+        <translation>Kein letzter Tag ist angegeben: Sie läuft nie von selbst ab.</translation>
+    </message>
+    <message>
+        <source>That day is stated by who approves (2), by the interval of your lab; labcal works none out here.</source>
+        <translation>Diesen Tag gibt an, wer genehmigt (2), nach der Frist Ihres Labors; labcal berechnet hier keinen.</translation>
+    </message>
+    <message>
+        <source>So it was stated when it was approved.</source>
+        <translation>So wurde es bei der Genehmigung angegeben.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
     </message>
@@ -8282,16 +8382,32 @@ diesem Schritt …</translation>
         <translation>eine andere</translation>
     </message>
     <message>
+        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
+        <translation>Als VORLÄUFIG und MEHRDEUTIG: Warum, steht oben.</translation>
+    </message>
+    <message>
+        <source>Handed out as {0}. Next: another DUT.</source>
+        <translation>Ausgegeben als {0}. Als Nächstes: ein anderer Prüfling.</translation>
+    </message>
+    <message>
+        <source>PROVISIONAL</source>
+        <translation>VORLÄUFIG</translation>
+    </message>
+    <message>
+        <source>handed out</source>
+        <translation>ausgegeben</translation>
+    </message>
+    <message>
         <source>As AMBIGUOUS: why is said above.</source>
         <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen ist {1} nT. Den Rest erklären.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
+        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT. Den Rest erklären.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -8382,6 +8498,14 @@ diesem Schritt …</translation>
         <translation>HÄNDE WEG – {0}</translation>
     </message>
     <message>
+        <source>HANDS OFF</source>
+        <translation>HÄNDE WEG</translation>
+    </message>
+    <message>
+        <source>▲ Hands out</source>
+        <translation>▲ Hände heraus</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
     </message>
@@ -8468,6 +8592,50 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
         <translation>{0}: {1} A, als zuletzt gelesen wurde, {2}</translation>
+    </message>
+    <message>
+        <source>{0}: see to plug, power and cable.</source>
+        <translation>{0}: Stecker, Strom und Kabel ansehen.</translation>
+    </message>
+    <message>
+        <source>Read all asks again.</source>
+        <translation>„Alles lesen“ fragt wieder.</translation>
+    </message>
+    <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
+        <source>coil x</source>
+        <translation>Spule x</translation>
+    </message>
+    <message>
+        <source>coil y</source>
+        <translation>Spule y</translation>
+    </message>
+    <message>
+        <source>coil z</source>
+        <translation>Spule z</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>interlock</source>
+        <translation>Verriegelung</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
     </message>
 </context>
 <context>

@@ -216,8 +216,8 @@
         <translation>Ouvrir un fichier …</translation>
     </message>
     <message>
-        <source>A bench.toml: what stands in the lab, on which lines</source>
-        <translation>Un bench.toml : ce qui se trouve au laboratoire, sur quelles lignes</translation>
+        <source>A bench file (.toml): what stands in the lab, on which lines</source>
+        <translation>Un fichier de banc (.toml) : ce qui se trouve au labo, sur quelles lignes</translation>
     </message>
     <message>
         <source>Simulated lab</source>
@@ -298,18 +298,6 @@
     <message>
         <source>{0}, simulated</source>
         <translation>{0}, simulé</translation>
-    </message>
-    <message>
-        <source>{0}: see to plug, power and cable. Read all asks again.</source>
-        <translation>{0} : voyez la prise, l&apos;alimentation et le câble. « Tout lire » redemande.</translation>
-    </message>
-    <message>
-        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
-        <translation>Le gardien est perdu. BOBINES À ZÉRO (F12) fonctionne sans lui.</translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Couper à la main : {0}</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -585,8 +573,8 @@
         <translation>La fenêtre disparaît, et revient quand on a besoin de vous ou que la mesure est finie.</translation>
     </message>
     <message>
-        <source>Resume later</source>
-        <translation>Reprendre plus tard</translation>
+        <source>Go on later</source>
+        <translation>Continuer plus tard</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -828,6 +816,14 @@
     <message>
         <source>the reference&apos;s ambient field is from before hands were at the DUT</source>
         <translation>le champ ambiant de la référence date d&apos;avant la dernière intervention sur le DUT</translation>
+    </message>
+    <message>
+        <source>coils at zero, by their supplies and by the field</source>
+        <translation>bobines à zéro, selon leurs alimentations et selon le champ</translation>
+    </message>
+    <message>
+        <source>the reference sees more change than a mounting makes</source>
+        <translation>la référence voit un changement plus grand que celui d’un montage</translation>
     </message>
     <message>
         <source>the reference has sent nothing since the currents settled</source>
@@ -1082,8 +1078,12 @@
         <translation>La plate-forme tourne à {0}°. Mains éloignées ?</translation>
     </message>
     <message>
-        <source>The platform looks for its zero and turns to {0}°. Hands off?</source>
-        <translation>La plate-forme cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
+        <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Next the platform looks for its zero and turns to {0}°.</source>
+        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT.</source>
@@ -1104,10 +1104,6 @@
     <message>
         <source>The platform turns to {0}°.</source>
         <translation>La plateforme tourne à {0}°.</translation>
-    </message>
-    <message>
-        <source>The platform looks for its zero and turns to {0}°.</source>
-        <translation>La plateforme cherche son zéro et tourne à {0}°.</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
@@ -1690,24 +1686,24 @@
         <translation>Est-ce l&apos;appareil que nomme bench.toml, et sa liaison est-elle la bonne ?</translation>
     </message>
     <message>
-        <source>Plug it in, see that nobody else has opened it, then begin this step again.</source>
-        <translation>Le brancher, vérifier que nul autre ne l&apos;a ouvert, puis recommencer cette étape.</translation>
+        <source>Plug it in, see that nobody else has opened it, then try again.</source>
+        <translation>Le brancher, vérifier que nul autre ne l&apos;a ouvert, puis réessayer.</translation>
     </message>
     <message>
-        <source>Is this the instrument that bench.toml names? Look at its cable, then begin this step again.</source>
-        <translation>Est-ce l&apos;appareil que nomme bench.toml ? Examiner son câble, puis recommencer cette étape.</translation>
+        <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
+        <translation>Est-ce l&apos;appareil que nomme bench.toml ? Examiner son câble, puis réessayer.</translation>
     </message>
     <message>
-        <source>Look at its panel, then begin this step again.</source>
-        <translation>Regarder son afficheur, puis recommencer cette étape.</translation>
+        <source>Look at its panel, then try again.</source>
+        <translation>Regarder son afficheur, puis réessayer.</translation>
     </message>
     <message>
-        <source>Look for what holds it, home it and begin this step again.</source>
-        <translation>Chercher ce qui le retient, le remettre à l&apos;origine et recommencer cette étape.</translation>
+        <source>Look for what holds it, home it and try again.</source>
+        <translation>Chercher ce qui le retient, le remettre à l&apos;origine et réessayer.</translation>
     </message>
     <message>
-        <source>Look at the stage, home it and begin this step again.</source>
-        <translation>Examiner la platine, la remettre à l&apos;origine et recommencer cette étape.</translation>
+        <source>Look at the stage, home it and try again.</source>
+        <translation>Examiner la platine, la remettre à l&apos;origine et réessayer.</translation>
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
@@ -2322,8 +2318,8 @@
         <translation>précision du montage de l&apos;axe ; 0 : non indiquée</translation>
     </message>
     <message>
-        <source>0: as fast as timing_nT and the range allow</source>
-        <translation>0 : aussi vite que timing_nT et la plage le permettent</translation>
+        <source>0: as fast as timing and the range allow</source>
+        <translation>0 : aussi vite que les temps et la plage le permettent</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -3262,12 +3258,12 @@
         <translation>le rms mis de côté tombe de {0} à {1} nT</translation>
     </message>
     <message>
-        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms</source>
-        <translation>avec les autres de {0}, elle seule ôte {1} nT du rms mis de côté</translation>
+        <source>with the others of {0} in, it alone takes {1} nT off the held-out rms beside declared errors</source>
+        <translation>avec les autres de {0}, elle seule ôte {1} nT du rms mis de côté, à part les erreurs déclarées</translation>
     </message>
     <message>
-        <source>it alone takes {0} nT off the held-out rms</source>
-        <translation>elle seule ôte {0} nT du rms mis de côté</translation>
+        <source>it alone takes {0} nT off the held-out rms beside declared errors</source>
+        <translation>elle seule ôte {0} nT du rms mis de côté, à part les erreurs déclarées</translation>
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
@@ -4162,10 +4158,6 @@
         <translation>référence : les axes sont gauches</translation>
     </message>
     <message>
-        <source>axes-check: {0}. Is the DUT mounted as asked? Then look at its axes.</source>
-        <translation>contrôle des axes : {0}. Le DUT est-il monté comme demandé ? Alors regardez ses axes.</translation>
-    </message>
-    <message>
         <source>{0}: {1} nT, within which the zero lies</source>
         <translation>{0} : {1} nT, dans lesquels se trouve le zéro</translation>
     </message>
@@ -4211,11 +4203,11 @@
     </message>
     <message>
         <source>goes on after an interruption</source>
-        <translation>reprend après une interruption</translation>
+        <translation>continue après une interruption</translation>
     </message>
     <message>
         <source>goes on</source>
-        <translation>reprend</translation>
+        <translation>continue</translation>
     </message>
     <message>
         <source>coil {0} came to zero without a ramp</source>
@@ -4690,6 +4682,10 @@
         <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s ; la limite du DUT dans bench.toml est {3} °/s</translation>
     </message>
     <message>
+        <source>what a person is asked, {0}× in all:</source>
+        <translation>ce qui est demandé à une personne, {0}× en tout :</translation>
+    </message>
+    <message>
         <source>DUT {0} axis: angle off its direction</source>
         <translation>DUT, axe {0} : angle avec sa direction</translation>
     </message>
@@ -4698,8 +4694,76 @@
         <translation>référence, axe {0} : angle avec sa direction</translation>
     </message>
     <message>
+        <source>mounting and zero</source>
+        <translation>montage et zéro</translation>
+    </message>
+    <message>
+        <source>ambient field</source>
+        <translation>champ ambiant</translation>
+    </message>
+    <message>
+        <source>mains</source>
+        <translation>secteur électrique</translation>
+    </message>
+    <message>
+        <source>field before</source>
+        <translation>champ avant</translation>
+    </message>
+    <message>
+        <source>field after</source>
+        <translation>champ après</translation>
+    </message>
+    <message>
+        <source>field upwards</source>
+        <translation>champ montant</translation>
+    </message>
+    <message>
+        <source>field downwards</source>
+        <translation>champ descendant</translation>
+    </message>
+    <message>
+        <source>field upwards again</source>
+        <translation>champ montant de nouveau</translation>
+    </message>
+    <message>
+        <source>{0} m, DUT away</source>
+        <translation>{0} m, DUT retiré</translation>
+    </message>
+    <message>
+        <source>{0} m, {1} up</source>
+        <translation>{0} m, {1} en haut</translation>
+    </message>
+    <message>
+        <source>verify</source>
+        <translation>vérification</translation>
+    </message>
+    <message>
+        <source>covers</source>
+        <translation>capots</translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation>batteries</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>outils</translation>
+    </message>
+    <message>
+        <source>phones</source>
+        <translation>téléphones</translation>
+    </message>
+    <message>
+        <source>chairs</source>
+        <translation>chaises</translation>
+    </message>
+    <message>
         <source>the platform rests</source>
         <translation>le plateau est au repos</translation>
+    </message>
+    <message>
+        <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
+        <translation>contrôle des axes : {0}. Remontez-le s’il n’est pas monté comme demandé ; sinon, regardez ses axes.</translation>
     </message>
     <message>
         <source>DUT kept within {0} to {1} °C</source>
@@ -4712,10 +4776,6 @@
     <message>
         <source>about {0} min, without a person&apos;s steps</source>
         <translation>environ {0} min, sans les gestes d&apos;une personne</translation>
-    </message>
-    <message>
-        <source>what a person is asked:</source>
-        <translation>ce qui est demandé à une personne :</translation>
     </message>
     <message>
         <source>{0}: missing sectors</source>
@@ -5719,8 +5779,12 @@
         <translation>Ce qui se passe</translation>
     </message>
     <message>
-        <source>How much of the turn this segment has seen, in sectors of 15°</source>
-        <translation>Part du tour vue par ce segment, en secteurs de 15°</translation>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, ce tour : {1} % du cercle</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0} : {1} % du cercle</translation>
     </message>
     <message>
         <source>Here that is Go on: what was finished is kept.</source>
@@ -5743,6 +5807,10 @@
         <translation>Continuer</translation>
     </message>
     <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Part du cercle vue par le tour autour de cet axe, en secteurs de 15°</translation>
+    </message>
+    <message>
         <source>Pausing
 after this step …</source>
         <translation>Pause après
@@ -5755,10 +5823,6 @@ cette étape …</translation>
     <message>
         <source>{0} Or Close, and begin anew.</source>
         <translation>{0} Ou Fermer, et recommencer.</translation>
-    </message>
-    <message>
-        <source>{0} % of the circle</source>
-        <translation>{0} % du cercle</translation>
     </message>
 </context>
 <context>
@@ -5853,8 +5917,16 @@ cette étape …</translation>
         <translation>bruit k=2</translation>
     </message>
     <message>
+        <source>Band: the noise of one axis of one row</source>
+        <translation>Bande : le bruit d’un axe d’une ligne</translation>
+    </message>
+    <message>
         <source>2  What could cause it</source>
         <translation>2  Causes possibles</translation>
+    </message>
+    <message>
+        <source>Rms beside declared errors</source>
+        <translation>Rms à part les erreurs déclarées</translation>
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
@@ -5905,12 +5977,8 @@ cette étape …</translation>
         <translation>recherche … {0}</translation>
     </message>
     <message>
-        <source>Here beside the errors that the run declares of its reference and mounting; above with them.</source>
-        <translation>Ici à part les erreurs que la mesure déclare de sa référence et du montage ; en haut avec elles.</translation>
-    </message>
-    <message>
-        <source>before → after, held-out rms of the vector; noise alone: {0} nT, {1}</source>
-        <translation>avant → après, rms mis de côté du vecteur ; bruit seul : {0} nT, {1}</translation>
+        <source>These figures are beside the errors that the run declares; above they are in it.</source>
+        <translation>Ces chiffres sont à part les erreurs que la mesure déclare ; en haut elles y sont.</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -6149,7 +6217,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
-        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : reprenez à la page Accueil.</translation>
+        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : continuez à la page Accueil.</translation>
     </message>
     <message>
         <source>Run {0} {1}. {2}</source>
@@ -6189,7 +6257,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Go on with the run</source>
-        <translation>Reprendre la mesure</translation>
+        <translation>Continuer la mesure</translation>
     </message>
     <message>
         <source>Mend {0}</source>
@@ -6202,10 +6270,6 @@ cette étape …</translation>
     <message>
         <source>See what is found</source>
         <translation>Voir ce qui est trouvé</translation>
-    </message>
-    <message>
-        <source>✓ handed out</source>
-        <translation>✓ remis</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -6236,12 +6300,12 @@ cette étape …</translation>
         <translation>Le DUT suivant</translation>
     </message>
     <message>
-        <source>Hand it out</source>
-        <translation>Remettre</translation>
+        <source>Hand it out, as {0}</source>
+        <translation>Remettre, comme {0}</translation>
     </message>
     <message>
-        <source>Hand it out, as PROVISIONAL</source>
-        <translation>Remettre, comme PROVISOIRE</translation>
+        <source>Hand it out</source>
+        <translation>Remettre</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -6607,6 +6671,10 @@ cette étape …</translation>
 <context>
     <name>SidePanel</name>
     <message>
+        <source>Whether hands have to be off</source>
+        <translation>S’il faut tenir les mains loin</translation>
+    </message>
+    <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
         <translation>Changer l&apos;unité affichée : nT, µT, mG. Les champs de saisie gardent la leur.</translation>
     </message>
@@ -6734,6 +6802,10 @@ cette étape …</translation>
         <translation>Signer le fichier tel qu&apos;il est</translation>
     </message>
     <message>
+        <source>Until when it is good</source>
+        <translation>Jusqu’à quand il est valable</translation>
+    </message>
+    <message>
         <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
         <translation>Le nom de la clé est {0}, tiré de « {1} » ; ou en taper un autre.</translation>
     </message>
@@ -6765,8 +6837,8 @@ cette étape …</translation>
         <translation>La fenêtre s&apos;est interrompue et a été relancée. Ses derniers mots sont gardés dans {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
-        <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : reprenez-la à l&apos;Accueil.</translation>
+        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
+        <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : continuez-la à l&apos;Accueil.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6777,7 +6849,7 @@ cette étape …</translation>
     <name>StartPage</name>
     <message>
         <source>▲ Interrupted: to be gone on with</source>
-        <translation>▲ Interrompues : à reprendre</translation>
+        <translation>▲ Interrompues : à continuer</translation>
     </message>
     <message>
         <source>Check the cage</source>
@@ -6845,7 +6917,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Une mesure de {0} s&apos;est interrompue : la reprendre ci-dessous, ou mesurer de nouveau.</translation>
+        <translation>▲ Une mesure de {0} s&apos;est interrompue : la continuer ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
@@ -6945,7 +7017,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Go on with  {0}</source>
-        <translation>Reprendre  {0}</translation>
+        <translation>Continuer  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -7064,6 +7136,10 @@ cette étape …</translation>
     <message>
         <source>SIMULATED</source>
         <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>Whether hands have to be off</source>
+        <translation>S’il faut tenir les mains loin</translation>
     </message>
     <message>
         <source>COILS OFF   F12</source>
@@ -7224,6 +7300,10 @@ cette étape …</translation>
     <message>
         <source>Leads swapped</source>
         <translation>Fils inversés</translation>
+    </message>
+    <message>
+        <source>Leads put back</source>
+        <translation>Fils remis</translation>
     </message>
     <message>
         <source>Switched</source>
@@ -7432,6 +7512,10 @@ cette étape …</translation>
     <message>
         <source>mount it with body {0} up</source>
         <translation>le monter avec corps {0} en haut</translation>
+    </message>
+    <message>
+        <source>mount it as at first</source>
+        <translation>le monter comme au début</translation>
     </message>
     <message>
         <source>current {0}</source>
@@ -7842,10 +7926,6 @@ cette étape …</translation>
         <translation>rms mis de côté  nT</translation>
     </message>
     <message>
-        <source>noise alone</source>
-        <translation>bruit seul</translation>
-    </message>
-    <message>
         <source>no fields all round at one magnitude: see field-sphere</source>
         <translation>pas de champs tout autour à un même module : voir field-sphere</translation>
     </message>
@@ -8098,6 +8178,10 @@ cette étape …</translation>
         <translation>Quelque chose ne va pas que rien de connu n&apos;explique. Ne signez pas : voir 4.</translation>
     </message>
     <message>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
+    </message>
+    <message>
         <source>{0} and {1}</source>
         <translation>{0} et {1}</translation>
     </message>
@@ -8195,11 +8279,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>No turn was finished: Go on begins with the first step again, and uses nothing of what was measured.</source>
-        <translation>Aucune rotation n’est terminée : Continuer reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+        <translation>Aucune rotation n’est terminée : Continuer commence de nouveau à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
-        <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela reprend à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela recommence à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>Nothing was measured: Go on begins with the first step.</source>
@@ -8274,6 +8358,22 @@ cette étape …</translation>
         <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
     <message>
+        <source>Good until {0}.</source>
+        <translation>Valable jusqu’au {0}.</translation>
+    </message>
+    <message>
+        <source>No last day of use is stated: it never expires by itself.</source>
+        <translation>Aucun dernier jour n’est indiqué : il n’expire jamais de lui-même.</translation>
+    </message>
+    <message>
+        <source>That day is stated by who approves (2), by the interval of your lab; labcal works none out here.</source>
+        <translation>Ce jour est indiqué par qui approuve (2), selon l’intervalle de votre labo ; labcal n’en calcule aucun ici.</translation>
+    </message>
+    <message>
+        <source>So it was stated when it was approved.</source>
+        <translation>Ainsi indiqué à l’approbation.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>AMBIGU : {0} est provisoire ; {1} peut aussi être la cause.</translation>
     </message>
@@ -8282,16 +8382,32 @@ cette étape …</translation>
         <translation>une autre</translation>
     </message>
     <message>
+        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
+        <translation>Comme PROVISOIRE et AMBIGU : la raison est dite plus haut.</translation>
+    </message>
+    <message>
+        <source>Handed out as {0}. Next: another DUT.</source>
+        <translation>Remis comme {0}. Ensuite : un autre DUT.</translation>
+    </message>
+    <message>
+        <source>PROVISIONAL</source>
+        <translation>PROVISOIRE</translation>
+    </message>
+    <message>
+        <source>handed out</source>
+        <translation>remis</translation>
+    </message>
+    <message>
         <source>As AMBIGUOUS: why is said above.</source>
         <translation>Comme AMBIGU : pourquoi, c&apos;est dit plus haut.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré de |b| d&apos;une lecture, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the stated noise is {1} nT. Trace the residual.</source>
-        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué est de {1} nT. Expliquer le résidu.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
+        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT. Expliquer le résidu.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -8382,6 +8498,14 @@ cette étape …</translation>
         <translation>MAINS LOIN – {0}</translation>
     </message>
     <message>
+        <source>HANDS OFF</source>
+        <translation>MAINS LOIN</translation>
+    </message>
+    <message>
+        <source>▲ Hands out</source>
+        <translation>▲ Mains dehors</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0} : pas de réponse de {1}</translation>
     </message>
@@ -8468,6 +8592,50 @@ cette étape …</translation>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
         <translation>{0} : {1} A à la dernière lecture, {2}</translation>
+    </message>
+    <message>
+        <source>{0}: see to plug, power and cable.</source>
+        <translation>{0} : voir prise, alimentation et câble.</translation>
+    </message>
+    <message>
+        <source>Read all asks again.</source>
+        <translation>« Tout lire » interroge de nouveau.</translation>
+    </message>
+    <message>
+        <source>The guardian is lost. COILS OFF (F12) works without it.</source>
+        <translation>Le gardien est perdu. BOBINES À ZÉRO (F12) fonctionne sans lui.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
+    <message>
+        <source>coil x</source>
+        <translation>bobine x</translation>
+    </message>
+    <message>
+        <source>coil y</source>
+        <translation>bobine y</translation>
+    </message>
+    <message>
+        <source>coil z</source>
+        <translation>bobine z</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>contacts</translation>
+    </message>
+    <message>
+        <source>interlock</source>
+        <translation>verrouillage</translation>
+    </message>
+    <message>
+        <source>platform</source>
+        <translation>plate-forme</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
     </message>
 </context>
 <context>

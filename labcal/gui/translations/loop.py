@@ -55,8 +55,10 @@ REASONS = (  # of the verdict and of each candidate
     QT_TRANSLATE_NOOP("Data", "No effect was searched in such data."),
     QT_TRANSLATE_NOOP("Data", "with the others of {0} in, the held-out rms falls from {1} to {2} nT"),
     QT_TRANSLATE_NOOP("Data", "the held-out rms falls from {0} to {1} nT"),
-    QT_TRANSLATE_NOOP("Data", "with the others of {0} in, it alone takes {1} nT off the held-out rms"),
-    QT_TRANSLATE_NOOP("Data", "it alone takes {0} nT off the held-out rms"),
+    QT_TRANSLATE_NOOP(
+        "Data", "with the others of {0} in, it alone takes {1} nT off the held-out rms beside declared errors"
+    ),
+    QT_TRANSLATE_NOOP("Data", "it alone takes {0} nT off the held-out rms beside declared errors"),
     QT_TRANSLATE_NOOP("Data", "evidence over a slow wander without a name: {0}"),
     QT_TRANSLATE_NOOP("Data", "{0} nats, {1} needed"),
     QT_TRANSLATE_NOOP("Data", "no better than chance or a slow wander: evidence {0}"),

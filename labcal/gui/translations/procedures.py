@@ -187,7 +187,7 @@ SETTINGS = (  # what each is
     QT_TRANSLATE_NOOP("Data", "recorded in each field"),
     QT_TRANSLATE_NOOP("Data", "fields that no fit sees, at the end"),
     QT_TRANSLATE_NOOP("Data", "how well the axis is mounted; 0: not stated"),
-    QT_TRANSLATE_NOOP("Data", "0: as fast as timing_nT and the range allow"),
+    QT_TRANSLATE_NOOP("Data", "0: as fast as timing and the range allow"),
     QT_TRANSLATE_NOOP("Data", "error that timing may make"),
     QT_TRANSLATE_NOOP("Data", "0: continuous, else stepped"),
     QT_TRANSLATE_NOOP("Data", "coils-off zero before"),

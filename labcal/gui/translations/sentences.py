@@ -46,6 +46,8 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "the reference does not answer"),
     QT_TRANSLATE_NOOP("Data", "the reference has no ambient field to compare with yet"),
     QT_TRANSLATE_NOOP("Data", "the reference's ambient field is from before hands were at the DUT"),
+    QT_TRANSLATE_NOOP("Data", "coils at zero, by their supplies and by the field"),
+    QT_TRANSLATE_NOOP("Data", "the reference sees more change than a mounting makes"),
     QT_TRANSLATE_NOOP("Data", "the reference has sent nothing since the currents settled"),
     QT_TRANSLATE_NOOP("Data", "the reference is not streaming"),
     QT_TRANSLATE_NOOP("Data", "the reference is at its full scale and cannot vouch for it"),
@@ -133,13 +135,13 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "The coils go to {0} A. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The coils go to {0} A, and the platform may turn. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The platform turns to {0}°. Hands off?"),
-    QT_TRANSLATE_NOOP("Data", "The platform looks for its zero and turns to {0}°. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Next the platform looks for its zero and turns to {0}°. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT."),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, and the platform may turn."),
     QT_TRANSLATE_NOOP("Data", "The coils go to {0} A."),
     QT_TRANSLATE_NOOP("Data", "The coils go to {0} A, and the platform may turn."),
     QT_TRANSLATE_NOOP("Data", "The platform turns to {0}°."),
-    QT_TRANSLATE_NOOP("Data", "The platform looks for its zero and turns to {0}°."),
+    QT_TRANSLATE_NOOP("Data", "Next the platform looks for its zero and turns to {0}°."),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, the platform turns. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT and stays. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, later with the DUT turning in it. Hands off?"),
@@ -190,7 +192,21 @@ BLANKS = dict.fromkeys(OF_RUNS, IN_ONE_SENTENCE) | dict.fromkeys(SHAPES, IN_ONE_
 PLACE = re.compile(r"\{\d\}")
 NUMBER = re.compile(r"[+−-]?\d+\.\d+")
 
+BENCH_FILE = "bench.toml"  # so labcal's own sentences call whichever bench file is in use
+ALONE = re.compile(rf"(?<![\w./\\-]){re.escape(BENCH_FILE)}\b")  # and not at the end of somebody's path
+
 Found = tuple[str, tuple[str, ...]]
+
+
+class BenchFile:
+    """What the bench file in use is called."""
+
+    name = BENCH_FILE
+
+
+def of_this_bench(advice: str) -> str:
+    """What is to be done, with the bench file's own name where it speaks of it."""
+    return ALONE.sub(lambda _: BenchFile.name, advice)
 
 
 def in_words(sentence: str) -> str:
@@ -213,7 +229,10 @@ def name_in_words(name: str) -> str:
 
 
 def _filled_in(form: str, blanks: tuple[str, ...]) -> str:
-    return _by_locale(QCoreApplication.translate("Data", form).format(*map(_part, blanks)))
+    said = QCoreApplication.translate("Data", form)
+    if BENCH_FILE in form:
+        said = said.replace(BENCH_FILE, BenchFile.name.replace("{", "{{").replace("}", "}}"))
+    return _by_locale(said.format(*map(_part, blanks)))
 
 
 def _part(text: str) -> str:

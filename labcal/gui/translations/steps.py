@@ -15,7 +15,9 @@ EVENTS = (
     QT_TRANSLATE_NOOP("Data", "the reference's {0} axis shows {1}"),
     QT_TRANSLATE_NOOP("Data", "the reference's {0} axis points {1}° beside"),
     QT_TRANSLATE_NOOP("Data", "the reference's axes are left-handed"),
-    QT_TRANSLATE_NOOP("Data", "axes-check: {0}. Is the DUT mounted as asked? Then look at its axes."),
+    QT_TRANSLATE_NOOP(
+        "Data", "axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes."
+    ),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} nT, within which the zero lies"),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} nT is beyond {2} nT; something moved or drifted"),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} is beyond its limit of {2}"),
@@ -188,7 +190,7 @@ PLAN = (
     QT_TRANSLATE_NOOP("Data", "DUT kept within {0} to {1} °C"),
     QT_TRANSLATE_NOOP("Data", "no temperature limits are stated"),
     QT_TRANSLATE_NOOP("Data", "about {0} min, without a person's steps"),
-    QT_TRANSLATE_NOOP("Data", "what a person is asked:"),
+    QT_TRANSLATE_NOOP("Data", "what a person is asked, {0}× in all:"),
 )
 MEASUREMENTS = (
     QT_TRANSLATE_NOOP("Data", "{0}: missing sectors"),
@@ -301,4 +303,22 @@ STEPS = (
     QT_TRANSLATE_NOOP("Data", "backwards"),
     QT_TRANSLATE_NOOP("Data", "room"),
     QT_TRANSLATE_NOOP("Data", "photographs"),
+    QT_TRANSLATE_NOOP("Data", "mounting and zero"),
+    QT_TRANSLATE_NOOP("Data", "ambient field"),
+    QT_TRANSLATE_NOOP("Data", "mains"),
+    QT_TRANSLATE_NOOP("Data", "field before"),
+    QT_TRANSLATE_NOOP("Data", "field after"),
+    QT_TRANSLATE_NOOP("Data", "field upwards"),
+    QT_TRANSLATE_NOOP("Data", "field downwards"),
+    QT_TRANSLATE_NOOP("Data", "field upwards again"),
+    QT_TRANSLATE_NOOP("Data", "{0} m, DUT away"),
+    QT_TRANSLATE_NOOP("Data", "{0} m, {1} up"),
+    QT_TRANSLATE_NOOP("Data", "as it stands"),
+    QT_TRANSLATE_NOOP("Data", "turned by 180° about its {0}"),
+    QT_TRANSLATE_NOOP("Data", "verify"),
+    QT_TRANSLATE_NOOP("Data", "covers"),
+    QT_TRANSLATE_NOOP("Data", "batteries"),
+    QT_TRANSLATE_NOOP("Data", "tools"),
+    QT_TRANSLATE_NOOP("Data", "phones"),
+    QT_TRANSLATE_NOOP("Data", "chairs"),
 )

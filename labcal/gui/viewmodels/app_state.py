@@ -21,15 +21,16 @@ from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure
+from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
-from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.sentences import BenchFile, in_words
 from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import hands_after_run, reference_U
+from labcal.gui.viewmodels.lab_now import LabNow, hands_of, reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.named_serials import NamedSerials
@@ -41,6 +42,7 @@ from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.gui.viewmodels.what_happens import keep_off
 from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
@@ -120,6 +122,7 @@ class AppState(QObject):
         self.lab.update(message="", opening=False)
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
+        BenchFile.name = Path(path).name
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
         self.run.virtual_time = facts.virtual_time
         self.run.links = {name: one.link for name, one in facts.instruments.items()}
@@ -274,6 +277,8 @@ class AppState(QObject):
             return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
         self.run.resume(run_id, self._order(procedure, {}))
+        if not (drawn := self.run.drawn).earlier:  # by another window, or long ago
+            self.quick_worker.request(TellTurned(run_id), drawn.take_earlier, lambda fault: None)
         return self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:
@@ -332,9 +337,15 @@ class AppState(QObject):
 
     def hands(self) -> tuple[str, str]:
         """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
+        return hands_of(self._there())
+
+    def _there(self) -> LabNow:
+        """The lab as it is to hands: an emulated one is no more once its run is over, whatever turned in it."""
         now = self.lab.state.now
-        emulated = self.facts is not None and self.facts.virtual_time and not now.driven
-        return hands_after_run(replace(now, platform_words="", platform_old_s=None) if emulated else now)
+        if self.facts is None or not self.facts.virtual_time or now.driven:
+            return now
+        read = now.coil_words != state.NOT_READ
+        return replace(now, coil_words=now.coil_words if read else "", platform_words="", platform_old_s=None)
 
     @property
     def known(self) -> state.LabState | None:
@@ -350,6 +361,7 @@ class AppState(QObject):
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
+        self.lab.update(keep_off=keep_off(self.run, self._there()))
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:
             self.kept.warned = True
             self.off.say_what_is_missed()
@@ -369,8 +381,8 @@ class AppState(QObject):
             self._taken, self.kept.asked = run.lab, False
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
-        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}
-        self.lab.update(message=run.message, waiting=waits.get(run.state, ""))
+        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
+        self.lab.update(message=run.message, waiting=waits, keep_off=keep_off(run, self._there()))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""

@@ -15,12 +15,17 @@ AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements 
     "delay": "delay {axis}",
     "closure": "closure {axis}",
 }
+AT_A_CLOSURE = ("delay", "closure")  # of these, what a run looks at only where it closes the axis
 
 
-def axis_checks(axis: str, measured: Mapping[str, Measurement]) -> dict[str, str]:
-    """The worst verdict of each of `AXIS_CHECKS` for one body axis; "" where nothing was measured yet."""
-    found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
-    return {look: _worst(pattern, measured) for look, pattern in found.items()}
+def axis_checks(axis: str, measured: Mapping[str, Measurement], *, closes: bool = True) -> dict[str, str]:
+    """The worst verdict of each of `AXIS_CHECKS` for one body axis; "" where nothing was measured yet.
+
+    `closes`: the run closes this axis; another has no check of it that is to come.
+    """
+    patterns = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
+    found = {look: _worst(pattern, measured) for look, pattern in patterns.items()}
+    return {look: verdict for look, verdict in found.items() if closes or verdict or look not in AT_A_CLOSURE}
 
 
 def _worst(pattern: re.Pattern[str], measured: Mapping[str, Measurement]) -> str:

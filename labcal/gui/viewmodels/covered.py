@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.coverage import SECTOR_DEG, in_words
-from labcal.record.stream import Event
+from labcal.record.stream import Event, Measurement
 
 SECTORS = round(360 / SECTOR_DEG)
 UNSEEN_S = 2.0  # without a reading so long, a DUT has not seen where the platform turned
+
+
+def seen_about(axis: str, measured: Mapping[str, Measurement]) -> float:
+    """The part of the circle, 0 to 1, that the best of the turns about a body axis has seen, by its missing sectors."""
+    turns = re.compile(f"{axis}[+-].*: missing sectors")
+    missing = [one.value for name, one in measured.items() if axis and turns.fullmatch(name)]
+    return 1.0 - min(missing) / SECTORS if missing else 0.0
 
 
 class Covered:

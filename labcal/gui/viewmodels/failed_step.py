@@ -11,7 +11,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.bench.named_links import named_links
 from labcal.bench.steps import ANEW, QUESTION
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.record.stream import FAULT, Event, Prompt
 
@@ -19,7 +19,7 @@ WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
 LINK = re.compile(r" \([a-z-]+://[^()]*\)")  # where an instrument is plugged in, after its name
 FAILED = "failed-"  # before the name of a step, in the key of its question
-AGAIN = "begin this step again"
+AGAIN = "try again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
 BY_OFF = QT_TRANSLATE_NOOP("Words", "The run did not end by itself within seconds, so its process was ended.")
@@ -53,12 +53,12 @@ def below(prompt: Prompt, again: str, *, lost: bool = True) -> str:
     what, remedy = _plain(str(prompt.drawing[WHAT])), str(prompt.drawing.get(REMEDY, ""))
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
-    return " ".join(part for part in (known, in_words(remedy), button, anew) if part)
+    return " ".join(part for part in (known, of_this_bench(in_words(remedy)), button, anew) if part)
 
 
 def in_short(fault: Fault) -> str:
     """What happened and what to do, to be read from afar: no links, and not what the computer says of them."""
-    return " ".join(filter(None, (in_words(LINK.sub("", _plain(fault.text))), in_words(fault.remedy))))
+    return " ".join(filter(None, (in_words(LINK.sub("", _plain(fault.text))), of_this_bench(in_words(fault.remedy)))))
 
 
 def ended_by_off(fault: Fault) -> Fault:

@@ -22,13 +22,13 @@ LISTED = 2  # lines of the specification that are not within their limits; the o
 REACHED = 1.15  # of the noise: as the loop calls a run clean
 GOOD = QT_TRANSLATE_NOOP(
     "Words",
-    "✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the stated noise, "
-    "{1} nT. What is left of the direction, the loop judges.",
+    "✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise "
+    "that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.",
 )
 DOUBT = QT_TRANSLATE_NOOP(
     "Words",
     "▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
-    "the stated noise is {1} nT. Trace the residual.",
+    "the noise that is stated of |b| in one reading is {1} nT. Trace the residual.",
 )
 LEFT_OPEN = QT_TRANSLATE_NOOP(
     "Words",

@@ -10,6 +10,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
+from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -28,7 +29,7 @@ SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell 
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words", "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller"
 )
-WATCHED_S = 15  # what is read on while no run goes on is no older, also where somebody silent is waited for
+WATCHED_S = 10  # so old may be what lets hands in, with its age: a look every 2 s, and 2 s for each of 4 silent lines
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
@@ -187,7 +188,9 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
         return translated("▲ Hands out: the platform is not being read"), "warning"
     if coil_words == state.AT_ZERO:
-        return translated("✓ Hands may go in: {0}").format(in_words(state.AT_ZERO)), "good"
+        return translated("✓ Hands may go in: {0}").format(in_words(state.BY_BOTH)), "good"
+    if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
+        return translated("▲ Hands out: {0}").format(in_words(CHANGED)), "warning"
     if coil_words.startswith(state.BY_WORD):
         said = "; ".join(filter(None, map(in_words, (state.BY_SUPPLIES, coil_words.partition(": ")[2]))))
         return translated("✓ Hands may go in: {0}").format(said), "good"
@@ -196,15 +199,15 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
 
 
-def hands_after_run(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, while no run goes on: for who goes to the plug of what was lost. What was read has its age."""
+def hands_of(now: LabNow) -> tuple[str, str]:
+    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age."""
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
     age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
-    if now.driven or not zero or not stands or not 0 < age_s <= WATCHED_S:
+    if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
         return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
-    said = in_words(state.AT_ZERO if seen else state.BY_SUPPLIES)
+    said = in_words(state.BY_BOTH) if seen else in_words(state.BY_SUPPLIES)
     return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
 
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Loop
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.study import cause_name
 
 VERDICTS = {  # with its colour
@@ -28,6 +29,11 @@ MEANS = {
     ),
     "unexplained": QT_TRANSLATE_NOOP("Words", "Something is wrong that nothing known explains. Do not sign: see 4."),
 }
+OF_WHICH = QT_TRANSLATE_NOOP(
+    "Words",
+    "before → after: held-out rms of the vector, with the errors in it that the run declares of reference and "
+    "mounting; noise alone, of one such row: {0} nT, {1}",
+)
 EVIDENCE = re.compile(r"(; evidence over a slow wander without a name)?:( evidence)? −?[\d.]+ nats, \d+ needed")
 FALLS = re.compile(r"the held-out rms falls from ([\d.]+) to ([\d.]+) nT")
 TEXTS = (
@@ -48,13 +54,19 @@ def without_evidence(why: str) -> str:
 
 
 def as_a_drop(why: str) -> str:
-    """The reason of a named cause by what it takes off, without another figure for the error before."""
+    """The reason of a named cause by what it takes off, and of which error: not the one at the top of the page."""
 
     def drop(found: re.Match[str]) -> str:
         before, after = map(float, found.groups())
-        return f"it alone takes {before - after:.1f} nT off the held-out rms"
+        return f"it alone takes {before - after:.1f} nT off the held-out rms beside declared errors"
 
     return FALLS.sub(drop, why)
+
+
+def of_which_error(loop: Loop) -> str:
+    """Of which error the two figures at the top are, and the noise beside them: of a row of the vector, not of |b|."""
+    floor = format_number(loop.noise_floor_nT, signed=False)
+    return translated(str(OF_WHICH)).format(floor, translated(loop.noise_floor_source))
 
 
 def said_plainly(loop: Loop) -> str:

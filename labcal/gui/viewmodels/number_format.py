@@ -17,6 +17,7 @@ PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
 DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
 FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
 MOUNTED, CLOSED = re.compile(r"mount-([xyz])(?:: (.+))?"), re.compile(r"closure-([xyz])")
+POSITION = re.compile(r"position-(\d+)")  # a segment, whose step is "position 7"
 TURN = re.compile(r"\b([xyz])([+-])(\d+(?:\.\d+)?)uT(?:-(\w+))?")
 
 
@@ -62,11 +63,13 @@ def step_title(name: str) -> str:
     if found := MOUNTED.fullmatch(name):
         stands = translated("body {0} up").format(found[1].upper())
         return f"{stands}: {name_in_words(found[2])}" if found[2] else stands
-    return turns_written(name_in_words(CLOSED.sub(r"closure \1", name)))
+    return turns_written(name_in_words(POSITION.sub(r"position \1", CLOSED.sub(r"closure \1", name))))
 
 
 def needed_title(name: str) -> str:
     """What a person is needed for, where the step `name` begins with a question."""
+    if name == "closing":  # where a preflight comes back to its first mounting
+        return translated("mount it as at first")
     found = MOUNTED.fullmatch(name)
     return translated("mount it with body {0} up").format(found[1].upper()) if found else step_title(name)
 

@@ -13,7 +13,7 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
-from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word
+from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word, handed_out_as, handed_out_word
 from labcal.gui.viewmodels.study import StudyViewModel
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
@@ -88,7 +88,7 @@ class PathViewModel(QObject):
         file = self.kept(run_id)
         if file is None:
             return ""
-        return self.tr("✓ handed out") if self.handed_out.holds(file) else file_word(file)
+        return handed_out_word(file) if self.handed_out.holds(file) else file_word(file)
 
     def kept(self, run_id: str) -> CalibrationFile | None:
         """The calibration of a run: the signed one where there is one."""
@@ -203,8 +203,8 @@ class PathViewModel(QObject):
             return Next("Certificate", self.tr("The second signature"))
         if self.handed_out.holds(file):
             return Next("Start", self.tr("The next DUT"), closes=last.run_id)
-        words = self.tr("Hand it out, as PROVISIONAL") if standing.provisional else self.tr("Hand it out")
-        return Next("Certificate", words)
+        as_what, words = handed_out_as(file), self.tr("Hand it out, as {0}")
+        return Next("Certificate", words.format(as_what) if as_what else self.tr("Hand it out"))
 
     def _of_the_bench(self) -> Mark:
         """It is done where every instrument has answered."""

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import BEFORE_HANDS, LIMIT_NT, NO_AMBIENT
+from labcal.bench.coils.agreement import LIMIT_NT, NO_AMBIENT, OF_BEFORE
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.lab_messages import InstrumentRead
 
@@ -32,7 +32,7 @@ def ambient_of(known: state.LabState, facts: Bench) -> tuple[state.Vector, float
 
 def mounted_anew(known: state.LabState) -> bool:
     """Whether what the reference saw before says nothing any more."""
-    return known.reference.why in (NO_AMBIENT, BEFORE_HANDS)
+    return known.reference.why in (NO_AMBIENT, *OF_BEFORE)
 
 
 def seconded(

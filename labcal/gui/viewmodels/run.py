@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from typing import Literal
 
 import numpy as np
@@ -31,12 +32,15 @@ from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_nam
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
-from labcal.gui.viewmodels.covered import Covered
+from labcal.gui.viewmodels.covered import Covered, seen_about
+from labcal.gui.viewmodels.drawn import Drawn
 from labcal.gui.viewmodels.failed_step import FAILED, asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.hands import STOP, says_hands_off
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.gui.viewmodels.run_steps import Mark, left_out, marks_of, name_a_turn
+from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
+from labcal.gui.viewmodels.run_time import RunTime
+from labcal.record.delays import delays_open
 from labcal.record.stream import (
     COVERAGE,
     NOT_USED,
@@ -53,8 +57,8 @@ from labcal.record.stream import (
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
-LOCUS = 4000
 SERIAL = "serial"  # in a prompt's drawing: the one that is to be scanned
+STILL_SHOWN = ("step", "names", "skipped", "measurements", "covered", "time", "_turned")  # where it is gone on with
 SAID_ELSEWHERE = ("answer", "set-point", "read-back", OTHER_SERIAL)  # by whoever answered, and by the lab's state
 
 
@@ -88,7 +92,7 @@ class RunViewModel(QObject):
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
-        self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
+        self.drawn = Drawn()
         self.segment: str | None = None
         self._turned = False  # in any segment
         self.covered = Covered()
@@ -96,15 +100,12 @@ class RunViewModel(QObject):
             False  # a run that was interrupted; a new one, of which nothing has come yet
         )
         self.anew = False  # a simulated bench began anew, and nothing was answered since
-        self._seen_s = 0.0
+        self.time = RunTime()
         self._dut_s: float | None = None  # stamp of its last reading
-        self._waited_s = 0.0  # of this step, for a person
-        self._waits_since_s: float | None = None
         self.hands_off = False  # a person said so, and was asked for nothing since
         self.lab: LabState | None = None  # by the computer's monotonic clock
         self.unheard = self.pausing = False  # it has not told a window that came back how the lab is; a pause was asked
         self.coils_at_zero: bool | None = None  # when that was read
-        self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
         self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
         self.read_s: dict[str, float] = {}  # by source: when that came, by the computer's monotonic clock
         self._sends_more: set[str] = set()  # sources of which channels are not the main thing
@@ -129,7 +130,9 @@ class RunViewModel(QObject):
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
         words = order.pace, order.seed, order.procedure, order.operator
-        self._begin(order, ResumeRun(run_id, order.bench, order.dut, *words), run_id)
+        kept = {name: getattr(self, name) for name in STILL_SHOWN} | {"drawn": self.drawn.gone_on_with()}
+        command = ResumeRun(run_id, order.bench, order.dut, *words)
+        self._begin(order, command, run_id, kept.items() if run_id == self.run_id else ())
         self._goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
@@ -140,10 +143,13 @@ class RunViewModel(QObject):
         self._worker.request(Rejoin(), self._done, self._failed)
         self.changed.emit()
 
-    def _begin(self, order: RunProcedure, command: Command[Ended], run_id: str = "") -> None:
+    def _begin(
+        self, order: RunProcedure, command: Command[Ended], run_id: str = "", shown: Iterable[tuple[str, object]] = ()
+    ) -> None:
         if self.alive:
             raise RuntimeError("a run goes on")
         self.forget()
+        vars(self).update(shown)
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
         self.run_id, self.began = run_id, began.began_at(run_id) or began.now()
         self._worker.request(command, self._done, self._failed)
@@ -190,10 +196,6 @@ class RunViewModel(QObject):
         if self.alive and text.strip():
             self._worker.send(Note(text.strip(), data))
 
-    def silent_s(self, source: str) -> float:
-        """For how long `source` has sent nothing, by the bench's clock."""
-        return self._seen_s - self.heard_s.get(source, 0.0)
-
     def left_s(self) -> float | None:
         """Lab time that is left of the run."""
         return None if self.step is None else self._of_it_left(self.step.left_s)
@@ -212,27 +214,21 @@ class RunViewModel(QObject):
         return lab_s / speed if lab_s is not None and speed and self.state == "running" else None
 
     def _of_it_left(self, seconds: float) -> float | None:
-        """What is left of it now; the time that a person takes is in no plan."""
-        assert self.step is not None
-        now_s = self._seen_s if self._waits_since_s is None else self._waits_since_s
-        worked_s = max(0.0, now_s - self.step.t_s - self._waited_s)
-        return max(0.0, seconds - worked_s) if self.alive else None
+        return self.time.left_s(seconds) if self.alive and self.state != "starting" else None
 
-    def _waits(self, since_s: float) -> None:
-        if self._waits_since_s is None:
-            self._waits_since_s = since_s
-
-    def _waits_no_more(self, t_s: float) -> None:
-        if self._waits_since_s is not None:
-            self._waited_s += t_s - self._waits_since_s
-            self._waits_since_s = None
+    def share(self) -> float:
+        """What is over of the whole, 0 to 1: by lab time, or where no plan states that by steps."""
+        if self.step is None or self.status == "finished":
+            return float(self.status == "finished")
+        by_time = self.time.share()
+        return self.steps_done() / self.step.total if by_time is None else by_time
 
     def steps(self) -> list[tuple[str, Mark]]:
         """All steps known, with their marks."""
         if self.step is None:
             return []
         at = self.names.index(self.step.name) if self.step.name in self.names else len(self.names)
-        over = self.state == "ended"
+        over = self.state in ("ended", "starting")  # it broke off there, and nothing of it goes on yet
         here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
         marks = marks_of(self.names, at, here, self.measurements, self.skipped)
         return list(zip(self.names, marks, strict=True))
@@ -242,29 +238,35 @@ class RunViewModel(QObject):
         return sum(mark in ("done", "skipped") for _, mark in self.steps())
 
     def left_out(self) -> list[str]:
-        """Steps that were skipped, or broken off and not repeated, in their order."""
-        return left_out(self.names, self.measurements, self.skipped)
+        """Steps that were skipped, or broken off and not repeated, in their order; and delays that no turns told."""
+        open_yet = delays_open(self.names, self.measurements)
+        return [*left_out(self.names, self.measurements, self.skipped), *open_yet]
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
         return max(self.axis_checks(axis).values(), key=WORST.index)
 
     def axis_checks(self, axis: str) -> dict[str, str]:
-        """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
-        return axis_checks(axis, self.measurements)
+        """The worst verdict of each of `AXIS_CHECKS` that this run makes about one body axis; "" where none is yet."""
+        return axis_checks(axis, self.measurements, closes=not self.names or f"closure-{axis}" in self.names)
+
+    def looks_at_axes(self) -> bool:
+        """Whether turns about body axes are looked at, or are to be; what stands still at many angles has no light."""
+        return name_a_turn((*self.names, *self.drawn.now)) or any(map(self.axis_light, "xyz"))
 
     def turns(self) -> bool:
         """Whether a turn was recorded, or is to come: else circle and axes have nothing to say."""
         return self._turned or name_a_turn(self.names)
 
-    def coverage(self) -> float:
-        """The part of the circle that this segment has seen, 0 to 1."""
-        return self.covered.part()
+    @property
+    def axis(self) -> str:
+        """The body axis that is mounted and turned about now; "" where no step says so."""
+        return axis_of(self.segment or (self.step.name if self.step else ""))
 
-    def field_rows(self) -> NDArray[np.float64]:
-        """All DUT readings of all segments (n, 3) [nominal nT], thinned."""
-        rows = [ring.rows()[:, 1:] for ring in self.locus.values()]
-        return np.concatenate(rows) if rows else np.empty((0, 3))
+    def coverage(self) -> float:
+        """The part of the circle, 0 to 1, that this turn has seen; between two, what the turns about its axis have."""
+        seen = self.covered.part()
+        return seen if self.segment else max(seen, seen_about(self.axis, self.measurements))
 
     def _take_state(self, lab: LabState) -> None:
         self.lab, self.unheard = lab, False
@@ -282,11 +284,11 @@ class RunViewModel(QObject):
     def _one(self, item: Item) -> None:
         if isinstance(item, Block):
             return self._samples(item)
-        self._seen_s = max(self._seen_s, item.t_s)
+        self.time.seen_s = max(self.time.seen_s, item.t_s)
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
-                self._waited_s, self._waits_since_s = 0.0, None
+                self.time.begin(item)
                 self.covered.begin()
                 self._running(step_title(item.name))
             case Measurement():
@@ -295,15 +297,15 @@ class RunViewModel(QObject):
                 if item.key.startswith(FAILED):  # what was seen of this turn counts no more
                     self.covered.begin()
                     self._forget_turn(item.key.removeprefix(FAILED))
-                self._waits(item.t_s)
+                self.time.waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
                 self.segment = item.segment.id
                 self.covered.begin()
                 self._forget_turn(item.segment.id)  # as it was before, where it is begun again
+                self.drawn.begin(item.segment.id)
                 self._turned = self._turned or item.segment.kind == "rotation"
-                self.locus[item.segment.id] = RingBuffer(3, LOCUS)
                 self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
             case SegmentClosed():
                 self.segment = None
@@ -318,13 +320,13 @@ class RunViewModel(QObject):
 
     def _event(self, event: Event) -> None:
         if event.kind == "answer":
-            self._waits_no_more(event.t_s)
+            self.time.waits_no_more(event.t_s)
             self.hands_off = says_hands_off(key := str(event.data.get("key")), event.text)  # also before it came back
-            if self.step is not None and key.startswith(FAILED) and event.text == "retry":  # the whole of it is left
-                self._waited_s = event.t_s - self.step.t_s
+            if key.startswith(FAILED) and event.text == "retry":
+                self.time.again(event.t_s)
         if event.kind == "pause":
             paused, self.pausing, self.hands_off = event.text != "goes on", False, False
-            self._waits(event.t_s) if paused else self._waits_no_more(event.t_s)
+            self.time.waits(event.t_s) if paused else self.time.waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
         elif event.kind == "skip":
@@ -339,7 +341,7 @@ class RunViewModel(QObject):
 
     def _forget_turn(self, segment: str) -> None:
         """Nothing that was seen or measured of it counts any more."""
-        self.locus.pop(segment, None)
+        self.drawn.forget((segment,))
         self.covered.forget((segment,))
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(f"{segment}:")}
 
@@ -349,13 +351,12 @@ class RunViewModel(QObject):
         self.covered.forget(segments)
         gone = (*(f"{segment}:" for segment in segments), *looks)
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
-        self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
+        self.drawn.forget(segments)
 
     def _samples(self, block: Block) -> None:
         if len(block) == 0:
             return
-        self._seen_s = max(self._seen_s, float(block.t_s[-1]))
-        self.heard_s[block.source] = float(block.t_s[-1])
+        self.time.seen_s = max(self.time.seen_s, float(block.t_s[-1]))
         if block.stream != "channel":
             self._sends_more.add(block.source)
         if block.stream != "channel" or block.source not in self._sends_more:
@@ -365,7 +366,7 @@ class RunViewModel(QObject):
             self.dut.push(block.t_s, values)
             self._dut_s = float(block.t_s[-1])
             if self.segment is not None:
-                self.locus[self.segment].push(block.t_s, values)
+                self.drawn.now[self.segment].push(block.t_s, values)
         elif block.stream == "reference" and block.values.shape[1] == 3:
             self.reference.push(block.t_s, block.values)
         elif block.stream == "angle" and self.segment is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Literal
 
 Mark = Literal["done", "now", "next", "skipped", "broken"]
@@ -24,6 +24,18 @@ def marks_of(
 def name_a_turn(steps: Sequence[str]) -> bool:
     """Whether one of them is a turn about a body axis: x+20uT-nominal."""
     return any(step[:1] in ("x", "y", "z") and step[1:2] in ("+", "-") for step in steps)
+
+
+def axis_of(name: str) -> str:
+    """The body axis that a step or segment is about: x of x+20uT-nominal, mount-x and closure-x; "" of others."""
+    axis = name.removeprefix("mount-").removeprefix("closure-")
+    return axis[:1] if axis in ("x", "y", "z") or name_a_turn((axis,)) else ""
+
+
+def axes_of(names: Iterable[str]) -> list[str]:
+    """The body axes that steps or segments are about; all where none says so."""
+    about = set(map(axis_of, names))
+    return [axis for axis in "xyz" if axis in about] or list("xyz")
 
 
 def left_out(names: Sequence[str], measured: Collection[str], skipped: Collection[str]) -> list[str]:

@@ -33,8 +33,19 @@ NO_MORE = QT_TRANSLATE_NOOP(
     "Words", "Do not use it any more: measure anew, or take the calibration that came after it."
 )
 
+UNTIL = QT_TRANSLATE_NOOP("Words", "Good until {0}.")
+NO_END = QT_TRANSLATE_NOOP("Words", "No last day of use is stated: it never expires by itself.")
+WHO_STATES = QT_TRANSLATE_NOOP(
+    "Words", "That day is stated by who approves (2), by the interval of your lab; labcal works none out here."
+)
+AS_IT_WAS = QT_TRANSLATE_NOOP("Words", "So it was stated when it was approved.")
 AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
 ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
+NEXT_DUT = QT_TRANSLATE_NOOP("Words", "Handed out. Next: another DUT.")
+AS_BOTH = QT_TRANSLATE_NOOP("Words", "As PROVISIONAL and AMBIGUOUS: why is said above.")
+AS_SUCH = QT_TRANSLATE_NOOP("Words", "Handed out as {0}. Next: another DUT.")
+PROVISIONAL = QT_TRANSLATE_NOOP("Words", "PROVISIONAL")
+HANDED_OUT = QT_TRANSLATE_NOOP("Words", "handed out")
 AS_AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "As AMBIGUOUS: why is said above.")
 
 
@@ -71,14 +82,45 @@ def file_word(one: CalibrationFile) -> str:
     if not ambiguity(one):
         return word
     shape, _, said = word.partition(" ")
-    doubt = verdict_word("ambiguous").partition(" ")[2]
-    return f"{'▲' if shape == '✓' else shape} {' · '.join(filter(None, (said, doubt)))}".strip()
+    return f"{'▲' if shape == '✓' else shape} {' · '.join(filter(None, (said, doubt_word())))}".strip()
+
+
+def handed_out_word(one: CalibrationFile) -> str:
+    """That a file left the lab; where it is less than released without a doubt, as what."""
+    shape, _, said = file_word(one).partition(" ")
+    word = translated(str(HANDED_OUT))
+    return f"✓ {word}" if shape == "✓" else f"{shape} {word} · {said}"
+
+
+def doubtful(text: str) -> bool:
+    """Whether what is said of a verdict, or of a calibration, has a shape of doubt."""
+    return not {"▲", "?"}.isdisjoint(text)
+
+
+def handed_out_as(one: CalibrationFile) -> str:
+    """AMBIGUOUS, PROVISIONAL, or both: as what it goes; "" where it goes without a doubt."""
+    doubts = (translated(str(PROVISIONAL)) if one.standing.provisional else "", doubt_word() if ambiguity(one) else "")
+    return ", ".join(filter(None, doubts))
+
+
+def doubt_word() -> str:
+    """AMBIGUOUS, without its shape."""
+    return verdict_word("ambiguous").partition(" ")[2]
 
 
 def file_state(one: CalibrationFile) -> str:
     """Its colour: a draft has none, what is ambiguous is never good."""
     signed = state_of(one.standing) if one.standing.signatures else ""
     return "warning" if signed in ("", "good") and ambiguity(one) else signed
+
+
+def valid_words(one: CalibrationFile, typed: str) -> str:
+    """Until when it is, or will be, good, and where that comes from; `typed`: the day, while it may be stated still."""
+    day = typed or one.until
+    says = translated(str(UNTIL)).format(day) if day else translated(str(NO_END))
+    if one.standing.signatures:
+        return says
+    return f"{says} {translated(str(AS_IT_WAS if one.approvers else WHO_STATES))}"
 
 
 def awaited(one: CalibrationFile) -> list[str]:
@@ -162,9 +204,12 @@ def _hand_out_step(one: CalibrationFile, handed_out: bool) -> SigningStep:
             "later", translated("Once {0} has signed; before that as PROVISIONAL.").format(", ".join(waiting))
         )
     if handed_out:
-        return SigningStep("done", translated("Handed out. Next: another DUT."))
+        as_what = handed_out_as(one)
+        done = translated(str(AS_SUCH)) if as_what else translated(str(NEXT_DUT))
+        return SigningStep("done", done.format(as_what))
     if not one.approvers:
         return SigningStep("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
     if standing.provisional:
-        return SigningStep("now", translated("As PROVISIONAL: why is said above."))
+        both = translated(str(AS_BOTH)) if ambiguity(one) else translated("As PROVISIONAL: why is said above.")
+        return SigningStep("now", both)
     return SigningStep("now", translated(str(AS_AMBIGUOUS)) if ambiguity(one) else "")

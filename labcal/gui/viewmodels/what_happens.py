@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from labcal.bench.coils import state
+from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import LabNow, alarm_of, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import LabNow, alarm_of, hands_of, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.run import RunViewModel
 
@@ -19,6 +21,7 @@ WORDS = {
 HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
+OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands out")
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
 
@@ -38,6 +41,17 @@ def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> st
 def at_rest(now: LabNow) -> bool:
     """Whether coils at zero and a platform that stands were read just now: then nobody has to keep off."""
     return now.coils_at_zero is True and platform_mark(now.platform_words)[1] in ("", "good")
+
+
+def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+    """The heading over every page, and its state: while anything is on, may be, or is promised to come on; else ""."""
+    unknown = now.coil_words in (state.NOT_SINCE, state.NOT_YET)
+    promised = run.hands_off and run.state not in ("asking", "paused")  # until anything is asked
+    measures = run.alive and (promised or run.segment is not None)
+    if still_live(now) or unknown or measures:
+        return translated(str(OFF)), "bad"
+    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words  # another process may drive them
+    return (translated(str(OUT)), "warning") if unread or (run.alive and hands_of(now)[1] != "good") else ("", "")
 
 
 def _how_it_ended(run: RunViewModel, now: LabNow) -> str:

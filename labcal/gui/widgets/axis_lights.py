@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.run_steps import axes_of
 from labcal.gui.widgets.common import Surface, label, set_state
 
 NOT_YET = ("○", "")
@@ -25,14 +26,17 @@ class AxisLights(Surface):
         row.setSpacing(3 * GRID)
         self.worst: dict[str, QLabel] = {}
         self.looks: dict[str, QLabel] = {}
+        self.columns: dict[str, QWidget] = {}
         for axis in "xyz":
             self.worst[axis], self.looks[axis] = label("", "title", wrap=True), label("", "caption")
             self.looks[axis].setTextFormat(Qt.TextFormat.RichText)
-            column = QVBoxLayout()
+            self.columns[axis] = QWidget()
+            column = QVBoxLayout(self.columns[axis])
+            column.setContentsMargins(0, 0, 0, 0)
             column.setSpacing(0)
             column.addWidget(self.worst[axis])
             column.addWidget(self.looks[axis])
-            row.addLayout(column, 1)
+            row.addWidget(self.columns[axis], 1)
 
     def set_theme(self, theme: Theme) -> None:
         """What is shown next has the theme's colours."""
@@ -40,11 +44,13 @@ class AxisLights(Surface):
 
     def show_run(self, run: RunViewModel) -> None:
         """Write what is known of each axis."""
+        turned = axes_of((*run.names, *run.drawn.now, *run.drawn.earlier))
         for axis, worst in self.worst.items():
             verdict, looks = run.axis_light(axis), run.axis_checks(axis)
-            so_far = verdict == "PASS" and not looks["closure"] and run.status != "finished"  # good so far is not good
-            shape, state = (("…" if run.alive else "–"), "") if so_far else STATES.get(verdict, NOT_YET)
-            words = translated(verdict) if not so_far else "" if run.alive else translated("not complete")
+            self.columns[axis].setVisible(axis in turned)
+            open_yet = verdict == "PASS" and not all(looks.values())  # good so far is not good
+            shape, state = _of_open(run) if open_yet else STATES.get(verdict, NOT_YET)
+            words = translated(verdict) if not open_yet else "" if run.alive else translated("not complete")
             worst.setText(f"{axis.upper()}  {shape} {words}".strip())
             set_state(worst, state)
             said = [self._look(translated(look), found) for look, found in looks.items()]
@@ -55,3 +61,8 @@ class AxisLights(Surface):
     def _look(self, look: str, verdict: str) -> str:
         shape, state = STATES.get(verdict, NOT_YET)
         return f'<span style="color: {getattr(self._theme, state or "muted")}">{shape}&nbsp;{look}</span>'
+
+
+def _of_open(run: RunViewModel) -> tuple[str, str]:
+    """Shape and state of an axis of which something good is known, and something not yet, or never any more."""
+    return ("…", "") if run.alive else ("▲", "warning") if run.status == "finished" else ("–", "")

@@ -43,7 +43,7 @@ class CloseQuestion(QDialog):
                 self.tr("The window goes out of sight, and comes back when you are needed or the run has ended."),
             ),
             "later": (
-                self.tr("Resume later"),
+                self.tr("Go on later"),
                 self.tr(
                     "The coils go to zero, the window closes. What is missing is measured later: "
                     "Go on, on the Start page."

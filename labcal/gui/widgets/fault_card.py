@@ -9,7 +9,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
@@ -32,7 +32,7 @@ TITLES = {
     "ended": "✕ The work broke off",
     "off": "■ Ended by COILS OFF (F12)",
 }
-
+KEEP_OFF = ("coils", "platform")  # whose heading says that hands have to be off
 
 HANDS_MS = 500  # between two looks whether they may go near
 
@@ -55,7 +55,9 @@ class FaultCard(Card):
         self.hands_timer = QTimer(self, interval=HANDS_MS)
         self.hands_timer.timeout.connect(self.say_hands)
         self.fault: Fault | None = None
-        self.by_hand = label("", "large", wrap=True)
+        self.gravest = label("", "large", wrap=True)  # in place of the heading: nothing on the card is larger
+        set_state(self.gravest, "bad")
+        self.by_hand = label("", "ask", wrap=True)
         set_state(self.by_hand, "bad")
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
         self.platform, self.turning = label("", wrap=True), label("", "title", wrap=True)
@@ -81,7 +83,7 @@ class FaultCard(Card):
         row.addStretch()
         row.addWidget(self.close_card)
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
-        for part in (self.by_hand, self.turning, self.hands, *said, self.details):
+        for part in (self.gravest, self.by_hand, self.turning, self.hands, *said, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -100,12 +102,15 @@ class FaultCard(Card):
         if fault is None:
             return self.hide()
         self.heading.setText(translated(TITLES[fault.kind]))
+        self.gravest.setText(self.heading.text())
+        self.gravest.setVisible(fault.kind in KEEP_OFF)
+        self.heading.setHidden(fault.kind in KEEP_OFF)
         stopped = fault.kind == "stopped"  # as it was asked for: nothing is wrong
         set_state(self.heading, "" if stopped else "bad")
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
         self.save.setVisible(not stopped)
         self.text.setText(in_words(fault.text))
-        self.remedy.setText(in_words(fault.remedy))
+        self.remedy.setText(of_this_bench(in_words(fault.remedy)))
         self.remedy.setVisible(bool(fault.remedy))
         self.meaning.setText(guardian_is(fault.kind, fault.text, fault.remedy))
         self.meaning.setVisible(bool(self.meaning.text()))

@@ -73,6 +73,18 @@ class Flow(QLayout):
         return sum(one.sizeHint().width() for one in row) + self.spacing() * max(0, len(row) - 1)
 
     def _rows(self, width: int) -> list[list[QLayoutItem]]:
+        """As few as there is room for; where nothing grows, of about one width: no one stands in a row alone."""
+        rows = self._filled(width)
+        if any(one.expandingDirections() & Qt.Orientation.Horizontal for one in self._seen()):
+            return rows
+        for _ in self._items if len(rows) > 1 else ():  # each time the longest row gives one away, or none can
+            narrower = self._filled(max(map(self._width, rows)) - 1)
+            if len(narrower) > len(rows):
+                break
+            rows = narrower
+        return rows
+
+    def _filled(self, width: int) -> list[list[QLayoutItem]]:
         rows: list[list[QLayoutItem]] = []
         for one in self._seen():
             if rows and self._width([*rows[-1], one]) <= width:

@@ -21,7 +21,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
 from labcal.gui.viewmodels.hands import READY, STILL_LOST, reached_into, says_hands_off
-from labcal.gui.viewmodels.lab_now import hands_words, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
@@ -30,6 +30,7 @@ from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
+WORDED, PICTURED = 3, 2  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
@@ -83,6 +84,8 @@ def answer_label(prompt: Prompt, choice: str) -> str:
     if redo == "redo":
         return translated("Redo axis {0}").format(axis.upper())
     if choice == "done":
+        if prompt.drawing.get("reversed") is False:  # the leads of a half
+            return translated("Leads put back")
         return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
     return translated(WORDS.get(choice, choice))
 
@@ -141,7 +144,7 @@ class PromptCard(Card):
         words.addLayout(self._buttons)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addLayout(words, 1)
+        row.addLayout(words, WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -177,7 +180,7 @@ class PromptCard(Card):
         self.drawing.show_drawing(prompt.drawing)
         self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
-        self._row.setStretch(1, int(pictured))  # else Qt keeps half of the card for what is hidden
+        self._row.setStretch(1, PICTURED * pictured)  # else Qt keeps half of the card for what is hidden
         self.hint.setMinimumHeight(0)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
@@ -233,9 +236,10 @@ class PromptCard(Card):
         if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
-    def say_lab(self, coil_words: str, platform_words: str = "", platform_deg: float | None = None) -> None:
+    def say_lab(self, now: LabNow) -> None:
         """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
-        self.drawing.show_platform(platform_deg)
+        coil_words, platform_words = now.coil_words, now.platform_words
+        self.drawing.show_platform(now.platform_deg)
         for place, words, (shape, mark) in (
             (self.lab, coil_words, mark_of(coil_words)),
             (self.stands, platform_words, platform_mark(platform_words, coil_words)),
@@ -243,7 +247,7 @@ class PromptCard(Card):
             place.setText(f"{shape} {in_words(words)}".strip())
             place.setVisible(bool(words))
             set_state(place, mark)
-        words, mark = hands_words(coil_words, platform_words)
+        words, mark = hands_of(now)
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)

@@ -21,6 +21,8 @@ class StepList(QListWidget):
         super().__init__()
         self.setAccessibleName(self.tr("Steps"))
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWordWrap(True)
+        self.setResizeMode(QListWidget.ResizeMode.Adjust)
 
     def show_steps(self, steps: Sequence[tuple[str, str]], theme: Theme) -> None:
         """Each step by its name, and how it stands: a key of `SHAPES`."""

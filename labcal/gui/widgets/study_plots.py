@@ -112,7 +112,7 @@ class Bars(QWidget):
         top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)
         side = float(noise_nT > top / 2)  # of the line that has room for its name
         options = {"position": 0.97, "color": self._theme.muted, "anchors": [(side, 0), (side, 0)]}
-        line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=translated("noise alone"), labelOpts=options)
+        line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=translated("noise"), labelOpts=options)
         self.plot.addItem(line)
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
         self.plot.setRange(xRange=(0, 1.05 * top), yRange=(-len(rows) + 0.4, ROOM_ABOVE), padding=0)

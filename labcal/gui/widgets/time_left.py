@@ -14,6 +14,7 @@ from labcal.gui.viewmodels.number_format import clock_time, format_duration, nee
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import label
 
+THOUSANDTHS = 1000
 UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
@@ -24,6 +25,7 @@ class TimeLeft(QWidget):
         super().__init__()
         self._run = run
         self.progress = QProgressBar()
+        self.progress.setRange(0, THOUSANDTHS)
         self.progress.setTextVisible(False)
         self.left, self.until = label("", "caption", wrap=True), label("", wrap=True)
         self.until.setAccessibleName(self.tr("When it is done, and when you are needed"))
@@ -33,23 +35,24 @@ class TimeLeft(QWidget):
         for widget in (self.progress, self.left, self.until):
             column.addWidget(widget)
 
-    def show_steps(self) -> None:
-        """The bar: what is over of all steps."""
-        run = self._run
-        if run.step is not None:
-            self.progress.setMaximum(run.step.total)
-            self.progress.setValue(run.step.total if run.status == "finished" else run.steps_done())
+    def show_share(self) -> None:
+        """The bar: what is over of the whole."""
+        self.progress.setVisible(self._run.step is not None)
+        self.progress.setValue(round(THOUSANDTHS * self._run.share()))
 
     def show_now(self, now: LabNow) -> None:
-        """The words, beside what is said of the lab."""
+        """The bar, and the words, beside what is said of the lab."""
+        self.show_share()
         self.until.setText(words := self._until(now))
         self.until.setVisible(bool(words))
         self.left.setText(self._left())
 
     def _left(self) -> str:
         run, left_s = self._run, self._run.left_s()
+        if run.state == "starting":
+            return run.message
         if run.step is None:
-            return run.message if run.state == "starting" else ""
+            return ""
         if left_s is None:
             stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
             return translated("stopped" if stopped else run.status.partition(":")[0])

@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtWidgets import QComboBox, QSizePolicy
 
 from labcal.gui.ipc.answers import Figure, Matrix
 from labcal.gui.theming.theme import Theme
@@ -137,6 +137,8 @@ class Trend(Card):
         self.plot.clear()
         for widget, shown in ((self.none, not found), (self.plot, bool(found)), (self.parameter, bool(found))):
             widget.setVisible(shown)
+        high = QSizePolicy.Policy.Preferred if found else QSizePolicy.Policy.Maximum
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, high)  # a sentence alone leaves the room to the runs
         if not found:
             return
         unit = f"{self.parameter.currentText()}  {translated(found[0].unit)}"

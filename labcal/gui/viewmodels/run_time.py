@@ -1,0 +1,49 @@
+"""How far a run is by the bench's clock: what is left of its steps, and which share of the whole is over. No Qt."""
+
+from __future__ import annotations
+
+from labcal.record.stream import Step
+
+
+class RunTime:
+    """`seen_s`: the stamp of what came last. The time that a person takes is in no plan, and counts for nothing."""
+
+    def __init__(self) -> None:
+        self.seen_s = 0.0
+        self._step: Step | None = None
+        self._waited_s = 0.0  # of this step, for a person
+        self._waits_since_s: float | None = None
+
+    def begin(self, step: Step) -> None:
+        """Another step, or the same anew."""
+        self._step, self._waited_s, self._waits_since_s = step, 0.0, None
+
+    def again(self, t_s: float) -> None:
+        """The step is tried again: the whole of it is left."""
+        if self._step is not None:
+            self._waited_s = t_s - self._step.t_s
+
+    def waits(self, since_s: float) -> None:
+        """For a person, from now on."""
+        if self._waits_since_s is None:
+            self._waits_since_s = since_s
+
+    def waits_no_more(self, t_s: float) -> None:
+        """Somebody answered, or it goes on."""
+        if self._waits_since_s is not None:
+            self._waited_s += t_s - self._waits_since_s
+            self._waits_since_s = None
+
+    def left_s(self, at_its_begin_s: float) -> float:
+        """What is left now of so much at the begin of the step."""
+        if self._step is None:
+            return at_its_begin_s
+        now_s = self.seen_s if self._waits_since_s is None else self._waits_since_s
+        return max(0.0, at_its_begin_s - max(0.0, now_s - self._step.t_s - self._waited_s))
+
+    def share(self) -> float | None:
+        """Of the lab time of the whole, 0 to 1, what is over; None where that is stated by no plan."""
+        if self._step is None or not self._step.whole_s:
+            return None
+        within = self._step.left_s - (self._step.step_s or 0.0)  # a step that takes longer is not the one after it
+        return 1.0 - min(1.0, max(within, self.left_s(self._step.left_s)) / self._step.whole_s)

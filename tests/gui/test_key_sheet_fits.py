@@ -1,0 +1,39 @@
+"""F1's sheet in every size of the window and of its letters: no wider and no higher than the window, no word cut."""
+
+import pytest
+from geometry import faults
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QApplication
+from test_nothing_is_cut import LARGE, SIZES, settle
+
+from labcal.gui.translations import translate
+from labcal.gui.widgets.key_sheet import KeySheet
+
+
+@pytest.fixture(params=["en", "de"])
+def window(request, qapp, new_window):
+    translate.install_translator(qapp, QLocale(request.param))
+    yield new_window
+    translate.install_translator(qapp, QLocale("en"))
+
+
+@pytest.mark.parametrize("words", [*SIZES, *LARGE])
+def test_the_sheet_of_keys_is_within_the_window(window, words):
+    size, wall = (SIZES | LARGE)[words]
+    if window.wall != wall:
+        window.toggle_wall()
+    window.resize(*size)
+    settle(window)
+    window.show_keys()
+    settle(window)
+    (sheet,) = window.findChildren(KeySheet)
+    assert sheet.width() <= size[0]
+    assert sheet.height() <= size[1]
+    assert not list(faults(sheet))
+    inside = sheet.area.widget()
+    assert inside.width() <= sheet.area.viewport().width()
+    last = inside.layout().itemAt(0).geometry().bottom()
+    sheet.area.verticalScrollBar().setValue(sheet.area.verticalScrollBar().maximum())
+    assert last - sheet.area.verticalScrollBar().value() <= sheet.area.viewport().height()
+    sheet.close()
+    QApplication.processEvents()
