@@ -18,6 +18,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.credible import (
     credible,
+    driven_by_field,
     is_beyond_half,
     left_by_the_best_map,
     min_new_share,
@@ -86,6 +87,14 @@ def test_an_effect_that_undoes_one_direction_of_the_field_is_no_effect(
     reference = np.array([18000.0, -1500.0, -44000.0]) + draw.normal(0, [20.0, 10000.0, 20.0], (200, 3))
     effect = reference[:, 1:2] * np.array([0.1, of_y, 0.0]) + draw.normal(0, 30.0, (200, 3))
     assert is_beyond_half(effect, reference, apart_nT) is beyond
+
+
+def test_a_drift_of_the_reference_is_part_of_no_field_and_what_stands_in_the_cage_is(started: Started) -> None:
+    """As the run's set-points change with time, a drift goes along with one of them by chance."""
+    told = {c.family.id: driven_by_field(c.term) for c in CandidateSet.of(started(), 0.85).candidates}
+    assert told["reference-drift"] is False
+    assert told["cage-field"] is told["field-gradient"] is told["axis-tilt"] is True
+    assert told["offset-drift"] is False
 
 
 @pytest.mark.slow
