@@ -11,7 +11,18 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measure_ambient, measured, ready, rest
+from labcal.bench.steps import (
+    Plan,
+    Procedure,
+    Work,
+    coils_off,
+    energise,
+    energise_again,
+    measure_ambient,
+    measured,
+    ready,
+    rest,
+)
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.stream import Event
@@ -52,6 +63,7 @@ def field_hold(
         open_loop = yield from _error(bench, target, "open-loop", 3 * period_s)
         yield from measured(bench, "open-loop error", float(np.linalg.norm(open_loop)), 0.0, "nT")
         yield plan.begin(bench, "held")
+        yield from energise_again(bench, target)
         yield from _held(bench, target, rounds, period_s, gain, dead_nT, limit_nT)
         yield from coils_off(bench)
 

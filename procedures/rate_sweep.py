@@ -9,7 +9,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, SET_UP, inclined_field, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, rotate_once
-from labcal.bench.steps import Procedure, coils_off, energise
+from labcal.bench.steps import Procedure, coils_off, energise_again
 
 NEEDS, LASTS_MIN = "the DUT on a platform with a motor", 7
 
@@ -39,8 +39,8 @@ def rate_sweep(
         yield from set_up(
             bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
         )
-        yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for turn in turns:
             yield plan.begin(bench, turn.name)
+            yield from energise_again(bench, inclined_field(bench, magnitude_nT, inclination_deg))
             yield from rotate_once(bench, turn)
         yield from coils_off(bench)

@@ -9,7 +9,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, SET_UP, inclined_field, plan_with_set_up, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
-from labcal.bench.steps import Procedure, coils_off, energise, measured
+from labcal.bench.steps import Procedure, coils_off, energise_again, measured
 
 NEEDS, LASTS_MIN = "the DUT on the platform", 2
 
@@ -44,9 +44,9 @@ def rotate_axis(
         yield from set_up(
             bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.", mode
         )
-        yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for one in rotations:
             yield plan.begin(bench, one.name)
+            yield from energise_again(bench, inclined_field(bench, magnitude_nT, inclination_deg))
             yield from rotate_once(bench, one)
         yield from coils_off(bench)
 

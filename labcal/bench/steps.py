@@ -137,7 +137,16 @@ def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
 
 
 def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
-    """Do `work` inside a segment; a little is recorded on either side, so that its ends can be interpolated."""
+    """Do `work` inside a segment; a little is recorded on either side, so that its ends can be interpolated.
+
+    Raises InputError where a pause has taken the field to zero that the procedure means to have.
+    """
+    if bench.field_taken:
+        raise InputError(
+            f"the pause took the field to zero, and the procedure did not bring it back before {segment.id}: nothing "
+            "was measured in a wrong field, the coils are at zero. Begin the run anew, without a pause; who wrote the "
+            "procedure lets each step say its field (energise, energise_again or coils_off)."
+        )
     yield from record(bench, MARGIN_S)
     yield SegmentOpened(bench.clock.now(), segment)
     try:
@@ -231,7 +240,14 @@ def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Wo
     bench.cage.refuse_beyond_limits(b)  # before anybody is asked for what cannot be done
     yield from hands_off(bench, f"The field goes to {np.linalg.norm(b) / 1000:g} µT{_and_turns(bench)}.")
     bench.cage.set_field(b, confirm_signs=confirm_signs)
+    bench.field_taken = False
     yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
+
+
+def energise_again(bench: Bench, b_nT: ArrayLike) -> Work[None]:
+    """`energise` where nothing flows: a pause before this step took the field of the one before to zero."""
+    if not bench.cage.on:
+        yield from energise(bench, b_nT)
 
 
 def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:
@@ -240,12 +256,14 @@ def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[N
     if any(i):
         yield from hands_off(bench, f"The coils go to {max(map(abs, i)):.2g} A{_and_turns(bench)}.")
     bench.cage.set_currents(i, confirm_signs=confirm_signs)
+    bench.field_taken = False
     yield _set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
 
 
 def coils_off(bench: Bench) -> Work[None]:
     """All coils to zero, read back, and say so in the record."""
     bench.cage.zero()
+    bench.field_taken = False
     yield _coils_read_back(bench)
 
 

@@ -188,6 +188,7 @@ class Drive:
     def _pause_if_wanted(self) -> None:
         if not self.control.paused():
             return
+        self.bench.field_taken |= self.bench.cage.on
         self.bench.cage.zero()
         currents = self.bench.cage.currents_A().tolist()
         self._keep(read_back(self.bench, "pause", "paused, ", current_A=currents))

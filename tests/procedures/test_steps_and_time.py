@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from scalar_lab import SCALAR, sensor
+from short_settings import SHORT
 
 from labcal.demo import simulated_bench
 from labcal.record.stream import Block, Item, Prompt, Step
@@ -15,21 +16,6 @@ from labcal.runner import find, procedures
 from labcal.runner.prompts import first_choice
 from labcal.testing.procedures import ProcedureTrial
 
-SHORT = {
-    "preflight": {"axes": "x,z", "magnitudes_nT": "20000", "reverse": "no", "zero_s": "2", "dwell_s": "1"},
-    "ambient": {"duration_s": "20"},
-    "configuration": {"photographs": "no"},
-    "temperature-drift": {"rounds": "2"},
-    "field-sphere": {"n_directions": "12"},
-    "cage-map": {"probes": "1"},
-    "play-field": {"duration_s": "60"},
-    "dut-moment": {"rest_s": "2"},
-    "current-coupling": {"repeats": "2"},
-    "repeat": {"times": "2"},
-    "verify": {"positions": "5"},
-    "rotate-axis": {"turns": "2"},
-    "scalar-cage": {"n_directions": "24"},
-}
 OFF_S, OFF_PART = 8.0, 0.15  # of what is left, that it may be wrong by
 
 
