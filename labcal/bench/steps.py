@@ -144,7 +144,7 @@ def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
     if bench.field_taken:
         raise InputError(
             f"the pause took the field to zero, and the procedure did not bring it back before {segment.id}: nothing "
-            "was measured in a wrong field, the coils are at zero. Begin the run anew, without a pause; who wrote the "
+            "was measured in a wrong field. Begin the run anew, without a pause; who wrote the "
             "procedure lets each step say its field (energise, energise_again or coils_off)."
         )
     yield from record(bench, MARGIN_S)
