@@ -126,6 +126,9 @@ NO_CLAIM = {
     "{}: its output was not closed: this coil was ordered to zero.": REFUSED,
     "Coils off: the run ends …": REFUSED,
     "Coils off: no bench is open, this window drives no coil.": REFUSED,
+    "the pause took the field to zero, and the procedure did not bring it back before {}: nothing was measured in a "
+    "wrong field. Begin the run anew, without a pause; who wrote the procedure lets each step say its field (energise, "
+    "energise_again or coils_off).": REFUSED,
     "not allowed with the output on": REFUSED,
     "{}: it would switch its output on by itself when it gets power.": REFUSED,
     "It closes when every coil is read back at zero; `guardian.log` says which is not.": HELP,

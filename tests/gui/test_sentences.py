@@ -114,8 +114,8 @@ def test_all_that_loop_estimators_and_procedures_say_has_a_form():
         ),
         pytest.param(
             "x: the link was lost. Plug it in, see that nobody else has opened it, then try again.",
-            "x: Die Verbindung ging verloren. Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann diesen "
-            "Schritt neu beginnen.",
+            "x: Die Verbindung ging verloren. Einstecken, nachsehen, dass es niemand sonst geöffnet hat, dann "
+            "noch einmal.",
             marks=pytest.mark.slow,
         ),
         ("a number from 0 to 60 deg/s", "eine Zahl von 0 bis 60 deg/s"),
