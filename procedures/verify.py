@@ -74,7 +74,7 @@ def verify(
     u_mounting_deg: Annotated[float, Limits(0, 10, unit="deg"), "how well the axis is mounted; 0: not stated"] = 0.0,
     calibration: Calibration | None = None,
 ) -> Procedure:
-    """Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file."""
+    """Measure heading and magnitude error at independent positions; `calibration`, where it is stated, is judged."""
     angles, fields = spread(bench, positions, magnitude_nT)
     turns_s = np.abs(np.diff(angles, prepend=0.0)) / rate_deg_per_s
     spots = [(f"position {n + 1}", dwell_s + STEP_S + float(turn_s)) for n, turn_s in enumerate(turns_s)]

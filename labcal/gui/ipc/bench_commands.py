@@ -10,6 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from labcal.bench.parameters import CALIBRATION
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.gui.ipc.answers import (
@@ -246,7 +247,8 @@ def rehearse(channel: Channel, asked: Rehearse) -> tuple[str, ...]:
     from labcal.runner import find
     from labcal.runner.rehearsal import rehearsed
 
-    return tuple(rehearsed(Path(asked.bench), find(asked.procedure), asked.given, asked.seed).lines())
+    given = {name: text for name, text in asked.given.items() if name != CALIBRATION.name}  # it is judged afterwards
+    return tuple(rehearsed(Path(asked.bench), find(asked.procedure), given, asked.seed).lines())
 
 
 def procedures(channel: Channel, asked: ListProcedures) -> Procedures:
@@ -258,7 +260,10 @@ def procedures(channel: Channel, asked: ListProcedures) -> Procedures:
 
 
 def _procedure(found: FoundProcedure) -> Procedure:
-    return Procedure(found.name, found.title, found.resumable, found.needs, found.lasts_min, found.parameters)
+    asked = (CALIBRATION,) if found.takes(CALIBRATION.name) else ()
+    return Procedure(
+        found.name, found.title, found.resumable, found.needs, found.lasts_min, (*asked, *found.parameters)
+    )
 
 
 HANDLERS = (

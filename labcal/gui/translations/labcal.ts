@@ -1782,7 +1782,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.</source>
+        <source>Measure heading and magnitude error at independent positions; `calibration`, where it is stated, is judged.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1911,6 +1911,10 @@
     </message>
     <message>
         <source>the DUT on the platform, its calibration file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s own, that is judged; without one nothing is</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6176,11 +6180,23 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1782,8 +1782,8 @@
         <translation>Das Feld jeder Spule über das Nutzvolumen kartieren, gerechnet und gemessen.</translation>
     </message>
     <message>
-        <source>Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.</source>
-        <translation>Richtungs- und Betragsfehler an unabhängigen Stellungen messen; `--set calibration=CAL.json` beurteilt diese Datei.</translation>
+        <source>Measure heading and magnitude error at independent positions; `calibration`, where it is stated, is judged.</source>
+        <translation>Richtungs- und Betragsfehler an unabhängigen Stellungen messen; `calibration` wird beurteilt, wo sie angegeben ist.</translation>
     </message>
     <message>
         <source>Measure mean, drift, noise and mains of the room, and say whether it is fit for the job.</source>
@@ -1912,6 +1912,10 @@
     <message>
         <source>the DUT on the platform, its calibration file</source>
         <translation>der Prüfling auf dem Tisch, seine Kalibrierdatei</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s own, that is judged; without one nothing is</source>
+        <translation>die des Prüflings, die beurteilt wird; ohne sie wird nichts beurteilt</translation>
     </message>
     <message>
         <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
@@ -6177,12 +6181,24 @@ diesem Schritt …</translation>
         <translation>Einstellungen, die die meisten Messungen lassen, wie sie sind</translation>
     </message>
     <message>
+        <source>Choose a file</source>
+        <translation>Eine Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
         <source>needed</source>
         <translation>nötig</translation>
     </message>
     <message>
         <source>expected {0}</source>
         <translation>erwartet {0}</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
         <source>▾ Fewer settings</source>

@@ -1782,8 +1782,8 @@
         <translation>Cartographier le champ de chaque bobine dans le volume utile, calculé et mesuré.</translation>
     </message>
     <message>
-        <source>Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.</source>
-        <translation>Mesurer l&apos;erreur de cap et de module à des positions indépendantes ; `--set calibration=CAL.json` juge ce fichier.</translation>
+        <source>Measure heading and magnitude error at independent positions; `calibration`, where it is stated, is judged.</source>
+        <translation>Mesurer l&apos;erreur de cap et de module à des positions indépendantes ; `calibration` est jugé, s&apos;il est indiqué.</translation>
     </message>
     <message>
         <source>Measure mean, drift, noise and mains of the room, and say whether it is fit for the job.</source>
@@ -1912,6 +1912,10 @@
     <message>
         <source>the DUT on the platform, its calibration file</source>
         <translation>le DUT sur le plateau, son fichier d&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>the DUT&apos;s own, that is judged; without one nothing is</source>
+        <translation>celui de l&apos;appareil, qui est jugé ; sans lui, rien ne l&apos;est</translation>
     </message>
     <message>
         <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
@@ -6177,12 +6181,24 @@ cette étape …</translation>
         <translation>Réglages que la plupart des mesures laissent tels quels</translation>
     </message>
     <message>
+        <source>Choose a file</source>
+        <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Choisir …</translation>
+    </message>
+    <message>
         <source>needed</source>
         <translation>requis</translation>
     </message>
     <message>
         <source>expected {0}</source>
         <translation>attendu {0}</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n&apos;existe pas</translation>
     </message>
     <message>
         <source>▾ Fewer settings</source>

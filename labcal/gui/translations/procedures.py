@@ -33,7 +33,7 @@ TITLES = (
     QT_TRANSLATE_NOOP("Data", "Map the field of each coil over the working volume, computed and probed."),
     QT_TRANSLATE_NOOP(
         "Data",
-        "Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file.",
+        "Measure heading and magnitude error at independent positions; `calibration`, where it is stated, is judged.",
     ),
     QT_TRANSLATE_NOOP(
         "Data", "Measure mean, drift, noise and mains of the room, and say whether it is fit for the job."
@@ -82,6 +82,7 @@ NEEDS = (
     QT_TRANSLATE_NOOP("Data", "the DUT on the platform"),
     QT_TRANSLATE_NOOP("Data", "the DUT on the platform, a vector reference"),
     QT_TRANSLATE_NOOP("Data", "the DUT on the platform, its calibration file"),
+    QT_TRANSLATE_NOOP("Data", "the DUT's own, that is judged; without one nothing is"),
     QT_TRANSLATE_NOOP("Data", "the DUT on the platform, loads of the spacecraft that can be switched"),
     QT_TRANSLATE_NOOP("Data", "the DUT on the platform, remounted three times; a vector reference"),
     QT_TRANSLATE_NOOP("Data", "the DUT with its thermometer, a means to warm it"),

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFileDialog,
+    QGridLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QWidget,
+)
 
 from labcal.bench.parameters import ParameterSpec
 from labcal.errors import InputError
@@ -99,9 +109,21 @@ class ParameterForm(QWidget):
         complaint = named(QLabel(), "caption")
         complaint.setWordWrap(True)
         self.fields[spec.name], self.complaints[spec.name] = field, complaint
-        self._parts[spec.name] = (name, field, QLabel(spec.unit), complaint)
+        beside = self._chooser(spec) if spec.kind == "file" else QLabel(spec.unit)
+        self._parts[spec.name] = (name, field, beside, complaint)
         for column, part in enumerate(self._parts[spec.name]):
             grid.addWidget(part, row, column)
+
+    def _chooser(self, spec: ParameterSpec) -> QPushButton:
+        """A file is chosen, and not typed letter by letter."""
+        choose = button("", self.tr("Choose a file"))
+        choose.setText(self.tr("Choose …"))
+        choose.clicked.connect(lambda: self._chosen(spec))
+        return choose
+
+    def _chosen(self, spec: ParameterSpec) -> None:
+        if path := QFileDialog.getOpenFileName(self, title_of(spec), self.text(spec.name))[0]:
+            self.set_text(spec.name, path)
 
     def _field(self, spec: ParameterSpec) -> QLineEdit | QComboBox | QCheckBox:
         if spec.kind == "switch":
@@ -163,12 +185,12 @@ class ParameterForm(QWidget):
         try:
             if spec.required and not self.text(spec.name).strip():
                 return self.tr("needed")
-            spec.parse(self.stated(spec))
+            value = spec.parse(self.stated(spec))
         except NotClear as error:
             return str(error)
         except InputError:
             return self.tr("expected {0}").format(in_words(spec.expected))
-        return ""
+        return self.tr("there is no such file") if isinstance(value, Path) and not value.is_file() else ""
 
     def refused(self) -> ParameterSpec | None:
         """The first setting that is not accepted."""
