@@ -281,7 +281,8 @@ class Window(Frame):
         """Who sees already what goes on, and is not asked, has nothing to do but to wait; a scan is answered first."""
         to, app_state = self.app_state.path.next(), self.app_state
         here = self.page_shown() == to.page
-        self.say_next(self.tr("Begin preflight") if here and to.ready else said_here(self.lazy_pages, to, here))
+        begins = self.tr("Begin {0}").format(app_state.path.begins)
+        self.say_next(begins if here and to.ready else said_here(self.lazy_pages, to, here))
         QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget()))
         nothing_to_do = to.waits and here
         self.next.setVisible(not (nothing_to_do and app_state.run.alive))  # who is needed when stands beside the steps
@@ -299,7 +300,8 @@ class Window(Frame):
             return self.app_state.coils_off()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
             return does.click()
-        self.app_state.go(to)
+        if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
+            self.app_state.go(to)
         state = self.app_state.lab.state
         wanted: list[QWidget] = []
         if to.page == "Start" and state.bench:

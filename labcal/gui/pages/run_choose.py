@@ -299,7 +299,7 @@ class Choose(QWidget):
         self.work.show_work(rehearsing)
         of_preflight = self._shown == "preflight"
         named = title_of(refused) if of_preflight and refused is not None else ""
-        self._app_state.path.take_form(named, of_preflight and ready)
+        self._app_state.path.take_form(named, self._shown if ready else "")
 
     def refused_field(self) -> QWidget | None:
         """Where the first setting that is not accepted is typed."""

@@ -7242,15 +7242,15 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Begin {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Smaller   F11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Larger   F11</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Begin preflight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

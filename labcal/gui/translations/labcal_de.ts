@@ -7243,16 +7243,16 @@ diesem Schritt …</translation>
         <translation>Ton zulassen</translation>
     </message>
     <message>
+        <source>Begin {0}</source>
+        <translation>{0} beginnen</translation>
+    </message>
+    <message>
         <source>Smaller   F11</source>
         <translation>Kleiner   F11</translation>
     </message>
     <message>
         <source>Larger   F11</source>
         <translation>Größer   F11</translation>
-    </message>
-    <message>
-        <source>Begin preflight</source>
-        <translation>preflight beginnen</translation>
     </message>
     <message>
         <source>Save a problem report</source>

@@ -7243,16 +7243,16 @@ cette étape …</translation>
         <translation>Sonner</translation>
     </message>
     <message>
+        <source>Begin {0}</source>
+        <translation>Commencer {0}</translation>
+    </message>
+    <message>
         <source>Smaller   F11</source>
         <translation>Plus petit   F11</translation>
     </message>
     <message>
         <source>Larger   F11</source>
         <translation>Plus grand   F11</translation>
-    </message>
-    <message>
-        <source>Begin preflight</source>
-        <translation>Démarrer preflight</translation>
     </message>
     <message>
         <source>Save a problem report</source>

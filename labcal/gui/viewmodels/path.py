@@ -59,7 +59,8 @@ class PathViewModel(QObject):
         self._lab, self._run, self._study, self.handed_out = lab, run, study, handed_out
         self.runs: tuple[RunLine, ...] = ()
         self.files: tuple[CalibrationFile, ...] = ()
-        self.refused, self.ready = "", False  # of the form on the Run page, where it is that of the preflight
+        self.refused = ""  # of the form on the Run page, where it is that of the preflight
+        self.begins = ""  # the procedure that Begin there begins, whichever it is
         for source in (lab.changed, run.changed, study.changed):
             source.connect(self.changed)
 
@@ -180,12 +181,12 @@ class PathViewModel(QObject):
         """By a preflight: where a setting of it is refused, that comes first."""
         if self.refused:
             return Next("Run", self.tr("Mend {0}").format(self.refused))
-        return Next("Run", self.tr("Calibrate {0}").format(serial), ready=self.ready)
+        return Next("Run", self.tr("Calibrate {0}").format(serial), ready=bool(self.begins))
 
-    def take_form(self, refused: str, ready: bool) -> None:
-        """How the form of the preflight stands: the first setting that is refused, and whether it may begin."""
-        if (refused, ready) != (self.refused, self.ready):
-            self.refused, self.ready = refused, ready
+    def take_form(self, refused: str, begins: str) -> None:
+        """How the form on the Run page stands: a preflight's first setting that is refused, and what may begin."""
+        if (refused, begins) != (self.refused, self.begins):
+            self.refused, self.begins = refused, begins
             self.changed.emit()
 
     def _of_the_signatures(self, last: RunLine) -> Next:
