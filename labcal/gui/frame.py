@@ -127,7 +127,10 @@ class SidePanel(Surface):
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        coils, platform = mark_of(now.coil_words, at_rest=now.at_rest), platform_mark(now.platform_words, now.coil_words)
+        coils, platform = (
+            mark_of(now.coil_words, at_rest=now.at_rest),
+            platform_mark(now.platform_words, now.coil_words),
+        )
         for place, words, mark in (
             (self.hands, state.hands[0], state.hands[1]),
             (self.zero_words, f"{coils[0]} {in_words(now.coil_words)}".strip(), coils[1]),

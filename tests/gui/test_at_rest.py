@@ -55,14 +55,14 @@ def card_of(window):
     return window.page("Run").live.prompt
 
 
-def lives(card, qtbot):
+def lives(card):
     """Once it was seen for a second."""
     card._unseen = False
     card._live()
     return [one.isEnabled() for one in card.choices.values()]
 
 
-KEPT_OUT = [  # coils, platform turns, why the reference says nothing; what stands largest, and whether it can be answered
+KEPT_OUT = [  # coils, platform turns, what the reference says; what stands largest, whether it can be answered
     ((0.0, 0.0, 0.0), False, "", "", True),
     ((0.0, 0.0, 0.4), False, "", "HANDS OFF", False),
     ((0.0, 0.0, None), False, "", "HANDS OFF", False),
@@ -72,7 +72,7 @@ KEPT_OUT = [  # coils, platform turns, why the reference says nothing; what stan
 
 
 @pytest.mark.parametrize(("currents", "turns", "why", "said", "answered"), KEPT_OUT)
-def test_an_order_to_reach_in_waits_grey_while_hands_are_kept_out(running, qtbot, currents, turns, why, said, answered):
+def test_an_order_to_reach_in_waits_grey_while_hands_are_kept_out(running, currents, turns, why, said, answered):
     send(running, MOUNT)
     says(running, currents, platform=stands(moving=turns), witness=Witness(why=why))
     card = card_of(running)
@@ -80,16 +80,16 @@ def test_an_order_to_reach_in_waits_grey_while_hands_are_kept_out(running, qtbot
     assert card.text.below.text() == "Mount it."
     assert card.text.below.isVisibleTo(card) is bool(said)
     assert card.text.below.property("state") == "old"
-    assert lives(card, qtbot) == [answered]
+    assert lives(card) == [answered]
     says(running, platform=stands())
     assert (card.text.text(), card.text.below.isVisibleTo(card)) == ("Mount it.", False)
-    assert lives(card, qtbot) == [True]
+    assert lives(card) == [True]
 
 
-def test_the_end_of_the_run_may_be_wanted_while_hands_are_kept_out(running, qtbot):
+def test_the_end_of_the_run_may_be_wanted_while_hands_are_kept_out(running):
     send(running, replace(MOUNT, choices=("done", "stop")))
     says(running, (0.0, 0.0, 0.4), platform=stands())
-    assert lives(card_of(running), qtbot) == [False, True]
+    assert lives(card_of(running)) == [False, True]
 
 
 def test_whether_hands_are_off_is_asked_as_before_while_something_turns(running):
@@ -98,23 +98,23 @@ def test_whether_hands_are_off_is_asked_as_before_while_something_turns(running)
     assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == READY.text
 
 
-def test_no_question_stands_for_ever(running, qtbot):
+def test_no_question_stands_for_ever(running):
     turned = replace(MOUNT, key="turn-90", choices=(), drawing={"angle_deg": 90.0})
     send(running, turned)
     says(running, (0.0, 0.0, 0.4))  # a dial is turned by hand with the coils on
     card = card_of(running)
     assert card.text.text() == "Mount it."
-    lives(card, qtbot)
+    lives(card)
     assert card.send.isEnabled()
     send(running, replace(MOUNT, key="mode-low", choices=("done",)))
     contradicted = Witness("disagrees", "it sees 1 nT", read_s=time.monotonic())
     says(running, platform=stands(), witness=contradicted)  # a device in another mode is seen by the reference for good
-    assert (card.text.text(), lives(card, qtbot)) == ("HANDS OFF", [True])
+    assert (card.text.text(), lives(card)) == ("HANDS OFF", [True])
     says(running, platform=stands(moving=True, age_s=WATCHED_S + 5.0))  # of a simulated lab, which stands still
-    assert lives(card, qtbot) == [True]
+    assert lives(card) == [True]
     running.app_state.run.virtual_time = False
     says(running, platform=stands(moving=True, age_s=WATCHED_S + 5.0))
-    assert lives(card, qtbot) == [False]
+    assert lives(card) == [False]
 
 
 def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real):

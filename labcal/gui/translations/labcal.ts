@@ -6312,6 +6312,13 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>PausedHands</name>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Printer</name>
     <message>
         <source>this computer has no program {0}</source>
@@ -6683,6 +6690,10 @@ after this step …</source>
     </message>
     <message>
         <source>COILS   A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtGui import QColor, QPalette
 
-from labcal.gui.theming.theme import Theme
+from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.widgets.common import AutoSizeLabel, label, set_state
+
+LEAST_PX = 7 * GRID  # for why hands are kept out, which is read from afar however long the order is
 
 
 class OrderLabel(AutoSizeLabel):
@@ -14,7 +16,7 @@ class OrderLabel(AutoSizeLabel):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme, self._order, self._kept = theme, "", ("", "")
-        self.below = label("", "title", wrap=True)
+        self.below = label("", wrap=True)
         set_state(self.below, "old")
         self.below.hide()
 
@@ -40,5 +42,6 @@ class OrderLabel(AutoSizeLabel):
         palette.setColor(QPalette.ColorRole.WindowText, QColor(getattr(self._theme, state or "text")))
         self.setPalette(palette)
         self.set_text(words or self._order)
+        self.setMinimumHeight(LEAST_PX if words else 0)
         self.below.setText(self._order)
         self.below.setVisible(bool(words))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QPaintEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -205,6 +205,13 @@ class PromptCard(Card):
             self._unseen = False
             self.dead.start(DEAD_MS)
 
+    def event(self, event: QEvent) -> bool:
+        """All that is said has its room at this width: a page that is too low rolls, and cuts nothing."""
+        done, layout = super().event(event), self.layout()
+        if layout is not None and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+            self.setMinimumHeight(layout.totalMinimumHeightForWidth(self.width()))
+        return done
+
     def showEvent(self, event: QShowEvent) -> None:
         """Seen anew: nobody knows what was clicked just before."""
         super().showEvent(event)
@@ -257,7 +264,7 @@ class PromptCard(Card):
         self._show_hands()
 
     def say_kept_out(self, words: str, mark: str, *, waits: bool) -> None:
-        """That hands are kept out, in place of the order that sends them in ("": none does); whether its answer `waits` for that."""
+        """That hands are kept out, in place of the order that sends them in ("": none does); whether its answer `waits`."""
         self.text.keep_out(words, mark)
         self._waits = waits
         self._let_answer()
