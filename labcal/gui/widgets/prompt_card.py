@@ -264,7 +264,7 @@ class PromptCard(Card):
         self._show_hands()
 
     def say_kept_out(self, words: str, mark: str, *, waits: bool) -> None:
-        """That hands are kept out, in place of the order that sends them in ("": none does); whether its answer `waits`."""
+        """That hands are kept out, in place of an order that sends them in ("": none); whether its answer `waits`."""
         self.text.keep_out(words, mark)
         self._waits = waits
         self._let_answer()
