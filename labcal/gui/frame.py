@@ -131,8 +131,9 @@ class SidePanel(Surface):
             mark_of(now.coil_words, at_rest=now.at_rest),
             platform_mark(now.platform_words, now.coil_words),
         )
+        hands = ("", "") if coils[1] == "bad" else state.hands  # HANDS OFF above, and why below, take the room
         for place, words, mark in (
-            (self.hands, state.hands[0], state.hands[1]),
+            (self.hands, *hands),
             (self.zero_words, f"{coils[0]} {in_words(now.coil_words)}".strip(), coils[1]),
             (self.platform, f"{platform[0]} {in_words(now.platform_words)}".strip(), platform[1]),
         ):

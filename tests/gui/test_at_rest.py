@@ -128,6 +128,8 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
     assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
     real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
     assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands out: coils on", "bad")
+    real.app_state.take_lab(lab((0.0, 0.0, None)))  # what is said of the coils is as much, and longer
+    assert (real.side.hands.isVisible(), real.side.keep_off.text()) == (False, "HANDS OFF")
 
 
 def test_it_stands_there_in_every_state_of_a_run_but_while_it_measures_or_hands_were_promised(running):
