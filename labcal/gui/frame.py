@@ -127,18 +127,14 @@ class SidePanel(Surface):
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        coils, platform = (
-            mark_of(now.coil_words, at_rest=now.at_rest),
-            platform_mark(now.platform_words, now.coil_words),
-        )
+        coils = mark_of(now.coil_words, at_rest=now.at_rest)
+        platform = platform_mark(now.platform_words, now.coil_words)
         hands = ("", "") if coils[1] == "bad" else state.hands  # HANDS OFF above, and why below, take the room
-        for place, words, mark in (
-            (self.hands, *hands),
-            (self.zero_words, f"{coils[0]} {in_words(now.coil_words)}".strip(), coils[1]),
-            (self.platform, f"{platform[0]} {in_words(now.platform_words)}".strip(), platform[1]),
-        ):
-            place.setText(words)
-            place.setVisible(bool(words))
+        said = (f"{coils[0]} {in_words(now.coil_words)}", f"{platform[0]} {in_words(now.platform_words)}", hands[0])
+        marks = coils[1], platform[1], hands[1]
+        for place, words, mark in zip((self.zero_words, self.platform, self.hands), said, marks, strict=True):
+            place.setText(words.strip())
+            place.setVisible(bool(words.strip()))
             set_state(place, mark)
         self._show_lights(state)
         self.read_all.setEnabled(bool(state.bench) and not now.driven and not state.reading)
