@@ -57,8 +57,8 @@ def card_of(window):
 
 def lives(card):
     """Once it was seen for a second."""
-    card._unseen = False
-    card._live()
+    card.alive = True
+    card.say_lost([])
     return [one.isEnabled() for one in card.choices.values()]
 
 
