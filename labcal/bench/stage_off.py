@@ -13,7 +13,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, closing, contextmanager, nullcontext, suppress
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -91,7 +91,7 @@ def _has_a_line(path: Path) -> bool:
 
 
 def stopped(path: Path, coils_are_down: Callable[[], bool] = lambda: True) -> PlatformReading | None:
-    """Stop the platform of the bench `path` and see it stand; as `StageStop.ended`.
+    """Stop the platform of the bench `path` and see it stand; as `StageStop.ended`. Times are by the monotonic clock.
 
     `coils_are_down`: returns once they are, False where nobody will say so; asked where a supply is on its line.
     """
@@ -121,7 +121,9 @@ def stopped(path: Path, coils_are_down: Callable[[], bool] = lambda: True) -> Pl
                     return None
                 platform = BenchPlatform(cast("RotationPlatform", stage), config.platform, config.dut.limits)
                 stage.identify()  # a stop is no word for another instrument
-                return platform.brought_to_rest(loader.clock)
+                how = platform.brought_to_rest(loader.clock)
+                seen = how.read_s is not None  # the clock of this bench began when it was loaded: nobody else has it
+                return replace(how, read_s=time.monotonic()) if seen else how
         except InstrumentError as fault:
             if fault.fault != "in use":
                 return PlatformReading(fault=fault.what)

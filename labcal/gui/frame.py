@@ -78,10 +78,10 @@ class SidePanel(Surface):
         self._column.addLayout(coils_head)
         self.coils = ReadoutGrid(("x", "y", "z"))
         self._column.addWidget(self.coils)
-        self.zero_words = label("", wrap=True)
-        self._column.addWidget(self.zero_words)
-        self.platform = label("", wrap=True)
-        self._column.addWidget(self.platform)
+        self.hands, self.zero_words, self.platform = (label("", wrap=True) for _ in range(3))
+        self.hands.setAccessibleName(self.tr("Whether hands may go in"))
+        for said in (self.hands, self.zero_words, self.platform):
+            self._column.addWidget(said)
         self.read_all = button(
             self.tr("Read all"),
             self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
@@ -127,14 +127,15 @@ class SidePanel(Surface):
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
-        self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
-        self.zero_words.setVisible(bool(now.coil_words))
-        set_state(self.zero_words, mark)
-        shape, mark = platform_mark(now.platform_words, now.coil_words)
-        self.platform.setText(f"{shape} {in_words(now.platform_words)}".strip())
-        self.platform.setVisible(bool(now.platform_words))
-        set_state(self.platform, mark)
+        coils = mark_of(now.coil_words, at_rest=now.at_rest)
+        platform = platform_mark(now.platform_words, now.coil_words)
+        hands = ("", "") if coils[1] == "bad" else state.hands  # HANDS OFF above, and why below, take the room
+        said = (f"{coils[0]} {in_words(now.coil_words)}", f"{platform[0]} {in_words(now.platform_words)}", hands[0])
+        marks = coils[1], platform[1], hands[1]
+        for place, words, mark in zip((self.zero_words, self.platform, self.hands), said, marks, strict=True):
+            place.setText(words.strip())
+            place.setVisible(bool(words.strip()))
+            set_state(place, mark)
         self._show_lights(state)
         self.read_all.setEnabled(bool(state.bench) and not now.driven and not state.reading)
 

@@ -29,7 +29,10 @@ def told(run_id: str) -> Told:
 
 
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:
-    """One for each time that the run was gone on with, by its steps; how long each lasted, by its `statuses`."""
+    """One for each time that the run was gone on with, by its steps; how long each lasted, by its `statuses`.
+
+    One that it has not been gone on with since is counted after others, without a length; alone its status says it.
+    """
     stretches: list[list[str]] = [[]]
     for item in items:
         if isinstance(item, Event) and item.kind == RESUMED:
@@ -41,6 +44,8 @@ def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) ->
         before |= set(broken)
         again = tuple(dict.fromkeys(name for name in after if name in before))
         found.append(Interruption(broken[-1] if broken else "", gone[number] if number < len(gone) else None, again))
+    if found and statuses and statuses[-1][0] == "interrupted":
+        found.append(Interruption(stretches[-1][-1] if stretches[-1] else "", None, (), timed=False))
     return found
 
 

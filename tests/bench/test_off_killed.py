@@ -6,11 +6,14 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 from served_lab import LABCAL, LONG_S, Served, at_zero, example, until
 from test_off import left_on
+
+from labcal.bench.stage_off import StageStop
 
 SLOW = example().replace("interface_lock = true, ", "").replace("ramp_A_per_s = 2.0", "ramp_A_per_s = 0.1")
 
@@ -49,3 +52,14 @@ def test_the_kill_of_its_child_is_made_good_and_the_report_comes(lab: Served) ->
     assert off.returncode == 0, said
     assert said.count("zero, open") == 3
     assert at_zero(lab)
+
+
+@pytest.mark.parametrize("bench_text", [example()], ids=["example"])
+def test_a_platform_that_was_stopped_was_read_just_now_by_the_clock_that_everybody_has(lab: Served) -> None:
+    stage = StageStop(lab.file)
+    stage.begin()
+    read = stage.ended(LONG_S)
+    assert read is not None
+    assert read.sentence(time.monotonic()).startswith("platform stands at ")
+    assert read.read_s is not None
+    assert 0.0 <= time.monotonic() - read.read_s < LONG_S

@@ -376,3 +376,27 @@ def test_longer_words_of_another_language_are_not_cut_where_room_is_least(other_
         faulty = faults_at(new_window, lambda size, wall: new_window.resize(*size), page, next(iter(SIZES)))
         found += [f"{state}, {fault}" for fault in faulty]
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+@pytest.mark.parametrize("state", LONG)
+def test_a_run_is_whole_on_a_small_screen(still, sized, state):
+    page = LONG[state](still)
+    still.open_page(page)
+    found = list(faults_at(still, sized, page, "1024 x 700"))
+    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+@pytest.mark.parametrize("moving", [False, True])
+def test_a_question_with_all_that_can_be_said_below_it_rolls_on_a_small_screen_and_is_whole(still, sized, moving):
+    still.open_page(by_word(still, replace(TURNED, text=f"{MOUNT} The cable comes out towards the door, the lift up.")))
+    lab = still.app_state.run.lab
+    still.app_state.bench_worker.states.emit(replace(lab, platform=replace(lab.platform, moving=moving)))
+    card = still.page("Run").live.prompt
+    card.say_anew(anew=True)
+    card.say_serials((("dut", "says that it is EM-10, and the bench file states EM-09: look which of the two stands"),))
+    for _ in range(2):
+        sized((1024, 700), False)
+        settle(still)
+    for said in (card.hands, card.stands, card.anew, card.serials, card.text.below if moving else card.text):
+        assert said.isVisibleTo(card)
+        assert said.height() >= said.heightForWidth(said.width())

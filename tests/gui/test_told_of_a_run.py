@@ -8,6 +8,7 @@ from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import ListRuns, RunProcedure
 from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.pages.run_live import Live
+from labcal.gui.viewmodels.told_words import interrupted_words
 from labcal.record.stream import RESUMED, Event, Step
 from labcal.record.told import Interruption, Told
 from labcal.session.told import interruptions
@@ -120,3 +121,14 @@ def test_interruptions_are_counted_from_the_record_with_their_length_and_what_wa
     first, second = interruptions(items, statuses)
     assert (first.at, first.gone_s, first.again) == ("y", 7200.0, ("zero", "y"))
     assert (second.at, second.gone_s, second.again) == ("z", None, ("zero", "z"))  # it was killed: nobody wrote when
+
+
+def test_one_that_was_interrupted_again_and_not_gone_on_with_counts_that_as_well():
+    items = [Step(0.0, 1, 9, "zero", 0.0), Event(1.0, RESUMED, ""), Step(2.0, 2, 9, "x", 0.0)]
+    at = "2026-11-29T0{}:00:00Z".format
+    statuses = [("running", at(1)), ("interrupted", at(2)), ("running", at(4)), ("interrupted", at(5))]
+    assert [one.at for one in interruptions(items, statuses)] == ["zero", "x"]
+    assert [one.at for one in interruptions(items, statuses[:-1])] == ["zero"]  # it goes on
+    assert interruptions(items[:1], statuses[:2]) == []
+    words = interrupted_words(Told(tuple(interruptions(items, statuses))))
+    assert words.startswith("▲ Interrupted 2 times: at offset and first position, for 2 h; at ")

@@ -23,7 +23,7 @@ from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
-from labcal.gui.viewmodels.what_happens import what_happens
+from labcal.gui.viewmodels.what_happens import kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
@@ -31,6 +31,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
+from labcal.gui.widgets.paused_hands import PausedHands
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import DEAD_MS, PromptCard
 from labcal.gui.widgets.run_notes import RunNotes
@@ -173,6 +174,7 @@ class Live(QWidget):
         self.headline.setMinimumHeight(5 * GRID)
         self.headline.setMaximumHeight(9 * GRID)
         self.headline.setAccessibleName(self.tr("What happens now"))
+        self.hands = PausedHands()
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
         self.covered = label("", "caption")
@@ -183,6 +185,7 @@ class Live(QWidget):
         row.addWidget(self.covered)
         row.addWidget(self.coverage, 1)
         card.body.addWidget(self.headline)
+        card.body.addWidget(self.hands)
         card.body.addWidget(self.loci, 3)
         card.body.addWidget(self.turn)
         card.body.addWidget(self.traces, 2)
@@ -326,6 +329,9 @@ class Live(QWidget):
         self.prompt.say_lab(now)
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed)
+        words, mark, waits = kept_out(self._run, now)
+        self.prompt.say_kept_out(words, mark, waits=waits)
+        self.hands.show_state(self._app_state.lab.state, paused=self._run.state == "paused")
         self.prompt.say_serials(self._app_state.lab.state.other_serials)
 
     def _say_coils_left(self) -> None:

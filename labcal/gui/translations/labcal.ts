@@ -6328,6 +6328,13 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>PausedHands</name>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Printer</name>
     <message>
         <source>this computer has no program {0}</source>
@@ -6699,6 +6706,10 @@ after this step …</source>
     </message>
     <message>
         <source>COILS   A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

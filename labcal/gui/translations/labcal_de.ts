@@ -6329,6 +6329,13 @@ diesem Schritt …</translation>
     </message>
 </context>
 <context>
+    <name>PausedHands</name>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation>Ob Hände hinein dürfen</translation>
+    </message>
+</context>
+<context>
     <name>Printer</name>
     <message>
         <source>this computer has no program {0}</source>
@@ -6701,6 +6708,10 @@ diesem Schritt …</translation>
     <message>
         <source>COILS   A</source>
         <translation>SPULEN   A</translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation>Ob Hände hinein dürfen</translation>
     </message>
     <message>
         <source>Read all</source>

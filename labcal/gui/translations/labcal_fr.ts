@@ -6329,6 +6329,13 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>PausedHands</name>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation>Si les mains peuvent entrer</translation>
+    </message>
+</context>
+<context>
     <name>Printer</name>
     <message>
         <source>this computer has no program {0}</source>
@@ -6701,6 +6708,10 @@ cette étape …</translation>
     <message>
         <source>COILS   A</source>
         <translation>BOBINES   A</translation>
+    </message>
+    <message>
+        <source>Whether hands may go in</source>
+        <translation>Si les mains peuvent entrer</translation>
     </message>
     <message>
         <source>Read all</source>

@@ -42,7 +42,7 @@ from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
-from labcal.gui.viewmodels.what_happens import keep_off
+from labcal.gui.viewmodels.what_happens import at_hands
 from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
@@ -361,7 +361,7 @@ class AppState(QObject):
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         now = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
-        self.lab.update(keep_off=keep_off(self.run, self._there()))
+        self.lab.update(**at_hands(self.run, self._there(), self.facts, self.known))
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:
             self.kept.warned = True
             self.off.say_what_is_missed()
@@ -382,7 +382,7 @@ class AppState(QObject):
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
-        self.lab.update(message=run.message, waiting=waits, keep_off=keep_off(run, self._there()))
+        self.lab.update(message=run.message, waiting=waits, **at_hands(self.run, self._there(), self.facts, self.known))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""

@@ -28,6 +28,7 @@ class LabState:
     reading: bool = False  # every instrument, because a person asked
     now: LabNow = NOT_TOLD
     keep_off: tuple[str, str] = ("", "")  # the heading over every page while hands have to be off, and its state
+    hands: tuple[str, str] = ("", "")  # whether they may go in, and its state; "" where none is to reach in
     other_serials: tuple[tuple[str, str], ...] = ()  # instruments that name another serial than is stated, in words
     field_U_nT: float | None = None  # k = 2
     unit: FieldUnit = "nT"

@@ -123,7 +123,7 @@ def lab_now(
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
         driven=driven,
-        platform_words=lab.platform_sentence(now_s),
+        platform_words=_platform_words(lab, now_s, driven=driven),
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
         platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
@@ -132,6 +132,13 @@ def lab_now(
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
+
+
+def _platform_words(lab: state.LabState, now_s: float, *, driven: bool) -> str:
+    """One that a run of this window turns is not read while it looks for its zero: it turns, which alarms nobody."""
+    turns = driven and lab.platform is not None and lab.platform.moving is True
+    read_s = lab.platform.read_s if turns and lab.platform is not None else None
+    return lab.platform_sentence(now_s if read_s is None or now_s - read_s > WATCHED_S else min(now_s, read_s))
 
 
 def age_words(old_s: int | None) -> str:
@@ -209,6 +216,18 @@ def hands_of(now: LabNow) -> tuple[str, str]:
         return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
     said = in_words(state.BY_BOTH) if seen else in_words(state.BY_SUPPLIES)
     return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
+
+
+def as_watched(now: LabNow) -> LabNow:
+    """What was read at rest up to `WATCHED_S` ago is read on and stands: the same without its age."""
+    if not 0 <= max(now.coil_old_s or 0, now.platform_old_s or 0) <= WATCHED_S:
+        return now
+    if now.coil_words.startswith(state.WAS_ZERO):
+        now = replace(now, coil_words=state.AT_ZERO, coils_at_zero=True)
+    elif now.coil_words.startswith(state.WAS_ZERO_BY_WORD):
+        now = replace(now, coil_words=state.BY_WORD, coils_at_zero=True)
+    stood = platform_mark(now.platform_words)[1] == "old"
+    return replace(now, platform_words=now.platform_words.partition(",")[0]) if stood else now
 
 
 def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:

@@ -7,7 +7,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.bench.coils import state
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LabNow, as_watched, mark_of, platform_mark
 
 OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
 STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
@@ -15,6 +15,7 @@ STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
 
 def off_headline(now: LabNow) -> tuple[str, str]:
     """The words and their state; "" where the coils are not at zero, which a card above says."""
+    now = as_watched(now)  # one sentence that stays between two looks: the side panel has the age
     shape, mark = mark_of(now.coil_words)
     if now.coils_at_zero is False or not now.coil_words:
         return "", ""

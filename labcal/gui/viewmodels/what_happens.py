@@ -6,9 +6,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
 from labcal.bench.coils.agreement import CHANGED
+from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import LabNow, alarm_of, hands_of, platform_mark, still_live
+from labcal.gui.viewmodels.hands import READY
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.run import RunViewModel
 
@@ -22,6 +24,7 @@ HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands out")
+DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
 
@@ -52,6 +55,40 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
         return translated(str(OFF)), "bad"
     unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words  # another process may drive them
     return (translated(str(OUT)), "warning") if unread or (run.alive and hands_of(now)[1] != "good") else ("", "")
+
+
+def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
+    """What stands in place of an order to reach in, its state, and whether its answer waits for the lab; else "".
+
+    A dial is turned with the coils on. Of others it waits for what is on, turns or is silent: not for a field that was
+    asked for, nor for what no supply and no platform owns to, or nobody reads any more of a simulated lab. No question
+    stands for ever.
+    """
+    words, mark = keep_off(run, now)
+    sends = run.prompt is not None and run.prompt.acts and run.prompt.key != READY and DIAL not in run.prompt.drawing
+    if not sends or now.coil_words in ("", state.NOT_YET):
+        return "", "", False
+    rests = now.coil_words.startswith(state.NOT_BY_REFERENCE) and platform_mark(now.platform_words)[1] in ("", "good")
+    past = run.virtual_time and max(now.coil_old_s or 0, now.platform_old_s or 0) > WATCHED_S
+    return words, mark, mark == "bad" and not (rests or past or any(now.field_set_nT or ()))
+
+
+def at_hands(
+    run: RunViewModel, now: LabNow, facts: Bench | None, known: state.LabState | None
+) -> dict[str, tuple[str, str]]:
+    """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
+    heard = facts is not None and not (facts.virtual_time and known is None)  # an emulated one is none before
+    return {"keep_off": keep_off(run, now), "hands": _hands_at(run, now) if heard else ("", "")}
+
+
+def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+    """Whether they may go in, unless they were promised to be off or something is being measured."""
+    promised = run.hands_off and run.state not in ("asking", "paused")
+    if run.alive and (promised or run.segment is not None):
+        return "", ""
+    words, mark = hands_of(now)
+    unread = mark == "bad" and not still_live(now)  # nothing is wrong where nobody has looked yet
+    return words, "warning" if unread else mark
 
 
 def _how_it_ended(run: RunViewModel, now: LabNow) -> str:

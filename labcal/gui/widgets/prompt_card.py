@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QPaintEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -20,13 +20,14 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
-from labcal.gui.viewmodels.hands import READY, STILL_LOST, reached_into, says_hands_off
+from labcal.gui.viewmodels.hands import READY, STILL_LOST, STOP, reached_into, says_hands_off
 from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
-from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, plain, set_state
+from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
+from labcal.gui.widgets.order_label import OrderLabel
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
@@ -108,15 +109,13 @@ class PromptCard(Card):
         self._lost = False  # somebody, since it was asked
         self._said_once = False  # how the coils are is said whole where hands are told that they may go in
         self._who, self._back = list[str](), ""  # who is lost; who was, and answers again
-        self.text, self.hint, self.drawing = (
-            AutoSizeLabel(),
-            label("", "caption", wrap=True),
-            Mounting(theme),
-        )
+        self._waits = False  # what sends hands to the lab: for the lab
+        self.text, self.hint, self.drawing = OrderLabel(theme), label("", "caption", wrap=True), Mounting(theme)
         words = QVBoxLayout()
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
         words.addWidget(self.text, 1)
+        words.addWidget(self.text.below)
         self.details = label("", "title", wrap=True)
         words.addWidget(self.details)
         self.hands, self.lab, self.stands = label("", "title", wrap=True), label("", wrap=True), label("", wrap=True)
@@ -173,7 +172,7 @@ class PromptCard(Card):
         self.call.start()
         self._reached_into = prompt.acts and prompt.key != "ready"
         self._show_hands()
-        self.text.set_text(unbroken(headline(prompt)))
+        self.text.order(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self.details.setText(below(prompt, translated(WORDS[RETRY])))
         self.details.setVisible(bool(self.details.text()))
@@ -206,6 +205,13 @@ class PromptCard(Card):
             self._unseen = False
             self.dead.start(DEAD_MS)
 
+    def event(self, event: QEvent) -> bool:
+        """All that is said has its room at this width: a page that is too low rolls, and cuts nothing."""
+        done, layout = super().event(event), self.layout()
+        if layout is not None and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+            self.setMinimumHeight(layout.totalMinimumHeightForWidth(self.width()))
+        return done
+
     def showEvent(self, event: QShowEvent) -> None:
         """Seen anew: nobody knows what was clicked just before."""
         super().showEvent(event)
@@ -221,12 +227,16 @@ class PromptCard(Card):
             self._let_answer()
 
     def _let_answer(self) -> None:
-        """Alive, once it was seen for long enough; what energises or turns not before everybody answers."""
+        """Alive, once it was seen for long enough; what energises or turns not before everybody answers.
+
+        That hands have done something not while they are kept out; the end of the run may be wanted at any moment.
+        """
         for choice, made in self.choices.items():
             moves = self._prompt is not None and moves_by_itself(self._prompt, choice)
-            made.setEnabled(self.alive and not (moves and self._lost))
+            waits = self._waits and choice != STOP
+            made.setEnabled(self.alive and not (moves and self._lost) and not waits)
         if self.send is not None:
-            self.send.setEnabled(self.alive)
+            self.send.setEnabled(self.alive and not self._waits)
 
     def _answers(self) -> list[QPushButton]:
         return [made for made in (*self.choices.values(), self.send) if made is not None]
@@ -252,6 +262,12 @@ class PromptCard(Card):
         set_state(self.hands, mark)
         self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
         self._show_hands()
+
+    def say_kept_out(self, words: str, mark: str, *, waits: bool) -> None:
+        """That hands are kept out, in place of an order that sends them in ("": none); whether its answer `waits`."""
+        self.text.keep_out(words, mark)
+        self._waits = waits
+        self._let_answer()
 
     def _show_hands(self) -> None:
         known = bool(self.lab.text())
@@ -284,7 +300,7 @@ class PromptCard(Card):
         says = says and self._prompt.key != READY  # there the question stays: what will move is said in it
         if says and bool(lost) is not self._lost and (lost or self._lost):
             again = self.tr("Every instrument answers again.")
-            self.text.set_text(unbroken(headline(self._prompt)) if lost else again)
+            self.text.order(unbroken(headline(self._prompt)) if lost else again)
             self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
         self._lost = bool(lost)
         self._let_answer()

@@ -1,0 +1,152 @@
+"""Lab at rest, and the order to reach in: one sentence that stays, at its size, on every page; nothing flickers."""
+
+import time
+from dataclasses import replace
+
+import pytest
+from test_hands_in_the_cage import MOUNT, READY, headline, lab, says, send, stands
+from test_hands_in_the_cage import real as real
+from test_hands_in_the_cage import running as running
+
+from labcal.bench.coils.agreement import CHANGED
+from labcal.bench.coils.state import FRESH_S, LabState, PlatformReading, Witness, unread
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.lab_now import WATCHED_S
+from labcal.gui.viewmodels.off_headline import off_headline
+from labcal.record import Segment
+from labcal.record.stream import Event, SegmentOpened
+
+
+def read(age_s, verdict="agrees"):
+    """A lab at rest that was read `age_s` ago."""
+    now = time.monotonic()
+    known = lab(platform=stands(age_s=age_s), witness=Witness(verdict, "", read_s=now - age_s))
+    return replace(known, coils=tuple(replace(coil, read_s=now - age_s) for coil in known.coils))
+
+
+@pytest.mark.parametrize("verdict", ["agrees", "not known"])
+def test_after_coils_off_the_headline_is_one_as_long_as_the_watch_reads(real, verdict):
+    said = set()
+    for age_s in (0.0, FRESH_S + 0.5, WATCHED_S - 2.0):
+        real.app_state.take_lab(read(age_s, verdict))
+        said.add(off_headline(real.app_state.lab.state.now))
+    assert said == {
+        ("✓ COILS OFF: coils at zero, platform stands", "good")
+        if verdict == "agrees"
+        else ("■ COILS OFF: coils at zero, platform stands", "")
+    }
+    real.app_state.take_lab(read(WATCHED_S + 2.0, verdict))
+    assert off_headline(real.app_state.lab.state.now)[1] == "warning"
+
+
+def test_a_platform_that_the_run_turns_is_not_read_for_a_moment_and_alarms_nobody(running):
+    says(running, platform=PlatformReading(0.0, True, time.monotonic() - FRESH_S - 1.0))
+    assert running.side.platform.text() == "● platform turns, at 0°"
+    assert headline(running).startswith("Hands off · ")
+    says(running, platform=PlatformReading(0.0, True, time.monotonic() - WATCHED_S - 2.0))
+    assert "NOT confirmed" in running.side.platform.text()
+    says(running, platform=PlatformReading(fault="silent"))
+    assert headline(running).startswith("HANDS OFF – ")
+
+
+def card_of(window):
+    return window.page("Run").live.prompt
+
+
+def lives(card):
+    """Once it was seen for a second."""
+    card.alive = True
+    card.say_lost([])
+    return [one.isEnabled() for one in card.choices.values()]
+
+
+KEPT_OUT = [  # coils, platform turns, what the reference says; what stands largest, whether it can be answered
+    ((0.0, 0.0, 0.0), False, "", "", True),
+    ((0.0, 0.0, 0.4), False, "", "HANDS OFF", False),
+    ((0.0, 0.0, None), False, "", "HANDS OFF", False),
+    ((0.0, 0.0, 0.0), True, "", "HANDS OFF", False),
+    ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands out", True),  # what was mounted may be as magnetic
+]
+
+
+@pytest.mark.parametrize(("currents", "turns", "why", "said", "answered"), KEPT_OUT)
+def test_an_order_to_reach_in_waits_grey_while_hands_are_kept_out(running, currents, turns, why, said, answered):
+    send(running, MOUNT)
+    says(running, currents, platform=stands(moving=turns), witness=Witness(why=why))
+    card = card_of(running)
+    assert card.text.text() == (said or "Mount it.")
+    assert card.text.below.text() == "Mount it."
+    assert card.text.below.isVisibleTo(card) is bool(said)
+    assert card.text.below.property("state") == "old"
+    assert lives(card) == [answered]
+    says(running, platform=stands())
+    assert (card.text.text(), card.text.below.isVisibleTo(card)) == ("Mount it.", False)
+    assert lives(card) == [True]
+
+
+def test_the_end_of_the_run_may_be_wanted_while_hands_are_kept_out(running):
+    send(running, replace(MOUNT, choices=("done", "stop")))
+    says(running, (0.0, 0.0, 0.4), platform=stands())
+    assert lives(card_of(running)) == [False, True]
+
+
+def test_whether_hands_are_off_is_asked_as_before_while_something_turns(running):
+    send(running, READY)
+    says(running, platform=stands(moving=True))
+    assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == READY.text
+
+
+def test_no_question_stands_for_ever(running):
+    turned = replace(MOUNT, key="turn-90", choices=(), drawing={"angle_deg": 90.0})
+    send(running, turned)
+    says(running, (0.0, 0.0, 0.4))  # a dial is turned by hand with the coils on
+    card = card_of(running)
+    assert card.text.text() == "Mount it."
+    lives(card)
+    assert card.send.isEnabled()
+    send(running, replace(MOUNT, key="mode-low", choices=("done",)))
+    contradicted = Witness("disagrees", "it sees 1 nT", read_s=time.monotonic())
+    says(running, platform=stands(), witness=contradicted)  # a device in another mode is seen by the reference for good
+    assert (card.text.text(), lives(card)) == ("HANDS OFF", [True])
+    says(running, platform=stands(moving=True, age_s=WATCHED_S + 5.0))  # of a simulated lab, which stands still
+    assert lives(card) == [True]
+    running.app_state.run.virtual_time = False
+    says(running, platform=stands(moving=True, age_s=WATCHED_S + 5.0))
+    assert lives(card) == [False]
+
+
+def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real):
+    real.app_state.take_lab(LabState(unread()))
+    for page in real.lazy_pages:
+        real.open_page(page)
+        assert real.side.hands.isVisible()
+        assert real.side.hands.text() == "▲ Hands out: coils not read back in this session"
+    assert real.side.hands.property("state") == "warning"
+    real.app_state.take_lab(read(FRESH_S + 1.0))
+    assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
+    real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
+    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands out: coils on", "bad")
+    real.app_state.take_lab(lab((0.0, 0.0, None)))  # what is said of the coils is as much, and longer
+    assert (real.side.hands.isVisible(), real.side.keep_off.text()) == (False, "HANDS OFF")
+
+
+def test_it_stands_there_in_every_state_of_a_run_but_while_it_measures_or_hands_were_promised(running):
+    says(running, platform=stands())
+    said = "✓ Hands may go in: coils read back at zero by their supplies"
+    assert running.side.hands.text().startswith(said)
+    send(running, READY)
+    running.app_state.run.answer("done")
+    assert not running.side.hands.isVisible()
+    send(running, Event(4.0, "pause", "paused"))
+    assert running.side.hands.text().startswith(said)
+    hands = running.page("Run").live.hands
+    assert (hands.isVisible(), hands.text()) == (True, running.side.hands.text())
+    assert hands.objectName() == card_of(running).hands.objectName()
+    send(running, Event(5.0, "pause", "goes on"), SegmentOpened(6.0, Segment("z", "static")))
+    assert not running.side.hands.isVisible()
+    assert not hands.isVisible()
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("left", "left")))
+    assert running.side.hands.isVisible()
+    assert not hands.isVisible()
