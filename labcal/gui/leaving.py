@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QMenu, QStyle, QSystemTrayIcon
 
 from labcal.gui.frame import Frame
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import LabState
+from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.widgets.close_at_rest import CloseAtRest
 from labcal.gui.widgets.close_question import CloseQuestion
 
 NEEDS_SOMEBODY = ("asking", "ended")
@@ -22,17 +27,26 @@ class Leaving(QObject):
         super().__init__(window)
         self._window, self._app_state = window, app_state
         self.question: CloseQuestion | None = None
+        self.still_on: CloseAtRest | None = None
+        self._guarded: bool | None = None
         self.tray: QSystemTrayIcon | None = None
         self.behind = self._at_end = False
         app_state.run.changed.connect(self._run_changed)
         app_state.lab.changed.connect(self._say_coils)
 
     def may_go(self) -> bool:
-        """Whether no run goes on; else the person is asked."""
-        if not self._app_state.run.alive:
+        """Whether no run goes on and nobody has to keep hands off; else the person is asked."""
+        if self._app_state.run.alive:
+            self._ask()
+            return False
+        self._app_state.grow_old()
+        if not self._hands_off():
             return True
-        self._ask()
+        self._ask_at_rest()
         return False
+
+    def _hands_off(self) -> bool:
+        return self._app_state.lab.state.keep_off[1] == "bad"
 
     def take(self, way: str) -> None:
         """What the person wants: stop, behind or later."""
@@ -67,7 +81,38 @@ class Leaving(QObject):
         self._say_coils(self._app_state.lab.state)
         self.question.open()
 
+    def _ask_at_rest(self) -> None:
+        if self.still_on is not None and self.still_on.isVisible():
+            return
+        self.still_on, self._guarded = CloseAtRest(self._window), self._is_guarded()
+        self.still_on.setStyleSheet(self._window.sheet())
+        self.still_on.chosen.connect(self._asked_at_rest)
+        self._say_still_on()
+        self.still_on.open()
+
+    def _asked_at_rest(self, go: bool) -> None:
+        if go:
+            self.leave.emit(False)
+
+    def _say_still_on(self) -> None:
+        app_state, now = self._app_state, self._app_state.lab.state.now
+        if self.still_on is not None:
+            coils = (in_words(app_state.coil_words()), now.silent_with_current)
+            self.still_on.say(
+                by_hand=app_state.by_hand(),
+                coils=". ".join(filter(None, coils)),
+                platform=platform_said(now.platform_words),
+                guarded=self._guarded,
+            )
+
+    def _is_guarded(self) -> bool | None:
+        """Whether a guardian keeps the supplies; None of a simulated lab, whose coils are gone with it."""
+        from labcal.bench.guardian.client import is_guarded
+
+        return None if self._app_state.lab.state.simulated else is_guarded(Path(self._app_state.bench))
+
     def _say_coils(self, state: LabState) -> None:
+        self._say_still_on()
         if self.question is not None:
             self.question.say_coils(state.now.coil_words)
 
