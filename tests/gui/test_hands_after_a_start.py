@@ -45,9 +45,15 @@ def test_closing_with_a_coil_on_says_which_and_stays(qtbot, silent, monkeypatch,
     said = words(dialog)
     for part in ("HANDS OFF: the coils may be on", "z: +1.100 A when last read", "Switch off by hand: supply_z"):
         assert part in said
-    assert ("the guardian tries on" in said, "No guardian" in said) == (guarded, not guarded)
+    assert ("the guardian keeps trying" in said, "No guardian" in said) == (guarded, not guarded)
     qtbot.keyClick(dialog, Qt.Key.Key_Return)
     assert (silent.isVisible(), dialog.isVisible()) == (True, False)
+
+
+def test_the_question_goes_once_the_coils_are_at_zero(silent):
+    silent.close()
+    silent.app_state.take_lab(lab())
+    assert (silent.isVisible(), silent.leaving.still_on.isVisible()) == (True, False)
 
 
 def test_who_closes_all_the_same_says_off_first(qtbot, silent):

@@ -380,7 +380,7 @@ def guarding(bench: Path, known: Sequence[object] = ()) -> list[Connection]:
 
 
 def is_guarded(bench: Path) -> bool:
-    """Whether a guardian of this bench file lives: it tries on until each coil is read back at zero."""
+    """Whether a guardian of this bench file lives: it keeps trying until each coil is read back at zero."""
     return any("address" in card and _is_of(bench, card) for card in ports.announced())
 
 

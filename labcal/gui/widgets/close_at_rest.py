@@ -60,7 +60,7 @@ class CloseAtRest(GrowingDialog):
 
     def _tries_on(self) -> str:
         return self.tr(
-            "With the window closed the guardian tries on to bring every coil to zero; nobody sees whether it does."
+            "With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does."
         )
 
     def _nobody_tries(self) -> str:
