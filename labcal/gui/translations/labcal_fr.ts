@@ -554,7 +554,7 @@
     </message>
     <message>
         <source>Close nothing (Esc)</source>
-        <translation>Ne rien fermer (Esc)</translation>
+        <translation>Ne rien fermer (Échap)</translation>
     </message>
     <message>
         <source>Close all the same</source>
@@ -617,7 +617,7 @@
     </message>
     <message>
         <source>Close nothing (Esc)</source>
-        <translation>Ne rien fermer (Esc)</translation>
+        <translation>Ne rien fermer (Échap)</translation>
     </message>
 </context>
 <context>
@@ -5580,7 +5580,7 @@
     </message>
     <message>
         <source>The run ends, and the window does not close (Esc)</source>
-        <translation>La mesure s&apos;arrête, et la fenêtre ne se ferme pas (Esc)</translation>
+        <translation>La mesure s&apos;arrête, et la fenêtre ne se ferme pas (Échap)</translation>
     </message>
     <message>
         <source>The run has ended; the window closes.</source>
@@ -5750,7 +5750,7 @@
     </message>
     <message>
         <source>Put this sheet away (Esc)</source>
-        <translation>Ranger cette feuille (Esc)</translation>
+        <translation>Ranger cette feuille (Échap)</translation>
     </message>
 </context>
 <context>
