@@ -52,6 +52,11 @@ NO_CLAIM = {
     "zero when a session ends, breaks off or no longer answers.": HELP,
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
+    "With the window closed the guardian keeps trying to bring every coil to zero; "
+    "nobody sees whether it does.": NOT_KNOWN,
+    "No guardian holds the supplies: COILS OFF is given once more on closing; "
+    "nobody sees what becomes of it.": NOT_KNOWN,
+    "Going to zero; the window closes after that …": ORDER,
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
     "Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.": ORDER,
     "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller": ORDER,

@@ -1,11 +1,18 @@
 """Closing the window in a run asks first: stop, keep running behind, resume later, or back."""
 
-import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QSystemTrayIcon
+import time
 
-from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import Abort, RunProcedure, Stop
+import pytest
+from lab_states import told
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QLabel, QSystemTrayIcon
+
+from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, Witness
+from labcal.gui import leaving
+from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
+from labcal.gui.ipc.messages import Abort, RunProcedure, Stop, SwitchOff
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.leaving import LOOK_MS
 from labcal.record.stream import Prompt, Step
 
 
@@ -43,12 +50,78 @@ def test_stop_ends_the_run_in_order_and_closes_then(qtbot, running):
     press(qtbot, running, "stop")
     assert (running.app_state.bench_worker.said, running.isVisible()) == ([Stop()], True)
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped"))
+    qtbot.waitUntil(lambda: not running.isVisible())
+    assert len(running.hung_up) == 1
+
+
+def test_later_leaves_the_run_interrupted_and_closes_when_it_has_ended(qtbot, running):
+    press(qtbot, running, "later")
+    assert (running.app_state.bench_worker.said, running.isVisible(), running.hung_up) == ([Stop(later=True)], True, [])
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted"))
+    qtbot.waitUntil(lambda: not running.isVisible())
+    assert running.hung_up == [[Stop(later=True)]]  # and no COILS OFF after it
+
+
+@pytest.mark.parametrize("way", ["stop", "later"])
+def test_the_window_stays_until_the_coils_were_read_back_and_says_so_before_it_goes(qtbot, running, way):
+    told(running, (0.0, 0.0, 1.1))
+    press(qtbot, running, way)
+    going = running.leaving.going
+    assert (going.isVisible(), going.lab_lines.coils.text()) == (True, "● coils on: z +1.1000 A")
+    assert going.heading.text().startswith("Going to zero")
+    told(running)
+    status = "stopped" if way == "stop" else "interrupted"
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", status))
+    qtbot.waitUntil(lambda: going.heading.text().startswith("The run has ended"))
+    seen_s = time.monotonic()
+    assert (running.isVisible(), going.lab_lines.coils.text()[:15]) == (True, "✓ coils at zero")
+    qtbot.waitUntil(lambda: not running.isVisible())
+    assert time.monotonic() - seen_s > 1.0
+
+
+def test_with_a_coil_that_is_not_read_back_it_does_not_close_and_says_so(qtbot, running):
+    told(running, (0.0, 0.0, 1.1))
+    press(qtbot, running, "later")
+    told(running, (0.0, 0.0, None))
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("instrument", "z: silent")))
+    ends = (*(CoilEnd(a, 0.0, "zero, open", True, time.monotonic()) for a in "xy"), CoilEnd("z", None, "lost", False))
+    running.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends))
+    qtbot.waitUntil(lambda: running.leaving.still_on is not None and running.leaving.still_on.isVisible())
+    assert "z: +1.100 A when last read" in running.leaving.still_on.coils.text()
+    qtbot.keyClick(running.leaving.still_on, Qt.Key.Key_Escape)
+    qtbot.wait(2 * LOOK_MS)
+    assert (running.isVisible(), running.leaving.still_on.isVisible(), running.leaving.going.isVisible()) == (
+        *(True, False, False),
+    )
+
+
+def test_a_way_out_that_takes_too_long_is_no_end_of_waiting_for_the_person(qtbot, running, monkeypatch):
+    told(running, (0.0, 0.0, 1.1))
+    monkeypatch.setattr(leaving, "OUT_S", 0.0)
+    press(qtbot, running, "later")
+    qtbot.waitUntil(lambda: running.leaving.still_on is not None and running.leaving.still_on.isVisible())
+    qtbot.mouseClick(running.leaving.still_on.go, Qt.MouseButton.LeftButton)
     assert (running.isVisible(), len(running.hung_up)) == (False, 1)
 
 
-def test_resume_later_hangs_up_without_a_word_so_that_the_run_is_left_interrupted(qtbot, running):
-    press(qtbot, running, "later")
-    assert (running.isVisible(), running.hung_up) == (False, [[]])
+def test_stay_keeps_the_window_though_the_run_ends(qtbot, running):
+    press(qtbot, running, "stop")
+    qtbot.mouseClick(running.leaving.going.stay, Qt.MouseButton.LeftButton)
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped"))
+    qtbot.wait(2 * LOOK_MS)
+    assert (running.isVisible(), running.leaving.going.isVisible(), running.hung_up) == (True, False, [])
+
+
+def test_the_question_is_whole_and_says_how_the_platform_is(qtbot, running):
+    states = running.app_state.bench_worker.states
+    coils = tuple(CoilReading(a, None, -1.2345, False, None, time.monotonic()) for a in "xyz")
+    states.emit(LabState(coils, Witness(), platform=PlatformReading(40.0, True, time.monotonic())))
+    question = running.leaving.question
+    assert question.lab_lines.platform.text() == "● platform turns, at 40°"
+    question.lab_lines.coils.setText("coils on, and one that is not read back any more. " * 8)
+    labels = [one for one in question.findChildren(QLabel) if one.wordWrap() and one.isVisible()]
+    qtbot.waitUntil(lambda: all(one.height() >= one.heightForWidth(one.width()) for one in labels))
+    assert question.rect().contains(question.back.geometry())
 
 
 def test_a_procedure_that_cannot_be_gone_on_with_offers_no_later(running):

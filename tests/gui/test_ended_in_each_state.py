@@ -70,6 +70,19 @@ def test_a_window_that_is_closed_leaves_the_coils_at_zero(qtbot, shown, lab, pat
     assert all(one.status != "running" for one in session.runs())
 
 
+def test_a_window_closed_to_go_on_later_sees_the_coils_at_zero_before_it_goes(qtbot, shown, lab, patience):
+    bring(qtbot, shown, lab, patience, "energised")
+    shown.leaving.take("later")  # this procedure offers no button for it
+    going = shown.leaving.going
+    qtbot.waitUntil(lambda: going.heading.text().startswith("The run has ended"), timeout=patience)
+    assert shown.isVisible()
+    assert at_zero(lab)
+    assert not going.lab_lines.coils.text().startswith("● coils on")
+    qtbot.waitUntil(lambda: not shown.isVisible(), timeout=patience)
+    assert [one.status for one in session.runs()] == ["interrupted"]
+    until(lambda: not guardians())
+
+
 @pytest.mark.parametrize("state", ["asking", "energised"])
 def test_stop_leaves_the_coils_at_zero(qtbot, shown, lab, patience, state):
     bring(qtbot, shown, lab, patience, state)

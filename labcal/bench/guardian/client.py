@@ -379,6 +379,11 @@ def guarding(bench: Path, known: Sequence[object] = ()) -> list[Connection]:
     return there
 
 
+def is_guarded(bench: Path) -> bool:
+    """Whether a guardian of this bench file lives: it keeps trying until each coil is read back at zero."""
+    return any("address" in card and _is_of(bench, card) for card in ports.announced())
+
+
 def driven_before(bench: Path) -> list[Essentials]:
     """What guardians drove that were started for this bench file and died without bringing it to an end."""
     tables = (card.get(ports.DRIVEN) for card in ports.left_behind() if _is_of(bench, card))

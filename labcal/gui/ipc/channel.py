@@ -281,8 +281,8 @@ class Channel:
                 self.control.pause()
             case GoOn():
                 self.control.resume()
-            case Stop():
-                self.control.stop()
+            case Stop(later):
+                self.control.leave() if later else self.control.stop()
             case Abort():
                 self.control.abort()
             case Note(text, data):

@@ -33,7 +33,9 @@ class GoOn(Word):
 
 @dataclass(frozen=True, slots=True)
 class Stop(Word):
-    """End in order."""
+    """End in order; `later`: coils to zero likewise, and the run is interrupted, to be gone on with."""
+
+    later: bool = False
 
 
 @dataclass(frozen=True, slots=True)

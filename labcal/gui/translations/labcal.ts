@@ -543,6 +543,41 @@
     </message>
 </context>
 <context>
+    <name>CloseAtRest</name>
+    <message>
+        <source>Close the window?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close nothing (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lab is left as it is said here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No guardian holds the supplies: COILS OFF is given once more on closing; nobody sees what becomes of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CloseQuestion</name>
     <message>
         <source>A run goes on</source>
@@ -5530,6 +5565,29 @@
     </message>
     <message>
         <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GoingDown</name>
+    <message>
+        <source>Closing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Going to zero; the window closes after that …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run ends, and the window does not close (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run has ended; the window closes.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -543,6 +543,41 @@
     </message>
 </context>
 <context>
+    <name>CloseAtRest</name>
+    <message>
+        <source>Close the window?</source>
+        <translation>Fenster schließen?</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Close nothing (Esc)</source>
+        <translation>Nichts schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
+    <message>
+        <source>The lab is left as it is said here</source>
+        <translation>Das Labor bleibt so zurück, wie es hier steht</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
+        <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
+        <translation>Ist das Fenster zu, versucht der Wächter weiter, jede Spule auf null zu bringen; niemand sieht, ob es gelingt.</translation>
+    </message>
+    <message>
+        <source>No guardian holds the supplies: COILS OFF is given once more on closing; nobody sees what becomes of it.</source>
+        <translation>Kein Wächter hält die Netzgeräte: SPULEN AUS wird beim Schließen noch einmal gegeben; niemand sieht, was daraus wird.</translation>
+    </message>
+</context>
+<context>
     <name>CloseQuestion</name>
     <message>
         <source>A run goes on</source>
@@ -5531,6 +5566,29 @@
     <message>
         <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
         <translation>zum nächsten Feld oder Knopf; Umschalt und Tab geht zurück, Leertaste drückt oder wählt, aber keine Antwort, die montiert, bestromt oder bewegt: deren eigene Taste wird gehalten</translation>
+    </message>
+</context>
+<context>
+    <name>GoingDown</name>
+    <message>
+        <source>Closing</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Going to zero; the window closes after that …</source>
+        <translation>Es geht auf null; danach schließt das Fenster …</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>The run ends, and the window does not close (Esc)</source>
+        <translation>Die Messung endet, und das Fenster schließt nicht (Esc)</translation>
+    </message>
+    <message>
+        <source>The run has ended; the window closes.</source>
+        <translation>Die Messung ist zu Ende; das Fenster schließt.</translation>
     </message>
 </context>
 <context>

@@ -543,6 +543,41 @@
     </message>
 </context>
 <context>
+    <name>CloseAtRest</name>
+    <message>
+        <source>Close the window?</source>
+        <translation>Fermer la fenêtre ?</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Rester</translation>
+    </message>
+    <message>
+        <source>Close nothing (Esc)</source>
+        <translation>Ne rien fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation>Fermer quand même</translation>
+    </message>
+    <message>
+        <source>The lab is left as it is said here</source>
+        <translation>Le labo reste dans l&apos;état décrit ici</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
+    <message>
+        <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
+        <translation>La fenêtre fermée, le gardien essaie encore de ramener chaque bobine à zéro ; personne ne voit s&apos;il y parvient.</translation>
+    </message>
+    <message>
+        <source>No guardian holds the supplies: COILS OFF is given once more on closing; nobody sees what becomes of it.</source>
+        <translation>Aucun gardien ne tient les alimentations : BOBINES À ZÉRO est redonné à la fermeture ; personne n&apos;en voit l&apos;effet.</translation>
+    </message>
+</context>
+<context>
     <name>CloseQuestion</name>
     <message>
         <source>A run goes on</source>
@@ -5531,6 +5566,29 @@
     <message>
         <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
         <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne, mais aucune réponse qui monte, alimente ou déplace : sa propre touche est maintenue</translation>
+    </message>
+</context>
+<context>
+    <name>GoingDown</name>
+    <message>
+        <source>Closing</source>
+        <translation>Fermeture</translation>
+    </message>
+    <message>
+        <source>Going to zero; the window closes after that …</source>
+        <translation>Retour à zéro ; la fenêtre se ferme ensuite …</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Rester</translation>
+    </message>
+    <message>
+        <source>The run ends, and the window does not close (Esc)</source>
+        <translation>La mesure s&apos;arrête, et la fenêtre ne se ferme pas (Échap)</translation>
+    </message>
+    <message>
+        <source>The run has ended; the window closes.</source>
+        <translation>La mesure est terminée ; la fenêtre se ferme.</translation>
     </message>
 </context>
 <context>

@@ -100,8 +100,8 @@ class KnownLab:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run
             now = replace(now, left_turning=known.platform.moving is True)
-        if known is None and driven:
-            now = replace(now, coil_words=state.NOT_YET)
+        if known is None and (driven or not by_run):
+            now = replace(now, coil_words=state.NOT_YET if driven else state.NOT_READ)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:

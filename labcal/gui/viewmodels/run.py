@@ -96,9 +96,7 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self._turned = False  # in any segment
         self.covered = Covered()
-        self._goes_on = self._begins = self.by_off = (
-            False  # a run that was interrupted; a new one, of which nothing has come yet
-        )
+        self._goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
         self.time = RunTime()
         self._dut_s: float | None = None  # stamp of its last reading
@@ -176,9 +174,9 @@ class RunViewModel(QObject):
         """Go on after a pause."""
         self._worker.send(GoOn())
 
-    def stop(self) -> None:
-        """End in order: the procedure undoes what it did, the coils go to zero."""
-        self._end(Stop(), self.tr("Stopping …"))
+    def stop(self, *, later: bool = False) -> None:
+        """End in order: the procedure undoes what it did, the coils go to zero; `later`: to be gone on with."""
+        self._end(Stop(later), self.tr("Stopping …"))
 
     def abort(self) -> None:
         """Coils to zero before anything else; the run ends."""

@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import Literal
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QDialog, QGridLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
-from labcal.gui.translations.sentences import in_words
 from labcal.gui.widgets.common import button, label
+from labcal.gui.widgets.growing_dialog import GrowingDialog
+from labcal.gui.widgets.lab_lines import LabLines
 
 Way = Literal["stop", "behind", "later"]
 
 
-class CloseQuestion(QDialog):
+class CloseQuestion(GrowingDialog):
     """`chosen` carries the way out; Esc and Back leave all as it is. It holds up nothing: the run goes on meanwhile."""
 
     chosen = Signal(str)
@@ -28,8 +29,8 @@ class CloseQuestion(QDialog):
         column.setSpacing(2 * GRID)
         grid.setSpacing(2 * GRID)
         column.addWidget(label(self.tr("A run goes on: {0}").format(run), "title", wrap=True))
-        self.coils = label("", wrap=True)
-        column.addWidget(self.coils)
+        self.lab_lines = LabLines()
+        column.addWidget(self.lab_lines)
         self.ways = {
             "stop": (
                 self.tr("Stop"),
@@ -66,9 +67,9 @@ class CloseQuestion(QDialog):
         self.back.setFocus()  # Enter and Space close nothing either
         column.addWidget(self.back)
 
-    def say_coils(self, words: str) -> None:
-        """How the coils are now."""
-        self.coils.setText(in_words(words))
+    def say_lab(self, coil_words: str, platform_words: str) -> None:
+        """How coils and platform are now."""
+        self.lab_lines.say(coil_words, platform_words)
 
     def _choose(self, way: str) -> None:
         self.accept()
