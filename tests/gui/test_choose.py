@@ -338,3 +338,15 @@ def test_no_reason_ends_in_dots_however_long_it_is(undecided, qtbot, patience):
         cut += [letters] * (drawn[0] < drawn[1])
     others.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
     assert cut == []
+
+
+def test_next_begins_what_is_chosen_and_chooses_nothing_else(still):
+    choose = still.page("Run").choose
+    still.app_state.open_procedure("rotate-axis")
+    choose.form.set_text("turns", "3")
+    assert still.next.text() == "Next: Begin rotate-axis"
+    still.next.click()
+    assert (choose.list.currentItem().text(), choose.form.text("turns")) == ("rotate-axis", "3")
+    assert choose.start.hasFocus()
+    still.open_page("Start")
+    assert still.next.text() == "Next: Calibrate EM-07"

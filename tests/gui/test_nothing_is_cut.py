@@ -382,16 +382,14 @@ def test_longer_words_of_another_language_are_not_cut_where_room_is_least(other_
 def test_a_run_is_whole_on_a_small_screen(still, sized, state):
     page = LONG[state](still)
     still.open_page(page)
-    found = list(faults_at(still, sized, page, "1024 x 700"))
-    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+    assert not (found := list(faults_at(still, sized, page, "1024 x 700"))), "\n".join(found)
 
 
 @pytest.mark.parametrize("moving", [False, True])
 def test_a_question_with_all_that_can_be_said_below_it_rolls_on_a_small_screen_and_is_whole(still, sized, moving):
     still.open_page(by_word(still, replace(TURNED, text=f"{MOUNT} The cable comes out towards the door, the lift up.")))
-    lab = still.app_state.run.lab
+    lab, card = still.app_state.run.lab, still.page("Run").live.prompt
     still.app_state.bench_worker.states.emit(replace(lab, platform=replace(lab.platform, moving=moving)))
-    card = still.page("Run").live.prompt
     card.say_anew(anew=True)
     card.say_serials((("dut", "says that it is EM-10, and the bench file states EM-09: look which of the two stands"),))
     for _ in range(2):

@@ -336,18 +336,6 @@ def test_next_leads_to_the_setting_that_is_refused_else_to_begin(still, path, qt
     assert still.next.text() == "Next: Calibrate EM-07"
 
 
-def test_next_begins_what_is_chosen_and_chooses_nothing_else(still, path, qtbot):
-    choose = still.page("Run").choose
-    still.app_state.open_procedure("rotate-axis")
-    choose.form.set_text("turns", "3")
-    assert still.next.text() == "Next: Begin rotate-axis"
-    still.next.click()
-    assert (choose.list.currentItem().text(), choose.form.text("turns")) == ("rotate-axis", "3")
-    assert choose.start.hasFocus()
-    still.open_page("Start")
-    assert still.next.text() == "Next: Calibrate EM-07"
-
-
 def test_start_is_not_ready_where_the_side_panel_says_what_is_wrong(new_window):
     question, lab = new_window.page("Start").question, new_window.app_state.lab
     assert question.text().startswith("Ready.")
