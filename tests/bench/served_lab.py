@@ -265,8 +265,11 @@ def of_bench(bench: Path) -> list[int]:
 
 
 def children_of(parent: int) -> list[int]:
-    listed = [path.read_text() for path in Path(f"/proc/{parent}/task").glob("*/children")]
-    return [int(pid) for pid in " ".join(listed).split()]
+    found = list[int]()
+    for path in Path(f"/proc/{parent}/task").glob("*/children"):
+        with suppress(OSError):  # a thread that has ended since has none
+            found += map(int, path.read_text().split())
+    return found
 
 
 def kill_all(child: subprocess.Popen[str]) -> None:

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -22,8 +23,11 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs ptys, and
 
 def children(pid: int) -> list[int]:
     """Those that bring coils down: the one that stops the platform has its own command line."""
-    there = [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
-    return [one for one in there if b"labcal.bench.stage_off" not in Path(f"/proc/{one}/cmdline").read_bytes()]
+    found = list[int]()
+    for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
+        with suppress(OSError):  # one that has ended since
+            found += [int(word)] * (b"labcal.bench.stage_off" not in Path(f"/proc/{word}/cmdline").read_bytes())
+    return found
 
 
 def coming_down(lab: Served) -> tuple[subprocess.Popen[str], int]:
