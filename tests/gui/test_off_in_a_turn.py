@@ -16,10 +16,11 @@ from labcal.gui.viewmodels.coils_off import OFF_WAITS_MS
 from labcal.gui.window import Window
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs ptys and SIGSTOP, which Windows lacks")
-AT_ONCE_S = 1.5
-OF_A_PROCESS_S = 4.5  # to end it, and for another to load and to open the line
-OF_A_LOOK_S = 20.0  # after the plug is in: it is looked at, and a process loads; its turn takes longer
-SAID_S = 8.0  # after it stands: it is read, or a later look finds who has its line
+# A quiet machine takes a third of these; nobody stops a turn that goes on for a minute.
+AT_ONCE_S = 4.5
+OF_A_PROCESS_S = 15.0  # to end it, and for another to load and to open the line
+OF_A_LOOK_S = 20.0  # after the plug is in: it is looked at, and a process loads
+SAID_S = 30.0  # after it stands: it is read, or a later look finds who has its line
 WAITED_FOR_S = 6.0  # a supply
 HANDS_OFF = "✕ HANDS OFF: the platform may still turn"
 KEPT = """
@@ -94,6 +95,7 @@ def test_of_a_run_that_lives_it_stands_at_once_and_the_window_says_so(qtbot, ope
     assert "platform stands" in opened.page("Run").live.verdict.reason.text() + opened.side.platform.text()
 
 
+@pytest.mark.slow  # by the clock, beside a lab that this very process serves
 def test_of_a_run_that_hangs_it_stands_once_that_was_ended(qtbot, opened, served):
     run_that_turns(qtbot, opened, served)
     os.kill(opened.app_state.bench_worker.pid, signal.SIGSTOP)
@@ -102,6 +104,7 @@ def test_of_a_run_that_hangs_it_stands_once_that_was_ended(qtbot, opened, served
     assert at_zero(served)
 
 
+@pytest.mark.slow  # by the clock, beside a lab that this very process serves
 def test_of_a_run_of_somebody_else_that_hangs_the_window_says_that_it_may_turn(qtbot, opened, served):
     with subprocess.Popen([sys.executable, "-c", KEPT, str(served.file)], stdout=subprocess.PIPE, text=True) as other:
         try:
@@ -122,6 +125,7 @@ def test_of_a_run_of_somebody_else_that_hangs_the_window_says_that_it_may_turn(q
     qtbot.waitUntil(lambda: not opened.fault.isVisible(), timeout=int(SAID_S * 1000))
 
 
+@pytest.mark.slow  # by the clock, beside a lab that this very process serves
 def test_one_whose_line_was_silent_when_its_run_failed_stands_once_it_answers(qtbot, opened, served):
     run_that_turns(qtbot, opened, served)
     stage = served.emulator("stage")
