@@ -85,16 +85,6 @@ def test_a_bench_that_is_open_and_unread_keeps_hands_out_on_every_page(opened):
     assert opened.side.zero_words.text() == "● coils not read back in this session"
 
 
-def test_a_bench_that_is_opened_is_read_once_by_itself(opened):
-    (asked,) = opened.app_state.watch_worker.commands(ReadLab)
-    assert set(asked.names) == set(opened.app_state.off.tellers()) > {"supply_x", "supply_y", "supply_z", "reference"}
-    opened.app_state.watch.stop()
-    opened.app_state.watch_worker.asked.clear()
-    opened.app_state.take_lab(lab())
-    opened.app_state.bench_changed.emit()
-    assert opened.app_state.watch_worker.commands(ReadLab) == []
-
-
 def test_a_simulated_lab_is_not_read_and_alarms_nobody(still):
     assert still.app_state.watch_worker.commands(ReadLab) == []
     assert still.side.keep_off.text() == ""

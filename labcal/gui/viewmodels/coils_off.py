@@ -49,10 +49,6 @@ class KnowsLab(Protocol):
         """What such a card said is so no longer."""
 
     @property
-    def bench_changed(self) -> SignalInstance:
-        """Another bench is open, or the same anew."""
-
-    @property
     def known(self) -> state.LabState | None:
         """As a worker sent it last."""
 
@@ -88,7 +84,6 @@ class CoilsOff(QObject):
         self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
-        window.bench_changed.connect(self.read_first)
 
     def order(self) -> None:
         """Every coil to zero now. A run that does not get there itself is ended, and switched off."""
@@ -140,11 +135,6 @@ class CoilsOff(QObject):
         if said.doubt and zero:
             self.look_again()
         elif zero:
-            self.read_again()
-
-    def read_first(self) -> None:
-        """A bench of which nothing is known: what tells whether hands may go in, once. Nothing is set by it."""
-        if self._window.known is None:
             self.read_again()
 
     def read_again(self) -> None:
