@@ -158,10 +158,9 @@ def for_rate(spec: ParameterSpec, fastest_deg_per_s: float | None) -> ParameterS
 
 RATE = "rate_deg_per_s"  # the keyword of how fast the platform turns with the DUT
 POWER_MODES = ("mode", "modes")  # keywords that name power modes of the DUT, by which a run refuses those it has not
-CALIBRATION = (
-    ParameterSpec(  # stated as the others are, where a procedure declares it, and read before the bench is opened
-        "calibration", "file", None, optional=True, help="the DUT's own, that is judged; without one nothing is"
-    )
+# Stated as the others are, where a procedure declares it, and read before the bench is opened.
+CALIBRATION = ParameterSpec(
+    "calibration", "file", None, optional=True, help="the DUT's own, that is judged; without one nothing is"
 )
 RUNNER_GIVES = ("resume", CALIBRATION.name)  # keywords that are filled for the procedure: what was done, a file read
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 from postgres import NoServerError, Server, server
@@ -27,7 +28,8 @@ TABLES = (
 )
 
 
-Everything = dict[str, list[tuple[object, ...]]]
+Rows = list[tuple[object, ...]]
+Everything = dict[str, Rows]
 
 
 def rows_of(server: Server, database: str) -> Everything:
@@ -36,6 +38,21 @@ def rows_of(server: Server, database: str) -> Everything:
         return {
             one: connection.execute(f"SELECT * FROM labcal.{one} ORDER BY 1, 2, 3").fetchall() for one in TABLES[:8]
         }
+
+
+class InArchive(NamedTuple):
+    """Rows of the runs without when they came, of their instruments and heads, and the bundles by name."""
+
+    runs: Rows
+    beside: Rows
+    bundles: dict[str, bytes]
+
+
+def in_archive(server: Server, database: str, bundles: Path) -> InArchive:
+    """What came of pushes, to be compared with what came of others."""
+    rows = rows_of(server, database)
+    files = {path.name: path.read_bytes() for path in bundles.rglob("*.zip")}
+    return InArchive([row[:-2] for row in rows["run"]], [*rows["instrument"], *rows["kept_head"]], files)
 
 
 @pytest.fixture(scope="session")

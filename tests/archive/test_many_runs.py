@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
-from conftest import rows_of
+from conftest import in_archive, rows_of
 from made_lab import stored_runs
 from postgres import Server, children_of
 
@@ -25,13 +25,6 @@ RUNS, SAMPLES, WITHIN_S = FEW + 6, 500, 60.0
 AT_ONCE = pytest.mark.skipif(
     cores() < 2 or not Path("/proc/self/stat").exists(), reason="needs two cores, and processes are looked for in /proc"
 )
-
-
-def pushed(postgres: Server, database: str, bundles: Path) -> tuple[list[object], list[object], dict[str, bytes]]:
-    """Rows of the runs without when they came, of their instruments and heads, and the bundles."""
-    rows = rows_of(postgres, database)
-    files = {path.name: path.read_bytes() for path in bundles.rglob("*.zip")}
-    return [row[:-2] for row in rows["run"]], [*rows["instrument"], *rows["kept_head"]], files
 
 
 def running(process: int) -> bool:
@@ -64,13 +57,13 @@ def test_by_processes_of_which_one_is_killed_and_by_none_the_same_is_pushed(
     found = archiving.push(url, on_remark=kill_once)
     assert (found.runs, found.refused, len(killed)) == (RUNS, (), 1)
     assert came == [f"run size-{number}" for number in range(RUNS)]
-    by_two = pushed(postgres, database, tmp_path / "bundles")
+    by_two = in_archive(postgres, database, tmp_path / "bundles")
 
     monkeypatch.setattr("labcal.session.pushing.worth_it", lambda number: 0)
     other = postgres.url(again := postgres.database())
     archiving.init_archive(other, None)
     assert archiving.push(f"{other}&bundles={tmp_path / 'again'}&site=aalto").runs == RUNS
-    assert pushed(postgres, again, tmp_path / "again") == by_two
+    assert in_archive(postgres, again, tmp_path / "again") == by_two
 
 
 @AT_ONCE

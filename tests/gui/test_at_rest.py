@@ -98,6 +98,16 @@ def test_whether_hands_are_off_is_asked_as_before_while_something_turns(running)
     assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == READY.text
 
 
+@pytest.mark.parametrize(("set_A", "answered"), [(0.4, True), (0.0, False)])  # by the run; by nobody that is known
+def test_a_question_that_a_procedure_asks_with_its_currents_on_can_be_answered(running, set_A, answered):
+    send(running, replace(MOUNT, key="switch", choices=("done",)))
+    on = lab((0.0, 0.0, 0.4), platform=stands())
+    coils = (*on.coils[:2], replace(on.coils[2], set_A=set_A))
+    running.app_state.bench_worker.states.emit(replace(on, coils=coils))
+    assert card_of(running).text.text() == "HANDS OFF"
+    assert lives(card_of(running)) == [answered]
+
+
 def test_no_question_stands_for_ever(running):
     turned = replace(MOUNT, key="turn-90", choices=(), drawing={"angle_deg": 90.0})
     send(running, turned)

@@ -65,6 +65,7 @@ class LabNow:
     coils_at_zero: bool | None = None
     silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
+    as_set: bool = False  # every coil that is on was set so by whoever drives it, and is read
     in_common: str = ""  # what to look at first where several instruments are silent
     platform_words: str = ""
     platform_deg: float | None = None  # as it was read last; None where it is not known
@@ -123,6 +124,7 @@ def lab_now(
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
         driven=driven,
+        as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
         platform_words=_platform_words(lab, now_s, driven=driven),
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
         platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),

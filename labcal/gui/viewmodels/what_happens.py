@@ -60,8 +60,8 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
 def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
     """What stands in place of an order to reach in, its state, and whether its answer waits for the lab; else "".
 
-    A dial is turned with the coils on. Of others it waits for what is on, turns or is silent: not for a field that was
-    asked for, nor for what no supply and no platform owns to, or nobody reads any more of a simulated lab. No question
+    A dial is turned with the coils on. Of others it waits for what is on, turns or is silent: not for currents that the
+    run has set, nor for what no supply and no platform owns to, or nobody reads any more of a simulated lab. None
     stands for ever.
     """
     words, mark = keep_off(run, now)
@@ -70,7 +70,7 @@ def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
         return "", "", False
     rests = now.coil_words.startswith(state.NOT_BY_REFERENCE) and platform_mark(now.platform_words)[1] in ("", "good")
     past = run.virtual_time and max(now.coil_old_s or 0, now.platform_old_s or 0) > WATCHED_S
-    return words, mark, mark == "bad" and not (rests or past or any(now.field_set_nT or ()))
+    return words, mark, mark == "bad" and not (rests or past or now.as_set)
 
 
 def at_hands(
