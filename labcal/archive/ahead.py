@@ -28,9 +28,13 @@ def worth_it(number: int) -> int:
 
 
 def ahead(
-    work: Work[T], names: Sequence[str], processes: int = 0, large: Callable[[str], bool] = lambda name: False
+    work: Work[T],
+    names: Sequence[str],
+    processes: int = 0,
+    large: Callable[[str], bool] = lambda name: False,
+    threads: int = 1,
 ) -> Generator[tuple[str, Future[T]], None, None]:
-    """Each name with its work, in order; the next are worked on meanwhile, by 0 processes one and no more.
+    """Each name with its work, in order; the next are worked on meanwhile, by 0 processes in `threads` of this one.
 
     What a process returns is short (a few kB): one that is killed inside a longer answer is waited for for ever.
     What is `large` has the computer's memory to itself: nothing else is begun before it is done.
@@ -38,7 +42,7 @@ def ahead(
     left = deque(names)
     if processes:
         yield from _by_processes(work, left, processes, large)
-    yield from _by_a_thread(work, left)
+    yield from _by_threads(work, left, threads)
 
 
 def _by_processes(
@@ -66,12 +70,12 @@ def _by_processes(
         pool.shutdown(wait=not left, cancel_futures=True)  # who is stopped waits for no run
 
 
-def _by_a_thread(work: Work[T], left: deque[str]) -> Generator[tuple[str, Future[T]], None, None]:
-    with ThreadPoolExecutor(1) as one_more:
+def _by_threads(work: Work[T], left: deque[str], threads: int) -> Generator[tuple[str, Future[T]], None, None]:
+    with ThreadPoolExecutor(threads) as pool:
         begun = deque[tuple[str, Future[T]]]()
         while left:
-            begun.append((name := left.popleft(), one_more.submit(work, name)))
-            if len(begun) > 1:
+            begun.append((name := left.popleft(), pool.submit(work, name)))
+            if len(begun) > threads:
                 yield begun.popleft()
         yield from begun
 

@@ -1,4 +1,4 @@
-"""What is added to the archive: each run, each calibration and each piece of an audit log whole, in one transaction.
+"""What is added to the archive: each run, each calibration and each piece of an audit log whole, in a transaction.
 
 The bundle of a run is kept before its rows: a push that is cut leaves at most a file that nobody names yet.
 """
@@ -6,7 +6,7 @@ The bundle of a run is kept before its rows: a push that is cut leaves at most a
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import Any
 
@@ -48,6 +48,15 @@ class AuditRow:
     machine: str
     entry: bytes
     signature: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A run whose bundle is kept where bundles lie; its rows are not in the catalogue yet."""
+
+    run: RunToPush  # without its zip
+    bundle_sha256: str
+    bundle_bytes: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,18 +102,37 @@ def note_head(archive: Archive, site: str, head: str | None, digest: str) -> Non
 
 def push_run(archive: Archive, site: str, one: RunToPush, place: str) -> bool:
     """Add a run: its bundle at `place`, then its rows. Returns whether it is new here."""
-    bundle = put(place, one.zipped)
+    return push_placed(archive, site, [put_in_place(place, one)]) == {one.sha256}
+
+
+def put_in_place(place: str, one: RunToPush) -> Placed:
+    """Keep the bundle of a run at `place`: the first half of adding it."""
+    return Placed(replace(one, zipped=b""), put(place, one.zipped, one.bundle_sha256), len(one.zipped))
+
+
+def push_placed(archive: Archive, site: str, found: Iterable[Placed]) -> set[str]:
+    """Add the rows of runs whose bundles are kept, all or none of them. Returns the SHA-256 of those new here.
+
+    One commit for all: each waits for the server's disk. In the order of their SHA-256, so that two pushes of the same
+    runs wait for each other and never both.
+    """
+    with archive.transaction() as connection:
+        ordered = sorted(found, key=lambda one: one.run.sha256)
+        return {each.run.sha256 for each in ordered if _add_run(connection, site, each)}
+
+
+def _add_run(connection: Connection, site: str, placed: Placed) -> bool:
+    one = placed.run
     row = one.row | {
         "sha256": one.sha256,
         "chain_head": one.chain_head,
-        "bundle_sha256": bundle,
-        "bundle_bytes": len(one.zipped),
+        "bundle_sha256": placed.bundle_sha256,
+        "bundle_bytes": placed.bundle_bytes,
     }
-    with archive.transaction() as connection:
-        new = _add(connection, tables.RUN, site, [row]) > 0
-        if new:
-            _add(connection, tables.INSTRUMENT, site, [{"of": one.sha256, **each} for each in one.instruments])
-        _add_head(connection, site, one.kept_head, one.sha256)
+    new = _add(connection, tables.RUN, site, [row]) > 0
+    if new:
+        _add(connection, tables.INSTRUMENT, site, [{"of": one.sha256, **each} for each in one.instruments])
+    _add_head(connection, site, one.kept_head, one.sha256)
     return new
 
 

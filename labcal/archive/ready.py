@@ -4,7 +4,7 @@ The file is called by what it was made of: the head of the run's chain, which bi
 programs that made it. A run that was corrected since, or another labcal, looks for another file. Each may go at any
 time, for then the push makes the run ready itself.
 
-A file is three things: the SHA-256 of what follows and a line end, a line of JSON, the zip.
+A file is three things: the SHA-256 of the next line and a line end, a line of JSON that states the zip's, the zip.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from labcal.store.listing import FILE as STORE
 from labcal.version import __version__
 
 HALVES_S = 3600.0  # so long nobody writes at one: who did was killed
-FOLDER, ENDING, FORMAT = "made-ready", ".run", "labcal-made-ready/1"
+FOLDER, ENDING, FORMAT = "made-ready", ".run", "labcal-made-ready/2"
 
 
 def want() -> None:
@@ -49,8 +49,9 @@ def keep(one: RunToPush) -> None:
     if one.kept_head is None:  # of before there were chains: nothing binds its record
         return
     stated = asdict(replace(one, zipped=b"")) | {"zipped": None}
-    made = json.dumps(stated, default=str).encode() + b"\n" + one.zipped
-    write_bytes(_path(one.kept_head), f"{sha256(made).hexdigest()}\n".encode() + made, FILE)
+    line = json.dumps(stated, default=str).encode()
+    made = b"\n".join((sha256(line).hexdigest().encode(), line, one.zipped))
+    write_bytes(_path(one.kept_head), made, FILE)
 
 
 def is_kept(head: str | None) -> bool:
@@ -96,10 +97,11 @@ def _path(head: str) -> Path:
 def _read(path: Path) -> RunToPush | None:
     """What `keep` wrote, each byte as it was written; else None."""
     with suppress(OSError, ValueError, TypeError, KeyError, InputError):
-        digest, _, made = path.read_bytes().partition(b"\n")
-        if sha256(made).hexdigest().encode() == digest:
-            stated, _, zipped = made.partition(b"\n")
-            found: dict[str, Any] = json.loads(stated)
+        with path.open("rb") as file:
+            digest, line, zipped = file.readline(), file.readline(), file.read()
+        if sha256(line.rstrip(b"\n")).hexdigest().encode() == digest.rstrip(b"\n"):
+            found: dict[str, Any] = json.loads(line)
             found["row"]["started_utc"] = utc(found["row"]["started_utc"])
-            return RunToPush(**found | {"zipped": zipped})
+            one = RunToPush(**found | {"zipped": zipped})
+            return one if sha256(zipped).hexdigest() == one.bundle_sha256 else None
     return None

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from pathlib import Path
 from tempfile import mkstemp
 
@@ -28,6 +29,7 @@ class RunToPush:
     run_id: str
     sha256: str
     zipped: bytes
+    bundle_sha256: str  # of `zipped`
     row: Row
     instruments: list[Row]
     chain_head: str | None = None
@@ -45,10 +47,12 @@ def of_bundle(
     """The run of a bundle."""
     run = bundle.run() if run is None else run
     chain = bundle.stated_chain
+    content = zipped(bundle)
     return RunToPush(
         run.run_id,
         bundle.sha256,
-        zipped(bundle),
+        content,
+        sha256(content).hexdigest(),
         run_row(run, status, procedure),
         instruments_of_run(run, instruments),
         str(chain["head"]) if chain else None,

@@ -9,9 +9,10 @@ from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import datetime
 from functools import partial
+from itertools import islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, Self
+from typing import Self
 
 from labcal import audit, certificate
 from labcal.archive import ready
@@ -21,12 +22,15 @@ from labcal.archive.push import (
     AuditRow,
     Document,
     Known,
+    Placed,
     known,
     last_entry,
     note_head,
     push_audit,
     push_calibration,
+    push_placed,
     push_run,
+    put_in_place,
     run_there,
 )
 from labcal.archive.run_to_push import FINISHED, RunToPush, of_bundle, of_store_into, read, taken
@@ -47,6 +51,7 @@ from labcal.store.listing import FILE as STORE
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
 NOTED_EVERY_S = 0.5
+AT_ONCE, PUTTING = 16, 3  # runs made ready before whose rows go there by one commit; threads that put bundles
 LARGE = 2**25  # bytes in the store, 250 000 samples with their lines: to make it ready takes 250 MB
 
 
@@ -147,17 +152,47 @@ class Pusher:
                         self._one(run_id, partial(self._when_ready, run))
 
     def _made_ready(self, heads: Mapping[str, str | None]) -> list[str]:
-        """Push those that were made ready before; returns the others, whose files are not there or not sound."""
-        there, done = [run_id for run_id, head in heads.items() if ready.is_kept(head)], set[str]()
-        with closing(ahead(ready.kept, there)) as found:
-            for run_id, run in found:
-                if one := run.result():
-                    self._one(run_id, partial(self._when_kept, one))
-                    done.add(run_id)
-        return [run_id for run_id in heads if run_id not in done]
+        """Push those that were made ready before; returns the others, whose files are not there or not sound.
 
-    def _when_kept(self, one: RunToPush, _: str) -> None:
-        self._run(one)
+        Bundles are put in place by threads, for each waits for the disk, and their rows go there many at once.
+        """
+        there, without = [run_id for run_id, head in heads.items() if ready.is_kept(head)], set(heads)
+        with closing(ahead(self._in_place, there, threads=PUTTING)) as found:
+            while some := list(islice(found, AT_ONCE)):
+                placed: list[Placed] = []
+                for run_id, run in some:
+                    self._one(run_id, partial(self._when_in_place, run, placed))
+                    if run.exception() or run.result():
+                        without.discard(run_id)
+                self._one("", partial(self._rows, placed))
+        return [run_id for run_id in heads if run_id in without]
+
+    def _in_place(self, run_id: str) -> Placed | RunToPush | None:
+        """A run that was made ready, its bundle put where bundles lie unless it is known to be there."""
+        one = ready.kept(run_id)
+        return put_in_place(self.place, one) if one and one.sha256 not in self.there.runs else one
+
+    def _when_in_place(self, run: Future[Placed | RunToPush | None], placed: list[Placed], _: str) -> None:
+        one = run.result()
+        if isinstance(one, Placed):
+            placed.append(one)
+        elif one:
+            self._run(one)
+
+    def _rows(self, placed: Sequence[Placed], _: str) -> None:
+        """Add the rows of all, or of each alone where something keeps one of them back."""
+        try:
+            new = push_placed(self.archive, self.site, placed)
+        except InputError as fault:
+            if isinstance(fault, AwayError) or len(placed) == 1:
+                raise
+            for each in placed:
+                self._one(each.run.run_id, partial(self._rows, [each]))
+            return
+        self._are_new([each.run for each in placed if each.run.sha256 in new])
+        for each in placed:
+            if each.run.sha256 not in new:
+                self._one(each.run.run_id, partial(self._was_there, each.run))
 
     def _when_ready(self, run: Future[tuple[RunToPush, Path]], _: str) -> None:
         self._run(taken(*run.result()))
@@ -172,25 +207,32 @@ class Pusher:
         return self._run(of_bundle(*found), found[0])
 
     def _run(self, one: RunToPush, bundle: Bundle | None = None) -> str:
-        row = self._row_of(one.sha256) if one.sha256 in self.there.runs else None
-        if row is None and push_run(self.archive, self.site, one, self.place):
-            self.runs += 1
-            self._say("run", one.run_id, one.sha256)
-        elif row := row or self._row_of(one.sha256):  # there already, or came in between
+        there = one.sha256 in self.there.runs and run_there(self.archive, self.site, one.sha256)
+        if not there and push_run(self.archive, self.site, one, self.place):
+            self._are_new([one])
+        else:
+            self._was_there(one, bundle=bundle)
+        return one.sha256
+
+    def _are_new(self, runs: Sequence[RunToPush]) -> None:
+        self.runs += len(runs)
+        self._say("run", [(one.run_id, one.sha256) for one in runs])
+        for one in runs:
+            ready.forget(one.kept_head)
+
+    def _was_there(self, one: RunToPush, _: str = "", bundle: Bundle | None = None) -> None:
+        """Look at the row of a run that was there already, or came in between."""
+        if row := run_there(self.archive, self.site, one.sha256):
             refuse_other_row(one.row, row)
             self._make_whole(one, bundle, row["bundle_sha256"])
             note_head(self.archive, self.site, one.kept_head, one.sha256)
         ready.forget(one.kept_head)
-        return one.sha256
-
-    def _row_of(self, digest: str) -> Mapping[str, Any] | None:
-        return run_there(self.archive, self.site, digest)
 
     def _make_whole(self, one: RunToPush, bundle: Bundle | None, digest: str) -> None:
         """Put the bundle that is there once more, where its file was lost or damaged, by the deflate that made it."""
-        same = one.zipped if audit.link_of(one.zipped) == digest else None
+        same = one.zipped if one.bundle_sha256 == digest else None
         if content := same or (zipped_as(bundle, digest) if bundle else None):
-            put(self.place, content)
+            put(self.place, content, digest)
 
     def _calibration(self, path: Path) -> None:
         content, reports = read_limited(path, LARGEST_BYTES), list(_reports(path))
@@ -206,7 +248,7 @@ class Pusher:
         documents = [*self._signatures(path, content), *reports]
         if push_calibration(self.archive, self.site, calibration, content, documents):
             self.calibrations += 1
-            self._say("calibration", path.name, digest)
+            self._say("calibration", [(path.name, digest)])
 
     def _signatures(self, path: Path, content: bytes) -> Iterator[Document]:
         """The signatures beside the file, with what this lab's trust list says of each now."""
@@ -229,12 +271,14 @@ class Pusher:
         if same:
             self._of_store(calibration.run_id)
 
-    def _say(self, kind: str, name: str, digest: str) -> None:
-        about = {"archive": self.archive.address.shown, "site": self.site, "sha256": digest, kind: name}
-        self._unnoted.append(about)
+    def _say(self, kind: str, found: Sequence[tuple[str, str]]) -> None:
+        """Have all that is new there noted, then tell of each: who is stopped by that has noted what is there."""
+        common = {"archive": self.archive.address.shown, "site": self.site}
+        self._unnoted += [common | {"sha256": digest, kind: name} for name, digest in found]
         if time.monotonic() - self._noted_s > NOTED_EVERY_S:
             self._note()
-        self.on_remark(f"{kind} {name}")
+        for name, _ in found:
+            self.on_remark(f"{kind} {name}")
 
     def _note(self) -> None:
         """Note what was pushed since in this lab's audit log, at one go: the disk takes each entry alone in 15 ms."""

@@ -6,6 +6,7 @@ import sqlite3
 import time
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -202,10 +203,13 @@ def test_nothing_is_begun_for_what_no_push_will_take(
     begin_to_make_ready(Outcome("size-0", status, None))
 
 
+@pytest.mark.parametrize("made_ready", [False, True], ids=["as they lie", "made ready"])
 def test_a_push_that_is_stopped_has_noted_what_is_in_the_archive(
-    postgres: Server, database: str, url: str, monkeypatch: pytest.MonkeyPatch
+    made_ready: bool, postgres: Server, database: str, url: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stored_runs(range(5), SAMPLES)
+    if made_ready:  # all five go there by one commit
+        kept(*(f"size-{number}" for number in range(5)))
     monkeypatch.setattr("labcal.session.pushing.NOTED_EVERY_S", 1e9)
     came = list[str]()
 
@@ -219,7 +223,21 @@ def test_a_push_that_is_stopped_has_noted_what_is_in_the_archive(
     there = [row[2] for row in rows_of(postgres, database)["run"]]
     noted = [entry.about["run"] for entry in session.read_audit().entries if entry.deed == "push"]
     assert sorted(noted) == sorted(there)
-    assert len(noted) == 3
+    assert len(noted) == (5 if made_ready else 3)
+
+
+def test_one_whose_rows_the_server_refuses_keeps_none_of_those_back_that_go_with_it(
+    postgres: Server, database: str, url: str
+) -> None:
+    stored_runs(range(4), SAMPLES)
+    ready.want()
+    for number in range(4):
+        one = of_store(f"size-{number}")
+        ready.keep(replace(one, row=one.row | {"n_samples": 2**70}) if number == 1 else one)
+    found = archiving.push(url)
+    assert (found.runs, len(found.refused)) == (3, 1)
+    assert "the archive refused it" in found.refused[0]
+    assert sorted(row[2] for row in rows_of(postgres, database)["run"]) == ["size-0", "size-2", "size-3"]
 
 
 def test_a_place_that_takes_no_bundle_refuses_each_run_once_and_keeps_what_was_made(
