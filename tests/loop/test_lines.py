@@ -44,7 +44,9 @@ def _in_the_body(rows: Rows, segments: list[dict[str, Any]], field_nT: np.ndarra
     return out
 
 
-@pytest.mark.parametrize(("frame", "owner", "f_Hz"), [("cage", "rig", 0.93 * NYQUIST_Hz), ("body", "sensor", 0.3)])
+@pytest.mark.parametrize(
+    ("frame", "owner", "f_Hz"), [("cage", "rig", 0.93 * NYQUIST_Hz), ("body", "sensor", 0.3), ("body", "sensor", 0.991)]
+)
 def test_a_line_is_found_in_the_frame_that_it_is_fixed_to(
     making: ModuleType, tmp_path: Path, frame: str, owner: str, f_Hz: float
 ) -> None:
@@ -75,7 +77,7 @@ def test_rows_are_not_binned_where_a_fast_line_of_the_cage_would_be_lost(making:
     assert rows_per_bin(problem) == 1
 
 
-@pytest.mark.parametrize(("period_s", "f_Hz"), [(None, 50.3143), (1.13, 60.0271)])
+@pytest.mark.parametrize(("period_s", "f_Hz"), [(None, 50.3143), (1.13, 60.0271), (0.45847, 60.0)])
 def test_the_mains_are_found_at_their_own_frequency_where_the_recorder_starts_anew(
     making: ModuleType, tmp_path: Path, period_s: float | None, f_Hz: float
 ) -> None:

@@ -24,7 +24,7 @@ UNITS_IN_SENTENCES = (100, 1000)
 KINDS = {
     "budget of a search": (
         "candidates.changepoints:PEAKS EDGE APART", "candidates.angle_zeros:TRIED SWEEPS EVALUATIONS",
-        "candidates.spectral_lines:PEAKS SKIRT BETWEEN BELOW_NYQUIST",
+        "candidates.spectral_lines:PEAKS SKIRT BETWEEN",
         "data.checks:OFFSETS_S STEPS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED AMPLE",
         "selection.crossval:FOLDS BLOCKS CORRELATION_TIMES BLOCK_ROWS DRAWS TWO_BLOCKS INTERVAL_95",
         "selection.equivalents:MAX_TRIED",

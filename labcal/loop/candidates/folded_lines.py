@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 HIGHEST_Hz = 65.0  # the mains of any country, and what is slower
 MOST_ORDERS = 650  # of the sampling rate: a recorder slower than 10 s is not looked at so high
 CONTRAST = 3.0  # times its neighbourhood: a lower peak of all segments is not looked at
-EXACT = 1e-6  # of the scores' squares: a line leaves no less, for the powers are approximate
+EXACT = 1e-6  # of the scores' squares: a line leaves no less; and so far are sine and cosine apart
 PER_RESOLUTION = 4  # frequencies tried for each 1 / (the run's length)
 LOOKED_AT_CLOSELY = 12  # orders, the most powerful: one in a hundred at these steps is a fiftieth below its top
 BETWEEN = 8  # places between two of them
@@ -56,7 +56,7 @@ def _top(t_s: Array, scores: Array, parts: Sequence[slice], frequency: float, st
 def _leads(scores: Array, power: float, of_image: float, tried: int) -> bool:
     """Whether the likeliest of `tried` frequencies is likelier than the image, by what each leaves of the scores."""
     total = float(np.sum(scores**2))
-    left, by_image = (max(total - 2 * one / len(scores), EXACT * total) for one in (power, of_image))
+    left, by_image = (max(total - one, EXACT * total) for one in (power, of_image))
     lead = 0.5 * scores.size * float(np.log(by_image / left))
     return lead > policy.POLICY.equivalent_nats + float(np.log(tried))
 
@@ -68,7 +68,7 @@ def _image(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) 
         return None
     grid = max((frequency for frequency, _ in spectra), key=len)
     power = np.sum([np.interp(grid, frequency, one) for frequency, one in spectra], axis=0)
-    resolved = (grid > lowest_Hz) & (grid < grid[-1] - 1 / _length_s(t_s, parts))  # from its own mirror image
+    resolved = (grid > lowest_Hz) & (grid < grid[-1] - 0.5 / _length_s(t_s, parts))  # from its own mirror image
     contrast = np.where(resolved, power / running_median(power), 0.0)
     peak = int(np.argmax(contrast))
     return float(grid[peak]) if contrast[peak] > CONTRAST else None
@@ -87,9 +87,16 @@ def _length_s(t_s: Array, parts: Sequence[slice]) -> float:
 
 
 def _in_phase(t_s: Array, scores: Array, parts: Sequence[slice], folds: Array, shifts: Array) -> Array:
-    """What a line of one phase takes off, up to a factor, at frequencies and beside them (folds, shifts)."""
+    """What a line of one phase takes off the scores' squares, at frequencies and beside them (folds, shifts).
+
+    Of sine and cosine together, which are not at right angles where the Nyquist frequency is near.
+    """
     sums = np.zeros((scores.shape[1], len(folds), len(shifts)), dtype=np.complex128)
+    twice = np.zeros(sums.shape[1:], dtype=np.complex128)
     for part in parts:
         at, near = (np.exp(-2j * np.pi * np.outer(f, t_s[part])) for f in (folds, shifts))
         sums += (scores[part].T[:, None, :] * at) @ near.T
-    return np.asarray(np.sum(np.abs(sums) ** 2, axis=0))
+        twice += (at**2) @ (near**2).T
+    n, apart = len(t_s), np.maximum(len(t_s) ** 2 - np.abs(twice) ** 2, EXACT * len(t_s) ** 2)
+    powers = n * np.abs(sums) ** 2 - (twice.conj() * sums**2).real
+    return np.asarray(2 * np.sum(powers, axis=0) / apart)

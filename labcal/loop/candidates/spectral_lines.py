@@ -16,7 +16,6 @@ from labcal.model.effects import Family, Shape, Term, families
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
-BELOW_NYQUIST = 0.98  # of the highest frequency: beyond, a line and its alias are one
 PEAKS = 3  # frequencies that a periodic effect is tried at
 BETWEEN = 8  # places between two frequencies of a spectrum at which the top of a peak is looked for
 SKIRT = 8  # frequencies on either side of a peak that belong to it
@@ -81,13 +80,15 @@ def _with_a_line(family: Family, problem: LinearProblem) -> list[tuple[Term, Sha
 
 
 def admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
-    """Which frequencies [Hz] are neither a drift's nor those of a motion that repeats in each segment."""
+    """Which frequencies [Hz] are neither a drift's nor those of a motion that repeats in each segment.
+
+    Nor, as near to the Nyquist frequency as a drift's is to zero, those of which sine and cosine are one.
+    """
     times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
     law = policy.POLICY
     few = frequency < law.min_cycles / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
     in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > law.phase_locked
-    own = (frequency > law.min_cycles / max(times[-1][-1] - times[0][0], 1e-9)) & (
-        frequency < BELOW_NYQUIST * frequency[-1]
-    )
+    slowest = law.min_cycles / max(times[-1][-1] - times[0][0], 1e-9)
+    own = (frequency > slowest) & (frequency < frequency[-1] - slowest)
     own[few] &= ~in_step
     return np.asarray(own)
