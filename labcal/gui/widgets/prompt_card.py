@@ -19,9 +19,10 @@ from labcal.bench.coils import state
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
-from labcal.gui.viewmodels.hands import READY, STILL_LOST, STOP, reached_into, says_hands_off
+from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
+from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, reached_into
 from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
+from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
@@ -61,22 +62,9 @@ WORDS = {
 }
 
 
-RETRY, REMOUNT = "retry", "remount"  # what is wanted where something failed; a script stops, as the first choice says
-
-
 def unbroken(text: str) -> str:
     """`text` with each number on the line of its unit."""
     return re.sub(r"(?<=\d) (?=[µnm]?[TAKms°]\b|°)", "\N{NO-BREAK SPACE}", text)
-
-
-def acting(prompt: Prompt, choice: str) -> bool:
-    """Whether this answer mounts, energises, moves or switches something, or sends somebody to do so."""
-    return prompt.acts or choice == RETRY
-
-
-def moves_by_itself(prompt: Prompt, choice: str) -> bool:
-    """Whether the lab energises or turns something once this is answered: held, by mouse as well."""
-    return choice == RETRY or says_hands_off(prompt.key, choice)
 
 
 def answer_label(prompt: Prompt, choice: str) -> str:
@@ -227,16 +215,14 @@ class PromptCard(Card):
             self._let_answer()
 
     def _let_answer(self) -> None:
-        """Alive, once it was seen for long enough; what energises or turns not before everybody answers.
-
-        That hands have done something not while they are kept out; the end of the run may be wanted at any moment.
-        """
+        """Alive, once it was seen for long enough, and as far as that may be answered."""
         for choice, made in self.choices.items():
-            moves = self._prompt is not None and moves_by_itself(self._prompt, choice)
-            waits = self._waits and choice != STOP
-            made.setEnabled(self.alive and not (moves and self._lost) and not waits)
+            made.setEnabled(self.alive and self._may(choice))
         if self.send is not None:
-            self.send.setEnabled(self.alive and not self._waits)
+            self.send.setEnabled(self.alive and self._may(""))
+
+    def _may(self, choice: str) -> bool:
+        return self._prompt is not None and may_answer(self._prompt, choice, lost=self._lost, waits=self._waits)
 
     def _answers(self) -> list[QPushButton]:
         return [made for made in (*self.choices.values(), self.send) if made is not None]
@@ -286,8 +272,8 @@ class PromptCard(Card):
     def _is_of_mounting(self) -> bool:
         return self._prompt is not None and (MOUNTING in self._prompt.drawing or SERIAL in self._prompt.drawing)
 
-    def say_lost(self, lost: list[str]) -> None:
-        """Who does not answer, below a question that energises or turns: its answer is not taken until it does.
+    def say_lost(self, lost: list[str], since: Sequence[str] = ()) -> None:
+        """Who does not answer, and `since` when, below every question; what energises or turns is not answered then.
 
         A headline that says who is lost is true no longer than that.
         """
@@ -306,10 +292,18 @@ class PromptCard(Card):
         self._let_answer()
         self._reached_into = reached_into(self._prompt, lost=self._lost)
         self._show_hands()
-        if self._prompt.key != READY:
-            return
-        said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
-        self.details.setText(said.format(", ".join(lost)) if lost else self._back)
+        if not says and WHAT not in self._prompt.drawing:
+            self._say_since(since or lost)
+
+    def _say_since(self, lost: Sequence[str]) -> None:
+        """Also where the answer sends nobody to it: at the next question it may have been silent for long."""
+        first = self.tr(
+            "✕ No answer from {0}. Put that right first: see to plug and power. “Hands off” is not taken before it "
+            "answers."
+        )
+        soon = self.tr("✕ No answer from {0}. See to plug and power as well: nothing is measured before it answers.")
+        is_ready = self._prompt is not None and self._prompt.key == READY
+        self.details.setText((first if is_ready else soon).format(", ".join(lost)) if lost else self._back)
         self.details.setVisible(bool(self.details.text()))
 
     def _call(self) -> None:
@@ -324,13 +318,10 @@ class PromptCard(Card):
                 widget.deleteLater()
         self.choices, self.send = {}, None
         keys = iter(KEYS)
-        wanted = next(
-            (one for one in prompt.choices if one in (RETRY, REMOUNT)), prompt.choices[0] if prompt.choices else ""
-        )
         for choice in prompt.choices:
             key = next(keys, KEYS[-1]) if acting(prompt, choice) else None
             made = self._button(answer_label(prompt, choice), key, held=moves_by_itself(prompt, choice))
-            named(made, "primary" if choice == wanted else "")
+            named(made, "primary" if choice == wanted(prompt) else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
             self._buttons.addWidget(made)
@@ -393,5 +384,5 @@ class PromptCard(Card):
             self.entry.setText(path)
 
     def _send_text(self) -> None:
-        if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
+        if self._may("") and self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
             self.answered.emit(self.entry.text().strip())
