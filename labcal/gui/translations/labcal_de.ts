@@ -67,6 +67,10 @@
         <translation>{0} gescannt; eine Messung läuft, ihr Prüfling bleibt.</translation>
     </message>
     <message>
+        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✕ Scanned, and not taken: {0}</source>
         <translation>✕ Gescannt und nicht übernommen: {0}</translation>
     </message>
@@ -4245,6 +4249,14 @@
         <translation>geht nach einer Unterbrechung weiter</translation>
     </message>
     <message>
+        <source>no turn was finished before the interruption: it begins anew, and nothing of before is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell whether anything moved or drifted since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>goes on</source>
         <translation>geht weiter</translation>
     </message>
@@ -6463,8 +6475,16 @@ diesem Schritt …</translation>
         <translation>Jedes Gerät antwortet wieder.</translation>
     </message>
     <message>
-        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
-        <translation>✕ Keine Antwort von {0}. Erst das beheben: „Hände weg“ gilt nicht, bevor es antwortet.</translation>
+        <source>✕ No answer from {0}. Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}. See to plug and power as well: nothing is measured before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -6481,10 +6501,6 @@ diesem Schritt …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
-    </message>
-    <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
-        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Gemessen wird nur, was fehlt.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8721,6 +8737,10 @@ diesem Schritt …</translation>
     <message>
         <source>reference</source>
         <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>{0} (since {1})</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

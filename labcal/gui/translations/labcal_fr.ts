@@ -67,6 +67,10 @@
         <translation>{0} lu ; une mesure est en cours, son DUT reste.</translation>
     </message>
     <message>
+        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✕ Scanned, and not taken: {0}</source>
         <translation>✕ Lu, et non retenu : {0}</translation>
     </message>
@@ -4245,6 +4249,14 @@
         <translation>continue après une interruption</translation>
     </message>
     <message>
+        <source>no turn was finished before the interruption: it begins anew, and nothing of before is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell whether anything moved or drifted since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>goes on</source>
         <translation>continue</translation>
     </message>
@@ -6463,8 +6475,16 @@ cette étape …</translation>
         <translation>Chaque instrument répond de nouveau.</translation>
     </message>
     <message>
-        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
-        <translation>✕ Pas de réponse de {0}. Remédiez-y d&apos;abord : « Mains éloignées » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
+        <source>✕ No answer from {0}. Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}. See to plug and power as well: nothing is measured before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -6481,10 +6501,6 @@ cette étape …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
-    </message>
-    <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
-        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. Seul ce qui manque est mesuré.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8721,6 +8737,10 @@ cette étape …</translation>
     <message>
         <source>reference</source>
         <translation>référence</translation>
+    </message>
+    <message>
+        <source>{0} (since {1})</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

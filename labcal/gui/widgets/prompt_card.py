@@ -346,7 +346,8 @@ class PromptCard(Card):
     def _what_no_means(self) -> str:
         return self.tr(
             "Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they "
-            "are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured."
+            "are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the "
+            "timing are measured again, to see whether anything moved or drifted; then only what is missing."
         )
 
     def _make_senders(self, prompt: Prompt) -> None:
