@@ -125,7 +125,7 @@ def test_of_a_silent_dut_plug_and_power_are_named_in_the_panel(still):
     begun(still)
     says(still, "dut")
     (row,) = [row.text() for row in still.side.instrument_rows if row.text().startswith("✕ dut")]
-    assert row.startswith("✕ dut  silent (plug? power?)")
+    assert row.startswith("✕ dut  no answer (plug? power?)")
 
 
 def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):

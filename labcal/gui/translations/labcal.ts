@@ -8526,7 +8526,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <source>All {0} instruments at {1} are silent: look at their common line, not at each plug.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

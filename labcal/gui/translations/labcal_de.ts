@@ -8527,7 +8527,7 @@ diesem Schritt …</translation>
         <translation>Das simulierte Labor wird geöffnet …</translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <source>All {0} instruments at {1} are silent: look at their common line, not at each plug.</source>
         <translation>Alle {0} Geräte an {1} schweigen: zuerst nach ihrer gemeinsamen Leitung sehen.</translation>
     </message>
     <message>

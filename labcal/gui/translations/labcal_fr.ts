@@ -8527,7 +8527,7 @@ cette étape …</translation>
         <translation>Ouverture du laboratoire simulé …</translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
+        <source>All {0} instruments at {1} are silent: look at their common line, not at each plug.</source>
         <translation>Les {0} appareils à {1} se taisent tous : voyez d&apos;abord leur ligne commune.</translation>
     </message>
     <message>

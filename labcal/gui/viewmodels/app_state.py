@@ -39,6 +39,7 @@ from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -84,7 +85,7 @@ class AppState(QObject):
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
-        self._said_of_dut = SaidOfDut(self.lab)
+        self._said_of_dut, self._said_no_more = SaidOfDut(self.lab), SaidNoMore(self.lab, self.run)
         self.put_away_said = self._said_of_dut.put_away
         self.kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
@@ -369,6 +370,7 @@ class AppState(QObject):
             if not lifted:  # the supplies say so, and the reference has not been asked since
                 self.off.read_again()
         self.off.look_at_platform()
+        self._said_no_more.look("" if self.off.unconfirmed else self.off.warned)
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from datetime import datetime, timedelta
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
@@ -9,6 +10,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, shown_name
 
+WHO = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}.")
+FIRST = QT_TRANSLATE_NOOP(
+    "Words", "Put that right first: see to plug and power. “Hands off” is not taken before it answers."
+)
+TOO = QT_TRANSLATE_NOOP("Words", "See to plug and power as well: nothing is measured before it answers.")
 SINCE = QT_TRANSLATE_NOOP("Words", "{0} (since {1})")
 
 
@@ -27,3 +33,12 @@ class LostSince:
 
 def _ago(seconds: int) -> str:
     return f"{datetime.now() - timedelta(seconds=seconds):%H:%M:%S}"
+
+
+def to_be_seen_to(lost: Iterable[str], before: str, *, is_ready: bool) -> str:
+    """Who is `lost` at a question, and what to do, `before` that what comes first; `is_ready`: it asks for hands off.
+
+    Also where the answer sends nobody there: at the next question it may have been silent for long.
+    """
+    who, to_do = translated(str(WHO)).format(", ".join(lost)), translated(str(FIRST if is_ready else TOO))
+    return " ".join(filter(None, (who, before, to_do)))

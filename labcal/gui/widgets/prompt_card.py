@@ -20,8 +20,10 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
+from labcal.gui.viewmodels.first_thing import first_thing
 from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, reached_into
 from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
+from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
@@ -94,9 +96,10 @@ class PromptCard(Card):
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
         self._reached_into = False  # what is asked brings hands to the lab
-        self._lost = False  # somebody, since it was asked
+        self._lost = self._mended = False  # somebody, since it was asked; who was is heard again
+        self._first = ""  # what comes before a plug
         self._said_once = False  # how the coils are is said whole where hands are told that they may go in
-        self._who, self._back = list[str](), ""  # who is lost; who was, and answers again
+        self._who, self._since, self._back = list[str](), list[str](), ""  # who is lost; who was, and answers again
         self._waits = False  # what sends hands to the lab: for the lab
         self.text, self.hint, self.drawing = OrderLabel(theme), label("", "caption", wrap=True), Mounting(theme)
         words = QVBoxLayout()
@@ -151,7 +154,7 @@ class PromptCard(Card):
         """Ask `prompt`; the same one again changes nothing."""
         if prompt is self._prompt:
             return
-        self._prompt, self._lost, self._back = prompt, False, ""
+        self._prompt, self._lost, self._mended, self._back = prompt, False, False, ""
         self.camera.watch(prompt is not None and MOUNTING in prompt.drawing)
         if prompt is None:
             self.call.stop()
@@ -162,8 +165,7 @@ class PromptCard(Card):
         self._show_hands()
         self.text.order(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
-        self.details.setText(below(prompt, translated(WORDS[RETRY])))
-        self.details.setVisible(bool(self.details.text()))
+        self._say_what_to_do()
         self.drawing.show_drawing(prompt.drawing)
         self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
@@ -246,6 +248,7 @@ class PromptCard(Card):
         words, mark = hands_of(now)
         self.hands.setText(words)
         set_state(self.hands, mark)
+        self._first = first_thing(now)
         self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
         self._show_hands()
 
@@ -287,24 +290,27 @@ class PromptCard(Card):
         if says and bool(lost) is not self._lost and (lost or self._lost):
             again = self.tr("Every instrument answers again.")
             self.text.order(unbroken(headline(self._prompt)) if lost else again)
-            self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
+            self._mended = not lost
         self._lost = bool(lost)
         self._let_answer()
         self._reached_into = reached_into(self._prompt, lost=self._lost)
         self._show_hands()
-        if not says and WHAT not in self._prompt.drawing:
-            self._say_since(since or lost)
+        self._since = list(since or lost)
+        self._say_what_to_do()
 
-    def _say_since(self, lost: Sequence[str]) -> None:
-        """Also where the answer sends nobody to it: at the next question it may have been silent for long."""
-        first = self.tr(
-            "✕ No answer from {0}. Put that right first: see to plug and power. “Hands off” is not taken before it "
-            "answers."
-        )
-        soon = self.tr("✕ No answer from {0}. See to plug and power as well: nothing is measured before it answers.")
-        is_ready = self._prompt is not None and self._prompt.key == READY
-        self.details.setText((first if is_ready else soon).format(", ".join(lost)) if lost else self._back)
-        self.details.setVisible(bool(self.details.text()))
+    def _say_what_to_do(self) -> None:
+        """Below the question: one thing after the other."""
+        if self._prompt is None:
+            return
+        failed = WHAT in self._prompt.drawing or self._prompt.text.startswith(STILL_LOST)
+        if failed and self._prompt.key != READY:
+            again = translated(WORDS[RETRY])
+            words = below(self._prompt, again, lost=not self._mended, first=self._first)
+        else:
+            seen_to = to_be_seen_to(self._since, self._first, is_ready=self._prompt.key == READY)
+            words = seen_to if self._lost else self._back
+        self.details.setText(words)
+        self.details.setVisible(bool(words))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
