@@ -28,9 +28,11 @@ from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.gui.widgets.order_label import OrderLabel
+from labcal.gui.widgets.rolled import Rolled
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
@@ -106,9 +108,7 @@ class PromptCard(Card):
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
         words.addWidget(self.text, 1)
-        words.addWidget(self.text.below)
         self.details = label("", "title", wrap=True)
-        words.addWidget(self.details)
         self.hands, self.lab, self.stands = label("", "title", wrap=True), label("", wrap=True), label("", wrap=True)
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
@@ -119,8 +119,8 @@ class PromptCard(Card):
         self.anew = label(
             self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
         )
-        for said in (self.serials, self.hands, self.lab, self.stands, self.anew):
-            words.addWidget(said)
+        for said in (self.hands, self.details, self.text.below, self.serials, self.lab, self.stands, self.anew):
+            words.addWidget(said)  # the gravest first: they roll where there is no room for all
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
         self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
@@ -128,13 +128,10 @@ class PromptCard(Card):
         answer = QHBoxLayout()
         answer.addWidget(self.entry, 1)
         answer.addWidget(self.choose)
-        words.addLayout(answer)
-        words.addWidget(self.hint)
-        self._buttons = QHBoxLayout()
-        words.addLayout(self._buttons)
+        self._buttons = Flow(left=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addLayout(words, WORDED)
+        row.addWidget(Rolled(words), WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -142,6 +139,9 @@ class PromptCard(Card):
         row.addLayout(pictures)
         self._row = row
         self.body.addLayout(row, 1)
+        self.body.addLayout(answer)
+        self.body.addWidget(self.hint)
+        self.body.addLayout(self._buttons)
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
         self.call = QTimer(self, interval=CALLS_EVERY_MS)
@@ -333,7 +333,6 @@ class PromptCard(Card):
             self._buttons.addWidget(made)
         if not prompt.choices:
             self._make_senders(prompt)
-        self._buttons.addStretch()
         held = [b for b in self._answers() if isinstance(b, HoldButton)]
         by_key = self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else ""
         if any(b.held_by_mouse for b in held):
