@@ -654,6 +654,10 @@
         <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ComparisonView</name>
@@ -6474,14 +6478,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✕ No answer from {0}. Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✕ No answer from {0}. See to plug and power as well: nothing is measured before it answers.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8194,7 +8190,15 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>silent (plug? power?)</source>
+        <source>no answer (plug? power?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer (link lost)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heard {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8526,14 +8530,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line, not at each plug.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>guardian</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8738,7 +8734,43 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✕ No answer from {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See to plug and power as well: nothing is measured before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} (since {1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First switch off by hand the supply that does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First stop the platform at its controller, and see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First wait until hands may go in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments at {1}: look at their common line, not at each plug.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
