@@ -25,7 +25,7 @@ def card(running):
 
 def alive(card):
     card.alive = True
-    card.say_lost(card._who)
+    card.say_lost([])
     return card
 
 
