@@ -43,4 +43,5 @@ class Rolled(QScrollArea):
     def _be_whole(self) -> None:
         layout = self._holder.layout()
         if layout is not None:
-            self._holder.setMinimumHeight(layout.totalMinimumHeightForWidth(self.viewport().width()))
+            high = layout.totalMinimumHeightForWidth(self.viewport().width())
+            self._holder.setMinimumHeight(max(0, high))  # of a width of nothing Qt says -1
