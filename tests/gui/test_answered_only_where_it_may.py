@@ -58,15 +58,15 @@ def test_next_asks_for_an_answer_where_one_is_taken(running, card, asked):
 @pytest.mark.parametrize(
     ("asked", "known"),
     [
-        (MOUNT, {"currents": (0.0, 0.0, 0.4), "platform": stands()}),
-        (SERIAL, {"currents": (0.0, 0.0, 0.4), "platform": stands()}),
-        (READY, {"platform": stands(), "faulty": ("dut",)}),
-        (FAILED, {"platform": stands(), "faulty": ("dut",)}),
+        (MOUNT, lambda: {"currents": (0.0, 0.0, 0.4), "platform": stands()}),
+        (SERIAL, lambda: {"currents": (0.0, 0.0, 0.4), "platform": stands()}),
+        (READY, lambda: {"platform": stands(), "faulty": ("dut",)}),
+        (FAILED, lambda: {"platform": stands(), "faulty": ("dut",)}),
     ],
 )
 def test_next_asks_for_no_answer_that_is_barred(running, card, asked, known):
     send(running, asked)
-    says(running, **known)
+    says(running, **known())
     assert next_of(running) == ""  # on this page there is nothing to do but to wait
     running.open_page("Start")
     assert next_of(running) == "Next: See the run"
@@ -88,9 +88,17 @@ def test_nothing_is_scanned_or_typed_into_a_question_whose_answer_is_barred(runn
 @pytest.mark.parametrize(
     ("asked", "known", "first"),
     [
-        (READY, {"platform": PlatformReading(fault="silent"), "faulty": ("stage",)}, "First stop the platform at its"),
-        (FAILED, {"platform": PlatformReading(fault="silent"), "faulty": ("dut",)}, "First stop the platform at its"),
-        (READY, {"currents": (0.0, 0.0, None), "faulty": ("supply_z",)}, "First switch off by hand the supply"),
+        (
+            READY,
+            lambda: {"platform": PlatformReading(fault="silent"), "faulty": ("stage",)},
+            "First stop the platform at its",
+        ),
+        (
+            FAILED,
+            lambda: {"platform": PlatformReading(fault="silent"), "faulty": ("dut",)},
+            "First stop the platform at its",
+        ),
+        (READY, lambda: {"currents": (0.0, 0.0, None), "faulty": ("supply_z",)}, "First switch off by hand the supply"),
         (
             MOUNT,
             {"currents": (0.0, 0.0, 0.4), "platform": stands(), "faulty": ("dut",)},
@@ -101,10 +109,10 @@ def test_nothing_is_scanned_or_typed_into_a_question_whose_answer_is_barred(runn
 def test_nobody_is_sent_to_a_plug_before_coils_and_platform_rest(running, card, asked, known, first):
     plug = Prompt(5.0, "failed-zero", "dut: lost", FAILED.choices, drawing=FAILED.drawing | {"remedy": "See to plug."})
     send(running, plug if asked is FAILED else asked)
-    says(running, **known)
+    says(running, **known())
     assert first in card.details.text()
     assert card.details.text().index(first) < card.details.text().index("ee to plug")
-    says(running, platform=stands(), faulty=known["faulty"])
+    says(running, platform=stands(), faulty=known()["faulty"])
     assert "First" not in card.details.text().replace("Put that right first", "")
 
 
