@@ -101,7 +101,7 @@ def test_nothing_is_scanned_or_typed_into_a_question_whose_answer_is_barred(runn
         (READY, lambda: {"currents": (0.0, 0.0, None), "faulty": ("supply_z",)}, "First switch off by hand the supply"),
         (
             MOUNT,
-            {"currents": (0.0, 0.0, 0.4), "platform": stands(), "faulty": ("dut",)},
+            lambda: {"currents": (0.0, 0.0, 0.4), "platform": stands(), "faulty": ("dut",)},
             "First wait until hands may go in.",
         ),
     ],
