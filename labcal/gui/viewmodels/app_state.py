@@ -94,7 +94,7 @@ class AppState(QObject):
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
         self.off = CoilsOff(self)
-        self.force_timer, self.coils_off = self.off.force_timer, self.off.order
+        self.force_timer, self.coils_off = self.off.force_timer, lambda: self.off.order()
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
         name = str(self.settings.value("operator", ""))
