@@ -32,6 +32,7 @@ from labcal.bench.steps import (
     measured,
     mount,
     not_used,
+    note,
     record,
     standstill,
     switch_mode,
@@ -131,6 +132,8 @@ def _open_and_check_axes(bench: Bench, setting: PreflightPlan, axis: str, resume
 def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None, stood: str) -> Work[First]:
     """Mount, then the zero and the first position; where turns are kept they are compared with what they were."""
     yield setting.plan().begin(bench, "zero")
+    if resume is not None:
+        yield note(bench, _of_what_is_kept(setting, resume))
     yield from _mounted(bench, axis, stood)
     yield from switch_mode(bench, setting.modes[0])
     yield from _all_hands_off(bench, setting)
@@ -142,6 +145,16 @@ def _open(bench: Bench, setting: PreflightPlan, axis: str, resume: Resume | None
     yield from _must_close(bench, "zero since the interruption", float(np.linalg.norm(moved)), 0.0, setting.closure_nT)
     before = (resume.measured.get(f"zero: {name}", spot.excess) for name, spot in zip(POSITIONS, spots, strict=True))
     return First(tuple(before), None)
+
+
+def _of_what_is_kept(setting: PreflightPlan, resume: Resume) -> str:
+    """For whoever sees it begin with its first step again."""
+    turns = sum(name in resume.done for axis in setting.axes for name, _, _ in setting.turns(axis))
+    if not turns:
+        return "no turn was finished before the interruption: it begins anew, and nothing of before is used"
+    why = "they tell whether anything moved or drifted since"
+    again = f"the zero, the axes and the timing are measured again: {why}"
+    return f"turns kept from before the interruption: {turns}; {again}"
 
 
 def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:

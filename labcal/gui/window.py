@@ -297,7 +297,7 @@ class Window(Frame):
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
         to = self.app_state.path.next()
         if to.off:
-            return self.app_state.coils_off()
+            return self.app_state.off.order()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
             return does.click()
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen

@@ -62,6 +62,33 @@ def test_one_whose_message_was_spoilt_is_there() -> None:
         watch.see([], 11.3, left_s=0.5, spoilt=1)
 
 
+def quiet_after(watch: StreamWatch, last_s: float) -> float:
+    """Seconds from the last sample until it is said to be silent, while a person is asked."""
+    for pause_s in np.arange(0.0, 60.0, 0.25).tolist():
+        watch.see([], last_s + pause_s, waited_for=True)
+        if watch.wrong("ref"):
+            return pause_s
+    return math.inf
+
+
+def test_one_long_pause_does_not_hide_a_silence_for_ever() -> None:
+    watch = StreamWatch("ref", 30.0, 60.0, 0.0)
+    sends(watch, np.array([0.0, 0.1, 8.1, *np.arange(8.2, 40.0, 0.1)]), math.inf)
+    assert 2.0 <= quiet_after(watch, 40.0) < 3.0
+
+
+def test_what_kept_it_from_sending_is_no_pause_of_its_own() -> None:
+    watch = StreamWatch("ref", 30.0, 60.0, 0.0)
+    sends(watch, np.array([0.0, 0.1, 0.2]), math.inf)
+    watch.see([], 9.0, wrong="link lost")
+    sends(watch, np.array([9.1, 9.2]), math.inf)
+    assert 2.0 <= quiet_after(watch, 9.2) < 3.0
+
+
+def test_one_that_was_never_heard_is_said_to_be_silent_at_a_question() -> None:
+    assert 3.0 < quiet_after(StreamWatch("ref", 3.0, 60.0, 0.0), 0.0) < 3.5
+
+
 def test_a_stuck_stream_is_noticed_however_it_is_cut() -> None:
     t = np.arange(0, 90, 0.1)
     values = np.where(t[:, None] < 20, np.sin(t)[:, None], 0.5) * np.ones(3)

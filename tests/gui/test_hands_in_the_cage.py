@@ -309,7 +309,7 @@ def test_a_run_that_does_not_go_on_says_why_where_it_ended_though_the_coils_have
     next(one for one in app_state.bench_worker.asked if isinstance(one.command, ResumeRun)).failed(still_off)
     assert running.fault.isVisible()
     assert not live.fault.isVisible()
-    assert live.verdict.reason.text() == "supply_z: the link was lost. It is tried again and again."
+    assert live.verdict.reason.text() == "supply_z: the link was lost."
     assert live.verdict.reason.isVisibleTo(live)
     running.fault.show_fault(None)
     app_state.grow_old()

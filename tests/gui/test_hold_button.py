@@ -13,9 +13,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.gui.viewmodels.may_answer import moves_by_itself
 from labcal.gui.widgets import prompt_card
 from labcal.gui.widgets.hold_button import LET_GO_MS
-from labcal.gui.widgets.prompt_card import moves_by_itself
 from labcal.record.stream import Prompt
 
 LAB_DEAD_MS = prompt_card.DEAD_MS

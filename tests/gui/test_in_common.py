@@ -25,14 +25,17 @@ LINKS = {
         (("dut",), ""),
         (("supply_x",), ""),
         (("supply_x", "dut"), ""),
-        (("supply_x", "supply_y"), "All 2 instruments at 10.0.0.7 are silent: look at their common line first."),
+        (
+            ("supply_x", "supply_y"),
+            "No answer from all 2 instruments at 10.0.0.7: look at their common line, not at each plug.",
+        ),
         (
             ("supply_x", "supply_z", "reversers"),
-            "All 2 instruments at /dev/ttyUSB1 are silent: look at their common line first.",
+            "No answer from all 2 instruments at /dev/ttyUSB1: look at their common line, not at each plug.",
         ),
         (
             ("supply_x", "supply_y", "supply_z", "reversers", "dut"),
-            "Nothing answers, all 5 instruments: is the rack’s power off, or the adapter or network gone?",
+            "No answer from all 5 instruments: is the rack’s power off, or the adapter or network gone?",
         ),
     ],
 )
@@ -42,7 +45,7 @@ def test_what_the_silent_ones_share_is_said(silent, said):
 
 def test_of_one_computer_alone_it_is_that():
     links = {name: f"tcp://lab:{k}" for k, name in enumerate("abcd")}
-    assert in_common("abcd", links).startswith("All 4 instruments at lab are silent")
+    assert in_common("abcd", links).startswith("No answer from all 4 instruments at lab")
     assert in_common("abc", links) == ""
     assert in_common("ab", dict.fromkeys("ab", "emulated://")) == ""
 
@@ -52,7 +55,7 @@ def test_the_panel_and_the_cards_say_it(still):
     instruments = {n: replace(one, link="tcp://lab:1") for n, one in app_state.facts.instruments.items()}
     app_state.facts = replace(app_state.facts, instruments=instruments)
     app_state.take_lab(LabState(unread(), instruments=tuple(Heard(name, None, "silent") for name in instruments)))
-    said = "All 7 instruments at lab are silent: look at their common line first."
+    said = "No answer from all 7 instruments at lab: look at their common line, not at each plug."
     assert still.side.legend.text() == said
     assert still.side.legend.property("state") == "bad"
     now = time.monotonic()

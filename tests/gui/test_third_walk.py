@@ -125,7 +125,7 @@ def test_of_a_silent_dut_plug_and_power_are_named_in_the_panel(still):
     begun(still)
     says(still, "dut")
     (row,) = [row.text() for row in still.side.instrument_rows if row.text().startswith("✕ dut")]
-    assert row.startswith("✕ dut  silent (plug? power?)")
+    assert row.startswith("✕ dut  no answer (plug? power?)")
 
 
 def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):
@@ -134,11 +134,11 @@ def test_who_is_lost_stands_below_hands_off_and_no_longer_than_it_is(still):
     asks((Prompt(3.0, "ready", "The coils go to 50 µT and the platform turns. Hands off?", acts=True),))
     assert live.prompt.details.isHidden()
     says(still, "dut")
-    assert live.prompt.details.text().startswith("✕ No answer from dut. Put that right first")
+    assert live.prompt.details.text().startswith("✕ No answer from dut (since ")
     still_lost = "Still lost: dut (silent). Put that right first: a step begun now fails again."
     asked = "The coils go to 50 µT and the platform turns. Hands off?"
     asks((Prompt(4.0, "ready", f"{still_lost} {asked}", acts=True, drawing={"question": asked}),))
-    assert live.prompt.details.text().startswith("✕ No answer from dut. Put that right first")
+    assert live.prompt.details.text().startswith("✕ No answer from dut (since ")
     says(still)
     assert live.prompt.details.text() == "dut: answers again"
     assert live.prompt.text.text().replace("\N{NO-BREAK SPACE}", " ") == asked

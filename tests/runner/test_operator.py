@@ -195,6 +195,24 @@ def test_a_resumed_run_goes_on_after_its_last_finished_turn_in_a_mounting_of_its
     assert run.t_s[rows[0][-1]] < before < run.t_s[rows[1][0]]
 
 
+@pytest.mark.parametrize(
+    ("at", "said"),
+    [
+        ("z+30uT-nominal", "turns kept from before the interruption: 1; the zero, the axes and the timing"),
+        ("z+20uT-nominal", "no turn was finished before the interruption: it begins anew"),
+    ],
+)
+def test_what_is_kept_and_what_is_measured_anew_is_said_before_the_first_question(
+    bench_file: BenchFile, at: str, said: str
+) -> None:
+    bench, told = bench_file(), list[Item]()
+    break_off(bench, at)
+    session.resume("R", bench, seed=2, answer=perhaps, on_item=told.append)
+    asked = next(n for n, one in enumerate(told) if isinstance(one, Prompt))
+    notes = [one.text for one in told[:asked] if isinstance(one, Event) and one.kind == "note"]
+    assert [one.startswith(said) for one in notes] == [True]
+
+
 def test_a_limit_that_was_not_met_before_the_interruption_still_counts_after_it(bench_file: BenchFile) -> None:
     bench, told = bench_file(), list[Item]()
     break_off(bench, "z+30uT-nominal", Measurement(1.0, "z+20uT-nominal: noise", 90.0, 1.0, "nT", 20.0))

@@ -16,6 +16,7 @@ Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
 NOTICED_S, SILENCES, PAUSES = 2.0, 5.0, 2.0
 LATE_S = 0.2  # later than its rate says, on its line and in this computer
+KNOWN_PAUSES = 100  # looks, of which the longest pause counts: one long pause, as of a busy computer, is forgotten
 LOOK_S = 1.0  # as the coils: what is heard so often is never shown as old
 UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
 SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
@@ -28,16 +29,18 @@ class StreamWatch:
     longest of the last pauses between two looks that found something; where its maker states its `period_s`, `LATE_S`
     more than that or the longest of them.
 
-    A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
-    While something else that was reported keeps the stream from sending, it is none; it counts from the end of that.
-    While a person is asked, `waited_for` of `see`, nothing is raised, and patience begins anew with the answer.
+    A silence is an event at once: as soon as it is `SILENCES` times the longest of its last pauses, and `NOTICED_S` at
+    least; of a stream that has sent no two samples yet, after `silent_s`. While something else that was reported keeps
+    the stream from sending, it is none; it counts from the end of that. While a person is asked, `waited_for` of `see`,
+    nothing is raised, and patience begins anew with the answer.
     """
 
     def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float, period_s: float | None = None) -> None:
         self.name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
-        self._last_s = self._changed_s = self._excused_s = self._waited_s = now_s
+        self._last_s = self._changed_s = self._waited_s = now_s
+        self._excused_s = -math.inf
         self._period_s, self._spoilt = period_s, 0
-        self._longest_s: float | None = None  # between two samples; None before there were two
+        self._between_s = deque[float](maxlen=KNOWN_PAUSES)  # two samples, the longest of each look
         self._came_s: float | None = None  # when a look found samples last
         self._pauses_s = deque[float](maxlen=20)  # between two such looks
         self._quiet = False
@@ -114,7 +117,8 @@ class StreamWatch:
     def _notice(self, now_s: float) -> None:
         """Say so once where it has fallen silent; a stream of which no two samples are known is given its time."""
         pause_s = now_s - max(self._last_s, self._excused_s)
-        if self._longest_s is not None and not self._quiet and pause_s > max(NOTICED_S, SILENCES * self._longest_s):
+        usual_s = SILENCES * max(self._between_s) if self._between_s else self._silent_s
+        if not self._quiet and pause_s > max(NOTICED_S, usual_s):
             self._quiet = True
             self._report(now_s, "silent", f"no sample for {pause_s:.1f} s")
 
@@ -130,7 +134,7 @@ class StreamWatch:
         else:
             before = block.t_s[:0] if self._value is None else np.array([self._last_s])
             pauses = np.diff(np.concatenate([before, block.t_s])).tolist()
-            self._longest_s = max([*pauses, self._longest_s or 0.0]) if pauses else self._longest_s
+            self._between_s.extend([max(known)] if (known := pauses[self._excused_s >= self._last_s :]) else [])
         self._last_s = float(block.t_s[-1])
         before = block.values[:1] if self._value is None else self._value[None, :]
         moved = np.flatnonzero(np.any(np.diff(np.vstack([before, block.values]), axis=0) != 0, axis=1))

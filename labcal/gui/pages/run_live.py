@@ -3,14 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QApplication,
-    QHBoxLayout,
-    QProgressBar,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QProgressBar, QSplitter, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import BROKEN, Fault
@@ -20,6 +13,7 @@ from labcal.gui.translations.translate import procedure_title
 from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import in_short
+from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
@@ -56,7 +50,7 @@ class Live(QWidget):
         self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
-        self._heard_again = AnswersAgain()
+        self._heard_again, self._lost_since = AnswersAgain(), LostSince()
         self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
         self._just_went_on = QTimer(self, interval=DEAD_MS, singleShot=True)  # a second click was meant for Go on
         self._just_went_on.timeout.connect(self._show)
@@ -328,7 +322,7 @@ class Live(QWidget):
         set_primary(self.go_on, not now.to_be_mended)
         self.prompt.say_lab(now)
         self.prompt.say_anew(anew=self._run.anew)
-        self.prompt.say_lost(now.failed)
+        self.prompt.say_lost(now.failed, self._lost_since.named(now))
         words, mark, waits = kept_out(self._run, now)
         self.prompt.say_kept_out(words, mark, waits=waits)
         self.hands.show_state(self._app_state.lab.state, paused=self._run.state == "paused")

@@ -67,6 +67,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✕ Scanned, and not taken: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -648,6 +652,10 @@
     </message>
     <message>
         <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4245,6 +4253,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>no turn was finished before the interruption: it begins anew, and nothing of before is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell whether anything moved or drifted since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>goes on</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6462,7 +6478,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6479,10 +6495,6 @@ after this step …</source>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8178,7 +8190,15 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>silent (plug? power?)</source>
+        <source>no answer (plug? power?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer (link lost)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heard {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8510,14 +8530,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>guardian</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8719,6 +8731,46 @@ after this step …</source>
     </message>
     <message>
         <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See to plug and power as well: nothing is measured before it answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (since {1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First switch off by hand the supply that does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First stop the platform at its controller, and see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First wait until hands may go in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments at {1}: look at their common line, not at each plug.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -67,6 +67,10 @@
         <translation>{0} gescannt; eine Messung läuft, ihr Prüfling bleibt.</translation>
     </message>
     <message>
+        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
+        <translation>{0} gescannt; die Hände bleiben draußen: noch einmal scannen, sobald sie hinein dürfen.</translation>
+    </message>
+    <message>
         <source>✕ Scanned, and not taken: {0}</source>
         <translation>✕ Gescannt und nicht übernommen: {0}</translation>
     </message>
@@ -649,6 +653,10 @@
     <message>
         <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
         <translation>An seinem Bedienfeld oder am Netzschalter; dann SPULEN AUS (F12) drücken.</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
     </message>
 </context>
 <context>
@@ -4245,6 +4253,14 @@
         <translation>geht nach einer Unterbrechung weiter</translation>
     </message>
     <message>
+        <source>no turn was finished before the interruption: it begins anew, and nothing of before is used</source>
+        <translation>vor der Unterbrechung wurde keine Drehung fertig: es beginnt neu, und nichts von vorher wird verwendet</translation>
+    </message>
+    <message>
+        <source>turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell whether anything moved or drifted since</source>
+        <translation>von vor der Unterbrechung bleiben Drehungen: {0}; Null, Achsen und Zeiten werden noch einmal gemessen: sie sagen, ob sich seither etwas bewegt hat oder gedriftet ist</translation>
+    </message>
+    <message>
         <source>goes on</source>
         <translation>geht weiter</translation>
     </message>
@@ -6463,8 +6479,8 @@ diesem Schritt …</translation>
         <translation>Jedes Gerät antwortet wieder.</translation>
     </message>
     <message>
-        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
-        <translation>✕ Keine Antwort von {0}. Erst das beheben: „Hände weg“ gilt nicht, bevor es antwortet.</translation>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -6481,10 +6497,6 @@ diesem Schritt …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
-    </message>
-    <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
-        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Gemessen wird nur, was fehlt.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8179,8 +8191,16 @@ diesem Schritt …</translation>
         <translation>Als VORLÄUFIG brauchbar; {0} muss noch unterschreiben.</translation>
     </message>
     <message>
-        <source>silent (plug? power?)</source>
-        <translation>stumm (Stecker? Strom?)</translation>
+        <source>no answer (plug? power?)</source>
+        <translation>keine Antwort (Stecker? Strom?)</translation>
+    </message>
+    <message>
+        <source>no answer (link lost)</source>
+        <translation>keine Antwort (Leitung verloren)</translation>
+    </message>
+    <message>
+        <source>heard {0}</source>
+        <translation>gehört {0}</translation>
     </message>
     <message>
         <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
@@ -8511,14 +8531,6 @@ diesem Schritt …</translation>
         <translation>Das simulierte Labor wird geöffnet …</translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
-        <translation>Alle {0} Geräte an {1} schweigen: zuerst nach ihrer gemeinsamen Leitung sehen.</translation>
-    </message>
-    <message>
-        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
-        <translation>Nichts antwortet, alle {0} Geräte: Ist der Strom des Schranks aus, oder Adapter oder Netz weg?</translation>
-    </message>
-    <message>
         <source>guardian</source>
         <translation>Wächter</translation>
     </message>
@@ -8721,6 +8733,46 @@ diesem Schritt …</translation>
     <message>
         <source>reference</source>
         <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}.</source>
+        <translation>✕ Keine Antwort von {0}.</translation>
+    </message>
+    <message>
+        <source>Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
+        <translation>Erst das beheben: nach Stecker und Strom sehen. „Hände weg“ gilt nicht, bevor es antwortet.</translation>
+    </message>
+    <message>
+        <source>See to plug and power as well: nothing is measured before it answers.</source>
+        <translation>Auch nach Stecker und Strom sehen: Es wird nichts gemessen, bevor es antwortet.</translation>
+    </message>
+    <message>
+        <source>{0} (since {1})</source>
+        <translation>{0} (seit {1})</translation>
+    </message>
+    <message>
+        <source>First switch off by hand the supply that does not answer.</source>
+        <translation>Zuerst das Netzgerät, das nicht antwortet, von Hand ausschalten.</translation>
+    </message>
+    <message>
+        <source>First stop the platform at its controller, and see it stand.</source>
+        <translation>Zuerst den Tisch an seinem Steuergerät anhalten, und sehen, dass er steht.</translation>
+    </message>
+    <message>
+        <source>First wait until hands may go in.</source>
+        <translation>Zuerst warten, bis Hände hinein dürfen.</translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments at {1}: look at their common line, not at each plug.</source>
+        <translation>Keine Antwort von allen {0} Geräten an {1}: nach ihrer gemeinsamen Leitung sehen, nicht nach jedem Stecker.</translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation>Keine Antwort von allen {0} Geräten: Ist der Strom des Schranks aus, oder Adapter oder Netz weg?</translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
+        <translation>{0}: antwortet wieder</translation>
     </message>
 </context>
 <context>

@@ -67,6 +67,10 @@
         <translation>{0} lu ; une mesure est en cours, son DUT reste.</translation>
     </message>
     <message>
+        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
+        <translation>{0} scanné ; les mains restent dehors : scannez encore dès qu&apos;elles peuvent entrer.</translation>
+    </message>
+    <message>
         <source>✕ Scanned, and not taken: {0}</source>
         <translation>✕ Lu, et non retenu : {0}</translation>
     </message>
@@ -649,6 +653,10 @@
     <message>
         <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
         <translation>À son panneau, ou à son interrupteur secteur ; puis appuyez sur BOBINES À ZÉRO (F12).</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
     </message>
 </context>
 <context>
@@ -4245,6 +4253,14 @@
         <translation>continue après une interruption</translation>
     </message>
     <message>
+        <source>no turn was finished before the interruption: it begins anew, and nothing of before is used</source>
+        <translation>aucune rotation n&apos;était terminée avant l&apos;interruption : on recommence, et rien d&apos;avant n&apos;est utilisé</translation>
+    </message>
+    <message>
+        <source>turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell whether anything moved or drifted since</source>
+        <translation>rotations gardées d&apos;avant l&apos;interruption : {0} ; le zéro, les axes et les temps sont mesurés encore : ils disent si quelque chose a bougé ou dérivé depuis</translation>
+    </message>
+    <message>
         <source>goes on</source>
         <translation>continue</translation>
     </message>
@@ -6463,8 +6479,8 @@ cette étape …</translation>
         <translation>Chaque instrument répond de nouveau.</translation>
     </message>
     <message>
-        <source>✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.</source>
-        <translation>✕ Pas de réponse de {0}. Remédiez-y d&apos;abord : « Mains éloignées » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
+        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -6481,10 +6497,6 @@ cette étape …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
-    </message>
-    <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured.</source>
-        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. Seul ce qui manque est mesuré.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8179,8 +8191,16 @@ cette étape …</translation>
         <translation>Utilisable comme PROVISOIRE ; {0} doit encore signer.</translation>
     </message>
     <message>
-        <source>silent (plug? power?)</source>
-        <translation>muet (prise ? alimentation ?)</translation>
+        <source>no answer (plug? power?)</source>
+        <translation>pas de réponse (prise ? alimentation ?)</translation>
+    </message>
+    <message>
+        <source>no answer (link lost)</source>
+        <translation>pas de réponse (liaison perdue)</translation>
+    </message>
+    <message>
+        <source>heard {0}</source>
+        <translation>entendu {0}</translation>
     </message>
     <message>
         <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
@@ -8511,14 +8531,6 @@ cette étape …</translation>
         <translation>Ouverture du laboratoire simulé …</translation>
     </message>
     <message>
-        <source>All {0} instruments at {1} are silent: look at their common line first.</source>
-        <translation>Les {0} appareils à {1} se taisent tous : voyez d&apos;abord leur ligne commune.</translation>
-    </message>
-    <message>
-        <source>Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
-        <translation>Rien ne répond, ni l’un des {0} instruments : la baie est-elle hors tension, ou l’adaptateur ou le réseau absent ?</translation>
-    </message>
-    <message>
         <source>guardian</source>
         <translation>gardien</translation>
     </message>
@@ -8721,6 +8733,46 @@ cette étape …</translation>
     <message>
         <source>reference</source>
         <translation>référence</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0}.</source>
+        <translation>✕ Pas de réponse de {0}.</translation>
+    </message>
+    <message>
+        <source>Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
+        <translation>Remédiez-y d&apos;abord : voyez la prise et l&apos;alimentation. « Mains éloignées » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
+    </message>
+    <message>
+        <source>See to plug and power as well: nothing is measured before it answers.</source>
+        <translation>Voyez aussi la prise et l&apos;alimentation : rien n&apos;est mesuré avant qu&apos;il réponde.</translation>
+    </message>
+    <message>
+        <source>{0} (since {1})</source>
+        <translation>{0} (depuis {1})</translation>
+    </message>
+    <message>
+        <source>First switch off by hand the supply that does not answer.</source>
+        <translation>D&apos;abord, éteignez à la main l&apos;alimentation qui ne répond pas.</translation>
+    </message>
+    <message>
+        <source>First stop the platform at its controller, and see it stand.</source>
+        <translation>D&apos;abord, arrêtez le plateau à son contrôleur, et voyez-le à l&apos;arrêt.</translation>
+    </message>
+    <message>
+        <source>First wait until hands may go in.</source>
+        <translation>D&apos;abord, attendez que les mains puissent entrer.</translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments at {1}: look at their common line, not at each plug.</source>
+        <translation>Pas de réponse des {0} appareils à {1} : voyez leur ligne commune, et non chaque prise.</translation>
+    </message>
+    <message>
+        <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation>Pas de réponse des {0} instruments : la baie est-elle hors tension, ou l’adaptateur ou le réseau absent ?</translation>
+    </message>
+    <message>
+        <source>{0}: answers again</source>
+        <translation>{0} : répond de nouveau</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,14 @@ EVENTS = (
     QT_TRANSLATE_NOOP("Data", "the end of the run waits: {0}"),
     QT_TRANSLATE_NOOP("Data", "the run ends: {0}"),
     QT_TRANSLATE_NOOP("Data", "goes on after an interruption"),
+    QT_TRANSLATE_NOOP(
+        "Data", "no turn was finished before the interruption: it begins anew, and nothing of before is used"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell "
+        "whether anything moved or drifted since",
+    ),
     QT_TRANSLATE_NOOP("Data", "goes on"),
     QT_TRANSLATE_NOOP("Data", "coil {0} came to zero without a ramp"),
     QT_TRANSLATE_NOOP("Data", "the room is fit for the job"),

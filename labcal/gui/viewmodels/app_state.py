@@ -39,6 +39,7 @@ from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -84,7 +85,7 @@ class AppState(QObject):
         self.bench = ""
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
-        self._said_of_dut = SaidOfDut(self.lab)
+        self._said_of_dut, self._said_no_more = SaidOfDut(self.lab), SaidNoMore(self.lab, self.run)
         self.put_away_said = self._said_of_dut.put_away
         self.kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
@@ -93,7 +94,7 @@ class AppState(QObject):
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
         self.off = CoilsOff(self)
-        self.force_timer = self.off.force_timer
+        self.force_timer, self.coils_off = self.off.force_timer, lambda: self.off.order()
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
         name = str(self.settings.value("operator", ""))
@@ -231,10 +232,12 @@ class AppState(QObject):
     def scan(self, serial: str) -> None:
         """A scanner read this where no field waited for it: is it the DUT's serial? A run may ask for it."""
         self.put_away_said()
-        if self.run.asks_serial:
+        if self.run.asks_serial and self.path.may_answer():
             self.run.answer(serial)
         elif self.run.alive:
-            self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
+            words = self.tr("Scanned {0}; a run goes on, its DUT stays.")
+            kept_out = self.tr("Scanned {0}; hands are kept out: scan again once they may go in.")
+            self.lab.update(message=(kept_out if self.run.asks_serial else words).format(serial))
         elif said := self.serial_objection(serial):
             self._said_of_dut.say(self.tr("✕ Scanned, and not taken: {0}").format(said))
         elif serial == self.lab.state.dut_serial:
@@ -287,10 +290,6 @@ class AppState(QObject):
         return RunProcedure(
             procedure, self.bench, given, state.dut_serial, state.operator, pace, int(str(seed)) if seed else None
         )
-
-    def coils_off(self) -> None:
-        """Every coil to zero now, whatever goes on."""
-        self.off.order()
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
@@ -371,6 +370,7 @@ class AppState(QObject):
             if not lifted:  # the supplies say so, and the reference has not been asked since
                 self.off.read_again()
         self.off.look_at_platform()
+        self._said_no_more.look("" if self.off.unconfirmed else self.off.warned)
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""

@@ -78,6 +78,7 @@ class CoilsOff(QObject):
         self._window = window
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
+        self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
         self._report: tuple[str, str] | None = None  # the coils' part, and all of it, where the platform's is to come
@@ -222,9 +223,11 @@ class CoilsOff(QObject):
         self.warn(Fault("coils", self.tr("No answer yet from: {0}").format(missed)))
 
     def warn(self, fault: Fault) -> None:
-        """Say that the coils may be on, whatever page is open."""
+        """Say that the coils may be on, whatever page is open: what to do first, the figures are on the card."""
         remedy = self.tr("At its panel, or at its mains switch; then press COILS OFF (F12).")
         self.unconfirmed = replace(fault, kind="coils", remedy=remedy)
         self._window.fault.emit(self.unconfirmed)
-        platform = platform_said(self._window.lab.state.now.platform_words)
-        self._window.lab.update(message="; ".join(filter(None, (self.unconfirmed.text, platform))))
+        by_hand, now = ", ".join(self._window.by_hand()), self._window.lab.state.now
+        first = self.tr("Switch off by hand: {0}").format(by_hand) if by_hand else self.unconfirmed.text
+        self.warned = "; ".join(filter(None, (first, platform_said(now.platform_words))))
+        self._window.lab.update(message=self.warned)

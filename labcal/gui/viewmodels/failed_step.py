@@ -40,10 +40,10 @@ def headline(prompt: Prompt) -> str:
     return in_words(_plain(str(prompt.drawing[WHAT])) if WHAT in prompt.drawing else asked_text(prompt))
 
 
-def below(prompt: Prompt, again: str, *, lost: bool = True) -> str:
+def below(prompt: Prompt, again: str, *, lost: bool = True, first: str = "") -> str:
     """What is known and what to do about it, before `again`, the button that begins the step anew; else "".
 
-    Where nobody is `lost` any more nothing is left to do but that.
+    `first`: what comes before that. Where nobody is `lost` any more nothing is left to do but that.
     """
     if WHAT not in prompt.drawing:
         return ""
@@ -53,12 +53,15 @@ def below(prompt: Prompt, again: str, *, lost: bool = True) -> str:
     what, remedy = _plain(str(prompt.drawing[WHAT])), str(prompt.drawing.get(REMEDY, ""))
     known = in_words(what) if NO_ANSWER in prompt.drawing else ""
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
-    return " ".join(part for part in (known, of_this_bench(in_words(remedy)), button, anew) if part)
+    return " ".join(part for part in (known, first, of_this_bench(in_words(remedy)), button, anew) if part)
 
 
 def in_short(fault: Fault) -> str:
-    """What happened and what to do, to be read from afar: no links, and not what the computer says of them."""
-    return " ".join(filter(None, (in_words(LINK.sub("", _plain(fault.text))), of_this_bench(in_words(fault.remedy)))))
+    """What happened, to be read from afar: no links, and not what the computer says of them.
+
+    What to do is said by the card that came before this one, and by that alone.
+    """
+    return in_words(LINK.sub("", _plain(fault.text)))
 
 
 def ended_by_off(fault: Fault) -> Fault:

@@ -9,9 +9,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.translations.translate import translated
 
 TEXTS = (
-    QT_TRANSLATE_NOOP("Words", "All {0} instruments at {1} are silent: look at their common line first."),
     QT_TRANSLATE_NOOP(
-        "Words", "Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?"
+        "Words", "No answer from all {0} instruments at {1}: look at their common line, not at each plug."
+    ),
+    QT_TRANSLATE_NOOP(
+        "Words", "No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?"
     ),
 )
 
@@ -29,13 +31,13 @@ def in_common(silent: Collection[str], links: Mapping[str, str]) -> str:
 
 
 def _at(where: str, count: int) -> str:
-    return translated("All {0} instruments at {1} are silent: look at their common line first.").format(count, where)
+    return translated("No answer from all {0} instruments at {1}: look at their common line, not at each plug.").format(
+        count, where
+    )
 
 
 def _all(count: int) -> str:
-    return translated(
-        "Nothing answers, all {0} instruments: is the rack’s power off, or the adapter or network gone?"
-    ).format(count)
+    return translated(str(TEXTS[1])).format(count)
 
 
 def _groups(places: Mapping[str, str], *, host: bool) -> Iterator[tuple[str, set[str]]]:

@@ -25,7 +25,10 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
     "fault": ("✕", "bad", "failed"),
     "absent": ("○", "", "not asked"),
 }
-SILENT = QT_TRANSLATE_NOOP("Words", "silent (plug? power?)")  # nobody can tell which from here: both are looked at
+SILENT = QT_TRANSLATE_NOOP("Words", "no answer (plug? power?)")  # nobody can tell which: both are looked at
+LOST = QT_TRANSLATE_NOOP("Words", "no answer (link lost)")
+HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
+UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words", "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller"
 )
@@ -290,11 +293,21 @@ def _light(
         heard_s = coils_s
     words = age_words(old_s(heard_s, now_s))
     if heard is not None and heard.fault:
-        said = translated(str(SILENT)) if heard.fault == "silent" else in_words(heard.fault)
-        return name, "fault", ", ".join(filter(None, (said, words)))
+        return name, "fault", ", ".join(filter(None, (_no_answer(heard.fault), words and _heard(words))))
     if heard_s is None:
         return name, "absent" if heard is None else "waiting", ""
     return name, "old" if words else "ok", words
+
+
+def _no_answer(fault: str) -> str:
+    """The one word for it; how it was found stands in the card and in the record. What failed otherwise says how."""
+    if any(one in fault for one in UNHEARD):
+        return translated(str(SILENT))
+    return translated(str(LOST)) if "link lost" in fault or "the link was lost" in fault else in_words(fault)
+
+
+def _heard(age: str) -> str:
+    return translated(str(HEARD)).format(age)
 
 
 def coil_read(said: CoilEnd) -> state.CoilReading:

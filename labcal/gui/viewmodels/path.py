@@ -11,10 +11,12 @@ from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.may_answer import may_answer, wanted
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word, handed_out_as, handed_out_word
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.gui.viewmodels.what_happens import kept_out
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
 SHAPES: dict[Mark, str] = {"done": "✓", "now": "●", "doubt": "▲", "broken": "✕", "open": "○"}
@@ -150,7 +152,7 @@ class PathViewModel(QObject):
         if not state.bench:
             return Next("Bench", self.tr("Open a bench"), waits=state.opening, presses=True)
         if self._run.alive:
-            asked = self._run.state == "asking"
+            asked = self.may_answer()
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
         if state.now.left_turning:
             return Next("Bench", self.tr("Stop the platform (COILS OFF)"), off=True)
@@ -176,6 +178,13 @@ class PathViewModel(QObject):
             shown = self._study.run == last.run_id and self._study.loop is not None
             return Next("Loop", self.tr("See what is not known"), "" if shown else last.run_id)
         return self._of_the_signatures(last)
+
+    def may_answer(self) -> bool:
+        """Whether a question stands that may be answered so that the run goes on."""
+        prompt, now = self._run.prompt, self._lab.state.now
+        if prompt is None or self._run.state != "asking":
+            return False
+        return may_answer(prompt, wanted(prompt), lost=bool(now.failed), waits=kept_out(self._run, now)[2])
 
     def _to_calibrate(self, serial: str) -> Next:
         """By a preflight: where a setting of it is refused, that comes first."""

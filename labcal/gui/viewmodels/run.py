@@ -43,6 +43,7 @@ from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
 from labcal.record.stream import (
     COVERAGE,
+    FAULT,
     NOT_USED,
     OTHER_SERIAL,
     Block,
@@ -335,6 +336,7 @@ class RunViewModel(QObject):
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind not in SAID_ELSEWHERE:
+            self.time.fails(event.t_s) if event.kind == FAULT and "step" in event.data else None
             self.message = said_of(event, self.links)
 
     def _forget_turn(self, segment: str) -> None:

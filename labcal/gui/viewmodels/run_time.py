@@ -13,15 +13,24 @@ class RunTime:
         self._step: Step | None = None
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
+        self.failed = False  # this step: until it is tried again nothing counts down
 
     def begin(self, step: Step) -> None:
         """Another step, or the same anew."""
         self._step, self._waited_s, self._waits_since_s = step, 0.0, None
+        self.failed = False
 
     def again(self, t_s: float) -> None:
         """The step is tried again: the whole of it is left."""
+        self.failed = False
         if self._step is not None:
             self._waited_s = t_s - self._step.t_s
+
+    def fails(self, t_s: float) -> None:
+        """The step broke off: what is left is the whole of it, and waits for a person."""
+        self.again(t_s)
+        self.waits(t_s)
+        self.failed = True
 
     def waits(self, since_s: float) -> None:
         """For a person, from now on."""

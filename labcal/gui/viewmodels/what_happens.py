@@ -117,7 +117,7 @@ def _doing(run: RunViewModel, now: LabNow) -> str:
     doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
     if not run.segment and not run.hands_off and at_rest(now):
         return doing
-    left = run.step_left_s()
+    left = None if run.time.failed else run.step_left_s()
     asks = (needed := run.needed_s()) is not None and needed < 1.0
     wait = f"{left:.0f} s" if left and left >= 1.0 and not asks else ""  # nothing is promised of a person, nor too late
     return " · ".join(part for part in (translated(str(HANDS_OFF)), wait, doing) if part)

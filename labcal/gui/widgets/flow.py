@@ -9,10 +9,14 @@ from labcal.gui.theming.theme import GRID
 
 
 class Flow(QLayout):
-    """From the left; what can grow in a row gets what is left of it, where nothing can the row stands at the right."""
+    """From the left; what can grow in a row gets what is left of it.
 
-    def __init__(self, *widgets: QWidget) -> None:
+    Where nothing can the row stands at the right, but `left`.
+    """
+
+    def __init__(self, *widgets: QWidget, left: bool = False) -> None:
         super().__init__()
+        self._at_left = left
         self._items: list[QLayoutItem] = []
         self.setSpacing(GRID)
         self.setContentsMargins(0, 0, 0, 0)
@@ -96,7 +100,7 @@ class Flow(QLayout):
     def _place(self, row: list[QLayoutItem], at: QPoint, width: int) -> None:
         growing = [one for one in row if one.expandingDirections() & Qt.Orientation.Horizontal]
         left = max(0, width - self._width(row))
-        x, high = at.x() + (0 if growing else left), _height(row)
+        x, high = at.x() + (0 if growing or self._at_left else left), _height(row)
         for one in row:
             size = one.sizeHint()
             wide = min(width, size.width() + (left // len(growing) if one in growing else 0))

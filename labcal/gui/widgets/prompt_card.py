@@ -19,15 +19,20 @@ from labcal.bench.coils import state
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.failed_step import NO_ANSWER, asked_text, below, headline
-from labcal.gui.viewmodels.hands import READY, STILL_LOST, STOP, reached_into, says_hands_off
+from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
+from labcal.gui.viewmodels.first_thing import first_thing
+from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, reached_into
 from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
+from labcal.gui.viewmodels.lost_since import to_be_seen_to
+from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.gui.widgets.order_label import OrderLabel
+from labcal.gui.widgets.rolled import Rolled
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
@@ -61,22 +66,9 @@ WORDS = {
 }
 
 
-RETRY, REMOUNT = "retry", "remount"  # what is wanted where something failed; a script stops, as the first choice says
-
-
 def unbroken(text: str) -> str:
     """`text` with each number on the line of its unit."""
     return re.sub(r"(?<=\d) (?=[µnm]?[TAKms°]\b|°)", "\N{NO-BREAK SPACE}", text)
-
-
-def acting(prompt: Prompt, choice: str) -> bool:
-    """Whether this answer mounts, energises, moves or switches something, or sends somebody to do so."""
-    return prompt.acts or choice == RETRY
-
-
-def moves_by_itself(prompt: Prompt, choice: str) -> bool:
-    """Whether the lab energises or turns something once this is answered: held, by mouse as well."""
-    return choice == RETRY or says_hands_off(prompt.key, choice)
 
 
 def answer_label(prompt: Prompt, choice: str) -> str:
@@ -106,18 +98,17 @@ class PromptCard(Card):
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
         self._reached_into = False  # what is asked brings hands to the lab
-        self._lost = False  # somebody, since it was asked
+        self._lost = self._mended = False  # somebody, since it was asked; who was is heard again
+        self._first = ""  # what comes before a plug
         self._said_once = False  # how the coils are is said whole where hands are told that they may go in
-        self._who, self._back = list[str](), ""  # who is lost; who was, and answers again
+        self._who, self._since, self._back = list[str](), list[str](), ""  # who is lost; who was, and answers again
         self._waits = False  # what sends hands to the lab: for the lab
         self.text, self.hint, self.drawing = OrderLabel(theme), label("", "caption", wrap=True), Mounting(theme)
         words = QVBoxLayout()
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
         words.addWidget(self.text, 1)
-        words.addWidget(self.text.below)
         self.details = label("", "title", wrap=True)
-        words.addWidget(self.details)
         self.hands, self.lab, self.stands = label("", "title", wrap=True), label("", wrap=True), label("", wrap=True)
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
@@ -128,8 +119,8 @@ class PromptCard(Card):
         self.anew = label(
             self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
         )
-        for said in (self.serials, self.hands, self.lab, self.stands, self.anew):
-            words.addWidget(said)
+        for said in (self.hands, self.details, self.text.below, self.serials, self.lab, self.stands, self.anew):
+            words.addWidget(said)  # the gravest first: they roll where there is no room for all
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
         self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
@@ -137,13 +128,10 @@ class PromptCard(Card):
         answer = QHBoxLayout()
         answer.addWidget(self.entry, 1)
         answer.addWidget(self.choose)
-        words.addLayout(answer)
-        words.addWidget(self.hint)
-        self._buttons = QHBoxLayout()
-        words.addLayout(self._buttons)
+        self._buttons = Flow(left=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addLayout(words, WORDED)
+        row.addWidget(Rolled(words), WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -151,6 +139,9 @@ class PromptCard(Card):
         row.addLayout(pictures)
         self._row = row
         self.body.addLayout(row, 1)
+        self.body.addLayout(answer)
+        self.body.addWidget(self.hint)
+        self.body.addLayout(self._buttons)
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
         self.call = QTimer(self, interval=CALLS_EVERY_MS)
@@ -163,7 +154,7 @@ class PromptCard(Card):
         """Ask `prompt`; the same one again changes nothing."""
         if prompt is self._prompt:
             return
-        self._prompt, self._lost, self._back = prompt, False, ""
+        self._prompt, self._lost, self._mended, self._back = prompt, False, False, ""
         self.camera.watch(prompt is not None and MOUNTING in prompt.drawing)
         if prompt is None:
             self.call.stop()
@@ -174,8 +165,7 @@ class PromptCard(Card):
         self._show_hands()
         self.text.order(unbroken(headline(prompt)))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
-        self.details.setText(below(prompt, translated(WORDS[RETRY])))
-        self.details.setVisible(bool(self.details.text()))
+        self._say_what_to_do()
         self.drawing.show_drawing(prompt.drawing)
         self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
@@ -227,16 +217,14 @@ class PromptCard(Card):
             self._let_answer()
 
     def _let_answer(self) -> None:
-        """Alive, once it was seen for long enough; what energises or turns not before everybody answers.
-
-        That hands have done something not while they are kept out; the end of the run may be wanted at any moment.
-        """
+        """Alive, once it was seen for long enough, and as far as that may be answered."""
         for choice, made in self.choices.items():
-            moves = self._prompt is not None and moves_by_itself(self._prompt, choice)
-            waits = self._waits and choice != STOP
-            made.setEnabled(self.alive and not (moves and self._lost) and not waits)
+            made.setEnabled(self.alive and self._may(choice))
         if self.send is not None:
-            self.send.setEnabled(self.alive and not self._waits)
+            self.send.setEnabled(self.alive and self._may(""))
+
+    def _may(self, choice: str) -> bool:
+        return self._prompt is not None and may_answer(self._prompt, choice, lost=self._lost, waits=self._waits)
 
     def _answers(self) -> list[QPushButton]:
         return [made for made in (*self.choices.values(), self.send) if made is not None]
@@ -260,6 +248,7 @@ class PromptCard(Card):
         words, mark = hands_of(now)
         self.hands.setText(words)
         set_state(self.hands, mark)
+        self._first = first_thing(now)
         self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
         self._show_hands()
 
@@ -286,8 +275,8 @@ class PromptCard(Card):
     def _is_of_mounting(self) -> bool:
         return self._prompt is not None and (MOUNTING in self._prompt.drawing or SERIAL in self._prompt.drawing)
 
-    def say_lost(self, lost: list[str]) -> None:
-        """Who does not answer, below a question that energises or turns: its answer is not taken until it does.
+    def say_lost(self, lost: list[str], since: Sequence[str] = ()) -> None:
+        """Who does not answer, and `since` when, below every question; what energises or turns is not answered then.
 
         A headline that says who is lost is true no longer than that.
         """
@@ -301,16 +290,27 @@ class PromptCard(Card):
         if says and bool(lost) is not self._lost and (lost or self._lost):
             again = self.tr("Every instrument answers again.")
             self.text.order(unbroken(headline(self._prompt)) if lost else again)
-            self.details.setText(below(self._prompt, translated(WORDS[RETRY]), lost=bool(lost)))
+            self._mended = not lost
         self._lost = bool(lost)
         self._let_answer()
         self._reached_into = reached_into(self._prompt, lost=self._lost)
         self._show_hands()
-        if self._prompt.key != READY:
+        self._since = list(since or lost)
+        self._say_what_to_do()
+
+    def _say_what_to_do(self) -> None:
+        """Below the question: one thing after the other."""
+        if self._prompt is None:
             return
-        said = self.tr("✕ No answer from {0}. Put that right first: “Hands off” is not taken before it answers.")
-        self.details.setText(said.format(", ".join(lost)) if lost else self._back)
-        self.details.setVisible(bool(self.details.text()))
+        failed = WHAT in self._prompt.drawing or self._prompt.text.startswith(STILL_LOST)
+        if failed and self._prompt.key != READY:
+            again = translated(WORDS[RETRY])
+            words = below(self._prompt, again, lost=not self._mended, first=self._first)
+        else:
+            seen_to = to_be_seen_to(self._since, self._first, is_ready=self._prompt.key == READY)
+            words = seen_to if self._lost else self._back
+        self.details.setText(words)
+        self.details.setVisible(bool(words))
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
@@ -324,19 +324,15 @@ class PromptCard(Card):
                 widget.deleteLater()
         self.choices, self.send = {}, None
         keys = iter(KEYS)
-        wanted = next(
-            (one for one in prompt.choices if one in (RETRY, REMOUNT)), prompt.choices[0] if prompt.choices else ""
-        )
         for choice in prompt.choices:
             key = next(keys, KEYS[-1]) if acting(prompt, choice) else None
             made = self._button(answer_label(prompt, choice), key, held=moves_by_itself(prompt, choice))
-            named(made, "primary" if choice == wanted else "")
+            named(made, "primary" if choice == wanted(prompt) else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
             self._buttons.addWidget(made)
         if not prompt.choices:
             self._make_senders(prompt)
-        self._buttons.addStretch()
         held = [b for b in self._answers() if isinstance(b, HoldButton)]
         by_key = self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else ""
         if any(b.held_by_mouse for b in held):
@@ -355,7 +351,8 @@ class PromptCard(Card):
     def _what_no_means(self) -> str:
         return self.tr(
             "Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they "
-            "are, with their ticks: each mounting has a phase of its own in the fit. Only what is missing is measured."
+            "are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the "
+            "timing are measured again, to see whether anything moved or drifted; then only what is missing."
         )
 
     def _make_senders(self, prompt: Prompt) -> None:
@@ -393,5 +390,5 @@ class PromptCard(Card):
             self.entry.setText(path)
 
     def _send_text(self) -> None:
-        if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
+        if self._may("") and self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
             self.answered.emit(self.entry.text().strip())

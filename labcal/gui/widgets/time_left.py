@@ -19,7 +19,7 @@ UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
 class TimeLeft(QWidget):
-    """Shows `run`; nothing is promised while a person is asked, one is lost, or the coils are not as they should be."""
+    """Shows `run`; nothing is promised while a person is asked, a step has failed, one is lost, or coils may be on."""
 
     def __init__(self, run: RunViewModel) -> None:
         super().__init__()
@@ -64,7 +64,7 @@ class TimeLeft(QWidget):
     def _until(self, lab: LabNow) -> str:
         run, now = self._run, datetime.now()
         done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
-        if not done_s or alarm_of(lab.coil_words) or lab.failed:
+        if not done_s or run.time.failed or alarm_of(lab.coil_words) or lab.failed:
             return ""
         done = self.tr("Done at about {0}").format(clock_time(now, done_s))
         if needed_s is None or run.step is None:

@@ -1,0 +1,39 @@
+"""The line at the bottom says nothing that is past: who was said not to answer, and does again, is said to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.viewmodels.run import RunViewModel
+
+AGAIN = QT_TRANSLATE_NOOP("Words", "{0}: answers again")
+
+
+class SaidNoMore:
+    """Looks at the lab each time that it is known anew."""
+
+    def __init__(self, lab: LabViewModel, run: RunViewModel) -> None:
+        self._lab, self._run = lab, run
+        self._lost = set[str]()
+
+    def look(self, warned: str = "") -> None:
+        """`warned`: what was said of coils that were not confirmed, and are; they are said to be as they are now.
+
+        Where the line names one that was lost and is not any more, it says that.
+        """
+        message, now = self._lab.state.message, self._lab.state.now
+        back, self._lost = sorted(self._lost - set(now.failed)), set(now.failed)
+        named = [one for one in back if one in message]
+        if warned and message == warned:
+            self._say("; ".join(filter(None, (in_words(now.coil_words), platform_said(now.platform_words)))))
+        elif named:
+            self._say(translated(str(AGAIN)).format(", ".join(named)))
+
+    def _say(self, words: str) -> None:
+        if self._run.alive:
+            self._run.message = words  # else it says the old words again with its next item
+        self._lab.update(message=words)

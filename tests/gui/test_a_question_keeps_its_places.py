@@ -1,0 +1,77 @@
+"""Whatever is said above them, the buttons of a question stand where they stood, and no word is cut."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QLabel
+from test_hands_in_the_cage import lab, stands
+from test_nothing_is_cut import settle
+
+from labcal.bench.coils.state import PlatformReading
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.translations import translate
+from labcal.gui.widgets.rolled import LEAST_PX
+from labcal.record.stream import Prompt, Step
+
+MOUNT = Prompt(
+    2.0, "mount-z", "Mount the DUT with body X up along the platform axis, body Y towards the cage's Y, at platform "
+    "angle 0.", ("done", "redo x"), True, {"body_from_cage": np.eye(3).tolist(), "axis_cage": [0, 0, 1]},
+)  # fmt: skip
+WHY = "Is its plug in at both ends, and has it power? Nobody can tell from here which it is."
+FAILED = Prompt(
+    5.0, "failed-zero", "dut: lost", ("stop", "retry", "skip"),
+    drawing={"no_answer": "dut", "what": "dut: no sample for 2.2 s.", "remedy": WHY},
+)  # fmt: skip
+READY = Prompt(3.0, "ready", "The coils go to 50 µT and the platform turns. Hands off?", ("done",), True)
+
+
+def situations():
+    silent = PlatformReading(fault="silent")
+    yield lab(platform=stands())
+    yield lab(platform=stands(), faulty=("reference", "dut"))
+    yield lab((0.0, 0.0, 0.4), platform=stands())
+    yield lab((0.0, 0.0, 0.0), platform=silent, faulty=("stage", "dut"))
+    yield lab(platform=stands())
+
+
+def asking(window, prompt, size):
+    window.resize(*size)
+    window.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    window.app_state.bench_worker.items.emit((Step(0.0, 1, 4, "zero", 60.0, ("zero", "z+20uT"), 20.0), prompt))
+    window.open_page("Run")
+    settle(window)
+    return window.page("Run").live.prompt
+
+
+@pytest.fixture(params=["en", "de"])
+def spoken(request, qapp, new_window):
+    translate.install_translator(qapp, QLocale(request.param))
+    yield new_window
+    translate.install_translator(qapp, QLocale("en"))
+
+
+@pytest.mark.parametrize("size", [(1024, 700), (1440, 900)], ids=str)
+@pytest.mark.parametrize("prompt", [MOUNT, FAILED, READY], ids=lambda one: one.key)
+def test_the_buttons_stay_where_they_are_in_sight_and_every_word_is_whole(spoken, prompt, size):
+    card, places = asking(spoken, prompt, size), set()
+    area = spoken.lazy_pages["Run"].area
+    for known in situations():
+        spoken.app_state.bench_worker.states.emit(known)
+        settle(spoken)
+        buttons = list(card.choices.values())
+        places.add(tuple(str(one.mapTo(spoken, one.rect().topLeft()).toTuple()) for one in buttons))
+        for one in buttons:
+            seen = one.mapTo(area, one.rect().bottomRight())
+            assert seen.y() <= area.height()
+            assert seen.x() <= area.width()
+        assert not area.horizontalScrollBar().isVisible()
+        for said in card.findChildren(QLabel):
+            if said.isVisibleTo(card) and said.wordWrap() and said is not card.text:
+                assert said.height() >= said.heightForWidth(said.width()), said.text()
+    assert len(places) == 1
+
+
+def test_there_is_always_a_place_for_the_first_of_the_words(new_window):
+    card = asking(new_window, MOUNT, (1024, 700))
+    assert card.hands.mapTo(card, card.hands.rect().topLeft()).y() < card.height()
+    assert LEAST_PX > 100
