@@ -15,6 +15,9 @@ from labcal.gui.ipc.answered_for import AnswersFor as AnswersFor
 from labcal.gui.ipc.archive_messages import FetchRun as FetchRun
 from labcal.gui.ipc.archive_messages import ListArchivedCalibrations as ListArchivedCalibrations
 from labcal.gui.ipc.archive_messages import ListArchivedRuns as ListArchivedRuns
+from labcal.gui.ipc.customer_messages import HandOut as HandOut
+from labcal.gui.ipc.customer_messages import StateNames as StateNames
+from labcal.gui.ipc.customer_messages import WhoIsNamed as WhoIsNamed
 from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
@@ -331,14 +334,6 @@ class ChangedSince(Command[Changes | None]):
     """What changed since the calibration before the one at `path` of the same DUT; nothing where none is before."""
 
     path: str
-
-
-@dataclass(frozen=True, slots=True)
-class HandOut(Command[str]):
-    """Copy a calibration, its signatures and the public keys to a folder; answers it."""
-
-    path: str
-    folder: str
 
 
 @dataclass(frozen=True, slots=True)
