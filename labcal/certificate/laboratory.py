@@ -1,6 +1,7 @@
 """Who issues a certificate and for whom, where the run does not say it.
 
-The laboratory is in `laboratory.toml` in labcal's folder; the customer in a file beside the calibration, else there too.
+The laboratory is in `laboratory.toml` in labcal's folder; the customer is in a file beside the calibration, else there
+too.
 """
 
 from __future__ import annotations

@@ -4,30 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, SigningStep
-from labcal.gui.widgets.common import Card, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 
 LETTERS = 28  # a card is at least as wide: with less room they stand below each other
 
 
 class StepCard(Card):
-    """Fields at the top and the button at the bottom, at one height in every card of a row; words in between."""
+    """Fields, the button below them at one height in every card of a row, then words.
+
+    Where cards stand below each other, one that is not to be done now is folded to its heading.
+    """
 
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
         self.done, self.asked = label("", "caption", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
-        self.fields = QVBoxLayout()
+        self.holder = QWidget()
+        self.fields = QVBoxLayout(self.holder)
+        self.fields.setContentsMargins(0, 0, 0, 0)
         self.fields.setSpacing(GRID)
+        self.fields.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.stacked = self.opened = self.now = False
+        self.unfold = button(translated("Show"), translated("What is done in this step"))
+        self.unfold.clicked.connect(self._unfold)
+        self.unfold.hide()
         self.body.addWidget(self.mark)
-        self.body.addLayout(self.fields)
+        self.body.addWidget(self.unfold, 0, Qt.AlignmentFlag.AlignLeft)
+        self.body.addWidget(self.holder)
         for part in (self.wrong, self.asked, self.words, self.done, self.rules):
             self.body.addWidget(part)
         set_state(self.wrong, "bad")
@@ -39,12 +50,31 @@ class StepCard(Card):
         self.body.addStretch()
         self.button = QPushButton()
 
-    def put(self, fields: Sequence[QWidget], button: QPushButton) -> None:
+    def put(self, fields: Sequence[QWidget], does: QPushButton) -> None:
         """The fields of this step, and the button that does it."""
         for field in fields:
             self.fields.addWidget(field)
-        self.button = button
-        self.body.addWidget(button)
+        self.button = does
+        self.body.insertWidget(self.body.indexOf(self.holder) + 1, does)
+
+    def _unfold(self) -> None:
+        self.opened = True
+        self.fold()
+
+    def stack(self, stacked: bool) -> None:
+        """Whether it stands below another one."""
+        if stacked != self.stacked:
+            self.stacked, self.opened = stacked, False
+            self.fold()
+
+    def fold(self) -> None:
+        """Show the whole card, or its heading alone."""
+        folded = self.stacked and not self.now and not self.opened
+        self.unfold.setVisible(folded)
+        for part in (self.holder, self.button):
+            part.setVisible(not folded)
+        self.rules.setVisible(self.now and bool(self.rules.text()))
+        self.words.setVisible(bool(self.words.text()))
 
     def show_step(self, step: SigningStep) -> None:
         """How it stands; what is to be done now has an edge in the accent, and the blue button."""
@@ -52,8 +82,10 @@ class StepCard(Card):
         self.mark.setText(f"{shape} {translated(str(name))}")
         set_state(self.mark, state)
         self.words.setText(step.words)
-        self.words.setVisible(bool(step.words))
         now = step.mark == "now"
+        self.opened = self.opened and now is self.now
+        self.now = now
+        self.fold()
         self.edge, self.width_px = (QPalette.ColorRole.Highlight, 2) if now else (Card.edge, Card.width_px)
         set_primary(self.button, now)
         self.update()
@@ -111,6 +143,11 @@ class StepRow(QWidget):
             return
         needed = len(self._cards) * LETTERS * self._cards[0].words.fontMetrics().averageCharWidth()
         row = self.width() >= needed
+        high = max(card.fields.sizeHint().height() for card in self._cards) if row else 0
+        for card in self._cards:
+            card.stack(not row)
+            if card.holder.minimumHeight() != high:
+                card.holder.setMinimumHeight(high)
         way = QBoxLayout.Direction.LeftToRight if row else QBoxLayout.Direction.TopToBottom
         if way != self._box.direction():
             self._box.setDirection(way)
