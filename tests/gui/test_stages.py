@@ -45,6 +45,18 @@ def test_first_stands_what_it_is_then_what_to_do_and_the_figures_last(page):
     assert page.drop.choose.y() < page.detail.y()
 
 
+def test_what_is_to_be_handed_out_stands_above_the_steps_that_are_done_and_they_are_folded(page):
+    told(page, RELEASED, "a.smith")
+    assert page.paper.y() < page.steps.y()
+    assert not page.steps.passphrase.isVisible()
+    page.steps.signature.unfold.click()
+    assert page.steps.passphrase.isVisible()
+    page.refresh()
+    told(page, APPROVED, "a.smith")
+    assert page.steps.y() < page.paper.y()
+    assert page.steps.passphrase.isVisible()
+
+
 def known(page, said):
     page._app_state.quick_worker.answer(WhoIsNamed, said)
     settle()
@@ -87,7 +99,7 @@ def test_after_a_signature_nobody_is_asked_for_any_more_but_it_is_said(page):
 
 def test_steps_below_each_other_are_folded_but_the_one_to_do_now(page):
     told(page, APPROVED, "a.smith")
-    page.steps.resize(300, 600)
+    page.steps.setFixedWidth(300)
     settle()
     folded = [not card.holder.isVisible() for card in (page.steps.key, page.steps.approval, page.steps.signature)]
     assert folded == [True, True, False]

@@ -230,12 +230,22 @@ class CertificatePage(QWidget):
             stands = self.stands(one)
             self.steps.show_steps(stands)
             self.paper.show_step(stands[-1])
+            self._place_paper(stands[-1].mark in ("now", "done"))
             kept = self._app_state.path.handed_out
             self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))
             self.to_do.setText(to_be_done(tuple(step.mark for step in stands)))
             self.to_do.setVisible(bool(self.to_do.text()))
             self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
+
+    def _place_paper(self, first: bool) -> None:
+        """What is to be done now stands above the steps that are done."""
+        column = self.layout()
+        assert isinstance(column, QVBoxLayout)
+        at = column.indexOf(self.steps)
+        if first is not (column.indexOf(self.paper) < at):
+            column.removeWidget(self.paper)
+            column.insertWidget(column.indexOf(self.steps) + (not first), self.paper)
 
     def _names_known(self) -> None:
         self.steps.names_known()

@@ -160,6 +160,7 @@ class SigningSteps(StepRow):
         """How each step stands."""
         for card, step in zip((self.key, self.approval, self.signature), stands, strict=False):
             card.show_step(step)
+        self.rest(all(step.mark != "now" for step in stands[:3]))
 
     def begins_at(self, stands: tuple[SigningStep, SigningStep, SigningStep, SigningStep]) -> QWidget:
         """The field where what is to be done now begins."""

@@ -346,12 +346,24 @@
         <translation>Ce qui est montré de l&apos;étalonnage</translation>
     </message>
     <message>
-        <source>Parameters</source>
-        <translation>Paramètres</translation>
-    </message>
-    <message>
         <source>As found, as left</source>
         <translation>Avant, après</translation>
+    </message>
+    <message>
+        <source>In short</source>
+        <translation>En bref</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Transformation</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Causes</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertitude</translation>
     </message>
     <message>
         <source>The bench file stated no specification when the run was measured.</source>
@@ -5252,16 +5264,12 @@
 <context>
     <name>Drop</name>
     <message>
-        <source>Drop a calibration file here to verify it</source>
-        <translation>Déposez ici un fichier d&apos;étalonnage pour le vérifier</translation>
+        <source>Verify a file …</source>
+        <translation>Vérifier un fichier …</translation>
     </message>
     <message>
-        <source>Choose a file …</source>
-        <translation>Choisir un fichier …</translation>
-    </message>
-    <message>
-        <source>A calibration .json with its .sshsig beside it</source>
-        <translation>Un étalonnage .json avec son .sshsig à côté</translation>
+        <source>Choose a calibration .json with its .sshsig beside it, or drop it on the window</source>
+        <translation>Choisir un étalonnage .json avec son .sshsig à côté, ou le déposer sur la fenêtre</translation>
     </message>
     <message>
         <source>Verify a calibration</source>
@@ -6130,6 +6138,61 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>NamesCard</name>
+    <message>
+        <source>Names on the certificate</source>
+        <translation>Noms sur le certificat</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratoire</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>Keep these names</source>
+        <translation>Garder ces noms</translation>
+    </message>
+    <message>
+        <source>The laboratory is remembered for every certificate</source>
+        <translation>Le laboratoire est retenu pour chaque certificat</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Ville</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Pays, comme DE</translation>
+    </message>
+    <message>
+        <source>The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal&apos;s folder.</source>
+        <translation>Le laboratoire n&apos;est demandé qu&apos;une fois. Son logo : logo.png ou logo.svg dans le dossier de labcal.</translation>
+    </message>
+    <message>
+        <source>For no customer in particular? Leave it empty.</source>
+        <translation>Pour aucun client en particulier ? Laisser vide.</translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory.</source>
+        <translation>Le certificat ne nomme aucun laboratoire.</translation>
+    </message>
+    <message>
+        <source>The certificate names no customer.</source>
+        <translation>Le certificat ne nomme aucun client.</translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory and no customer.</source>
+        <translation>Le certificat ne nomme ni laboratoire ni client.</translation>
+    </message>
+    <message>
+        <source>Certificate of {0}, for {1}.</source>
+        <translation>Certificat de {0}, pour {1}.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6138,6 +6201,10 @@ cette étape …</translation>
     <message>
         <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
         <translation>Pour les personnes en .html ou .pdf, pour les machines en DCC (.xml, schéma de la PTB)</translation>
+    </message>
+    <message>
+        <source>A folder with all that goes to the customer; the certificate on paper, a label for the DUT</source>
+        <translation>Un dossier avec tout ce qui va au client ; le certificat sur papier, une étiquette pour le DUT</translation>
     </message>
     <message>
         <source>Apply to readings …</source>
@@ -6156,20 +6223,8 @@ cette étape …</translation>
         <translation>4  Remettre</translation>
     </message>
     <message>
-        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
-        <translation>Le fichier avec ses signatures et ses clés, le certificat sur papier, une étiquette pour le DUT</translation>
-    </message>
-    <message>
-        <source>Add the PDF</source>
-        <translation>Ajouter le PDF</translation>
-    </message>
-    <message>
-        <source>Write the certificate beside the files that were copied</source>
-        <translation>Écrire le certificat à côté des fichiers copiés</translation>
-    </message>
-    <message>
-        <source>Files into a folder …</source>
-        <translation>Les fichiers dans un dossier …</translation>
+        <source>All into one folder …</source>
+        <translation>Tout dans un dossier …</translation>
     </message>
     <message>
         <source>Print the certificate</source>
@@ -6216,12 +6271,12 @@ cette étape …</translation>
         <translation>Copier ici</translation>
     </message>
     <message>
-        <source>Copied to {0}</source>
-        <translation>Copié vers {0}</translation>
+        <source>Handed out into {0}:</source>
+        <translation>Remis dans {0} :</translation>
     </message>
     <message>
-        <source>The certificate for people, a PDF, is not in it.</source>
-        <translation>Le certificat lisible, un PDF, n’y est pas.</translation>
+        <source>Writing the certificate …</source>
+        <translation>Écriture du certificat …</translation>
     </message>
     <message>
         <source>Readings of this DUT</source>
@@ -6909,6 +6964,14 @@ cette étape …</translation>
     <message>
         <source>Approved by {0}.</source>
         <translation>Approuvé par {0}.</translation>
+    </message>
+    <message>
+        <source>Sign it all the same</source>
+        <translation>Signer quand même</translation>
+    </message>
+    <message>
+        <source>{0} Sign it all the same?</source>
+        <translation>{0} Signer quand même ?</translation>
     </message>
     <message>
         <source>Signed by {0}.</source>
@@ -8721,6 +8784,62 @@ cette étape …</translation>
     <message>
         <source>reference</source>
         <translation>référence</translation>
+    </message>
+    <message>
+        <source>the certificate, for people</source>
+        <translation>le certificat, pour les personnes</translation>
+    </message>
+    <message>
+        <source>the calibration, for programs</source>
+        <translation>l&apos;étalonnage, pour les programmes</translation>
+    </message>
+    <message>
+        <source>a signature of it</source>
+        <translation>une signature de celui-ci</translation>
+    </message>
+    <message>
+        <source>when it was signed</source>
+        <translation>quand il a été signé</translation>
+    </message>
+    <message>
+        <source>the keys to verify it by</source>
+        <translation>les clés pour le vérifier</translation>
+    </message>
+    <message>
+        <source>this list, for the customer</source>
+        <translation>cette liste, pour le client</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>projet</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>signé</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>délivré</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>vérifié</translation>
+    </message>
+    <message>
+        <source>Next: a key (1)</source>
+        <translation>Suite : une clé (1)</translation>
+    </message>
+    <message>
+        <source>Next: approve (2)</source>
+        <translation>Suite : approuver (2)</translation>
+    </message>
+    <message>
+        <source>Next: sign (3)</source>
+        <translation>Suite : signer (3)</translation>
+    </message>
+    <message>
+        <source>Next: hand it out (4)</source>
+        <translation>Suite : remettre (4)</translation>
     </message>
 </context>
 <context>

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from labcal.gui.ipc.answers import CalibrationFile
+from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.signing import NO_LONGER, standing_word
+from labcal.gui.viewmodels.signing import NO_LONGER, WORDS
 
 STAGES = (
     QT_TRANSLATE_NOOP("Words", "draft"),
@@ -29,13 +29,18 @@ def stages(one: CalibrationFile, *, handed_out: bool, verified: bool) -> str:
     standing = one.standing
     signed = bool(standing.signatures)
     if signed and (not standing.valid or standing.status in NO_LONGER):
-        return f"✓ {translated(str(STAGES[0]))}  →  {standing_word(standing)}"
+        return f"✓ {translated(str(STAGES[0]))}  →  {_stands(standing, 'invalid')}"
     reached = (True, signed, signed and not standing.provisional, handed_out, verified)
     first = next((n for n, there in enumerate(reached) if not there and not (signed and n == RELEASED)), -1)
     words = [f"{_shape(there, n == first)} {translated(str(STAGES[n]))}" for n, there in enumerate(reached)]
     if signed and standing.provisional:
-        words[RELEASED] = standing_word(standing)  # it may leave as that
+        words[RELEASED] = _stands(standing, "provisional")  # it may leave as that
     return "  →  ".join(words)
+
+
+def _stands(standing: Standing, status: str) -> str:
+    """How it stands in its word; in that of `status` where the file's own is not told."""
+    return translated(str(WORDS[standing.status or status]))
 
 
 def _shape(there: bool, now: bool) -> str:

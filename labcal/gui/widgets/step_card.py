@@ -19,7 +19,7 @@ LETTERS = 28  # a card is at least as wide: with less room they stand below each
 class StepCard(Card):
     """Fields, the button below them at one height in every card of a row, then words.
 
-    Where cards stand below each other, one that is not to be done now is folded to its heading.
+    Where cards stand below each other, or none of them is to be done, those that are not are folded to their headings.
     """
 
     def __init__(self, title: str, rules: str = "") -> None:
@@ -62,17 +62,21 @@ class StepCard(Card):
         self.fold()
 
     def stack(self, stacked: bool) -> None:
-        """Whether it stands below another one."""
+        """Whether it stands below another one, or is to be out of the way."""
         if stacked != self.stacked:
             self.stacked, self.opened = stacked, False
             self.fold()
 
+    @property
+    def folded(self) -> bool:
+        """Whether its heading is all there is to see."""
+        return self.stacked and not self.now and not self.opened
+
     def fold(self) -> None:
         """Show the whole card, or its heading alone."""
-        folded = self.stacked and not self.now and not self.opened
-        self.unfold.setVisible(folded)
+        self.unfold.setVisible(self.folded)
         for part in (self.holder, self.button):
-            part.setVisible(not folded)
+            part.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
         self.rules.setVisible(self.now and bool(self.rules.text()))
         self.words.setVisible(bool(self.words.text()))
 
@@ -112,6 +116,7 @@ class StepRow(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._cards: tuple[StepCard, ...] = ()
+        self._at_rest = False
         self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(2 * GRID)
@@ -138,14 +143,21 @@ class StepRow(QWidget):
             self._turn()
         return super().event(event)
 
+    def rest(self, at_rest: bool) -> None:
+        """Where nothing is to be done in any of them they are folded, in a row too."""
+        if at_rest != self._at_rest:
+            self._at_rest = at_rest
+            self._turn()
+
     def _turn(self) -> None:
         if not self._cards:
             return
         needed = len(self._cards) * LETTERS * self._cards[0].words.fontMetrics().averageCharWidth()
         row = self.width() >= needed
-        high = max(card.fields.sizeHint().height() for card in self._cards) if row else 0
+        shown = [card for card in self._cards if row and not card.folded]
+        high = max((card.fields.sizeHint().height() for card in shown), default=0)
         for card in self._cards:
-            card.stack(not row)
+            card.stack(not row or self._at_rest)
             if card.holder.minimumHeight() != high:
                 card.holder.setMinimumHeight(high)
         way = QBoxLayout.Direction.LeftToRight if row else QBoxLayout.Direction.TopToBottom
