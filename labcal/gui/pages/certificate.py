@@ -28,6 +28,7 @@ from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.names_card import NamesCard
+from labcal.gui.widgets.run_chooser import run_name
 from labcal.record.told import Told
 
 MOST_ROWS = 80  # of the table are seen without rolling it
@@ -151,12 +152,17 @@ class CertificatePage(QWidget):
         with QSignalBlocker(self.list):
             self.list.clear()
             for one in files:
-                simulated = translated("SIMULATED") if one.simulated else ""
-                words = (file_word(one), one.dut.serial, Path(one.path).stem, simulated)
-                self.list.addItem("  ·  ".join(filter(None, words)), one.path)
+                self.list.addItem(f"{file_word(one)}  ·  {self._of(one)}", one.path)
             self.list.setCurrentIndex(self.list.findData(kept))  # none by itself, where none is of the DUT at the top
         self._wanted = ""
         self._show()
+
+    def _of(self, one: CalibrationFile) -> str:
+        """Of which DUT and run it is, as on every page; by its file's name where that run is not in the store."""
+        run = next((line for line in self._app_state.path.runs if line.run_id == one.run_id), None)
+        simulated = translated("SIMULATED") if one.simulated else ""
+        words = "  ·  ".join(filter(None, (one.dut.serial, Path(one.path).stem, simulated)))
+        return words if run is None or run.dut_serial != one.dut.serial else run_name(run)
 
     def _say_empty(self) -> None:
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")

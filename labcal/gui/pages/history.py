@@ -17,6 +17,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.comparable import run_key, why_not_compared
 from labcal.gui.viewmodels.export_formats import FORMATS, Format
+from labcal.gui.viewmodels.run_count import count_words
 from labcal.gui.viewmodels.run_results import RunResults
 from labcal.gui.viewmodels.run_search import HEADINGS, NOT_WHOLE, OF_ARCHIVE, file_name, measured_s, moment_s, rows_of
 from labcal.gui.viewmodels.signing import doubtful
@@ -54,7 +55,7 @@ class HistoryPage(QWidget):
         column.addWidget(self.faces)
         self.faces.addWidget(self._list(theme))
         app_state.run.ended.connect(self.refresh)
-        self._archived.changed.connect(self._archive_known)
+        self._archived.changed.connect(lambda: self._show() if self.of_archive else None)
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
@@ -119,10 +120,6 @@ class HistoryPage(QWidget):
             return self.tr("The bundle as it was pushed (.zip): import it on this computer to open it")
         return self.tr("As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each")
 
-    def _archive_known(self) -> None:
-        if self.of_archive:
-            self._show()
-
     def _list(self, theme: Theme) -> QWidget:
         """The runs, and below them the trend of the DUT that is chosen."""
         holder, self.trend = QWidget(), Trend(theme)
@@ -134,7 +131,7 @@ class HistoryPage(QWidget):
         return holder
 
     def _runs_card(self) -> Card:
-        card = Card(self.tr("Runs"))
+        card = self.card = Card(self.tr("Runs"))
         self.place = combo_box(
             self.tr("Runs of this computer, or those of all benches in the archive, which are only looked at"),
             self.tr("Where the runs are"),
@@ -228,6 +225,7 @@ class HistoryPage(QWidget):
         rows = rows_of(runs, self.search.text(), now, self._app_state.path.stands, self._results.word, self._order)
         self._found = found = [row.run for row in rows]
         self._say_why_empty(found)
+        self.card.unit.setText("" if self.of_archive else count_words(len(runs), len(found)))
         self.table.setRowCount(len(found))
         for row, (one, texts, state) in enumerate(rows):
             for column, text in enumerate(texts):

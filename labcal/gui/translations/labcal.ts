@@ -7143,10 +7143,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} in the store</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7805,10 +7801,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>risk</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8162,6 +8154,10 @@ after this step …</source>
     </message>
     <message>
         <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8838,6 +8834,14 @@ after this step …</source>
     </message>
     <message>
         <source>Next: hand it out (4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} in the store</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

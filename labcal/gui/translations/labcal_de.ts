@@ -7144,10 +7144,6 @@ diesem Schritt …</translation>
         <translation>Keine fertige Messung im Speicher hat eine Schlussprüfung.</translation>
     </message>
     <message>
-        <source>{0} in the store</source>
-        <translation>{0} im Speicher</translation>
-    </message>
-    <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
     </message>
@@ -7834,10 +7830,6 @@ diesem Schritt …</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>ended</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
         <source>risk</source>
         <translation>Risiko</translation>
     </message>
@@ -8232,6 +8224,10 @@ diesem Schritt …</translation>
     <message>
         <source>✕ HANDS OFF: the coils may be on</source>
         <translation>✕ HÄNDE WEG: Die Spulen können eingeschaltet sein</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>{0} has to sign. The operator may sign as well.</source>
@@ -8840,6 +8836,14 @@ diesem Schritt …</translation>
     <message>
         <source>Next: hand it out (4)</source>
         <translation>Weiter: ausgeben (4)</translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation>{0} im Speicher</translation>
+    </message>
+    <message>
+        <source>{0} of {1} in the store</source>
+        <translation>{0} von {1} im Speicher</translation>
     </message>
 </context>
 <context>

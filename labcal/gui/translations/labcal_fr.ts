@@ -7144,10 +7144,6 @@ cette étape …</translation>
         <translation>Aucune mesure finie du dépôt n&apos;a de contrôle final.</translation>
     </message>
     <message>
-        <source>{0} in the store</source>
-        <translation>{0} dans le dépôt</translation>
-    </message>
-    <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
     </message>
@@ -7834,10 +7830,6 @@ cette étape …</translation>
         <translation>résultat</translation>
     </message>
     <message>
-        <source>ended</source>
-        <translation>fin</translation>
-    </message>
-    <message>
         <source>risk</source>
         <translation>risque</translation>
     </message>
@@ -8232,6 +8224,10 @@ cette étape …</translation>
     <message>
         <source>✕ HANDS OFF: the coils may be on</source>
         <translation>✕ MAINS LOIN : les bobines sont peut-être alimentées</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>étalonnage</translation>
     </message>
     <message>
         <source>{0} has to sign. The operator may sign as well.</source>
@@ -8840,6 +8836,14 @@ cette étape …</translation>
     <message>
         <source>Next: hand it out (4)</source>
         <translation>Suite : remettre (4)</translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation>{0} dans le dépôt</translation>
+    </message>
+    <message>
+        <source>{0} of {1} in the store</source>
+        <translation>{0} sur {1} dans le dépôt</translation>
     </message>
 </context>
 <context>
