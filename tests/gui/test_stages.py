@@ -76,6 +76,15 @@ def test_who_is_not_named_is_asked_for_before_a_signature_and_nobody_is_a_second
     assert [one for one in asked if isinstance(one.command, Sign)]
 
 
+def test_one_thing_after_the_other_first_a_key_then_the_names(page):
+    told(page, DRAFT)
+    known(page, NOBODY)
+    assert not page.names.isVisible()
+    page.refresh()
+    told(page, DRAFT, "a.smith")
+    assert page.names.isVisible()
+
+
 def test_where_both_are_named_it_says_so_and_asks_nothing(page):
     told(page, APPROVED, "a.smith")
     known(page, BOTH)

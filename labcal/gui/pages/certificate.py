@@ -52,7 +52,7 @@ class CertificatePage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         self.names = NamesCard(app_state, self.fault, self._names_known)
-        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks)
+        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks_at_a_signature)
         self.paper = Paper(app_state, self.chosen, self.fault)
         self.said = self.paper.said
         self.paper.handed_out.connect(self._handed_out)
@@ -220,7 +220,7 @@ class CertificatePage(QWidget):
     def _standing_words(self, one: CalibrationFile) -> list[str]:
         """How it stands, who measured and who approved."""
         draft = not one.standing.signatures
-        words = [self.tr("Draft: not signed.")] if draft else list(map(in_words, one.standing.sentences))
+        words = [] if draft else list(map(in_words, one.standing.sentences))  # that it is a draft is said above
         words += [in_words("SIMULATED: it describes no real sensor.")] if draft and one.simulated else []
         approved = ", ".join(one.approvers) or self.tr("nobody yet")
         return [*words, self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved)]
@@ -236,6 +236,7 @@ class CertificatePage(QWidget):
             stands = self.stands(one)
             self.steps.show_steps(stands)
             self.paper.show_step(stands[-1])
+            self.names.want(stands[0].mark != "now" or not self.steps.signature.asked.isHidden())
             self._place_paper(stands[-1].mark in ("now", "done"))
             kept = self._app_state.path.handed_out
             self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))

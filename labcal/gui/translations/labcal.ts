@@ -444,10 +444,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Draft: not signed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>nobody yet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6139,22 +6135,6 @@ after this step …</source>
 <context>
     <name>NamesCard</name>
     <message>
-        <source>Names on the certificate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Laboratory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Customer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep these names</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The laboratory is remembered for every certificate</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6171,7 +6151,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Laboratory on the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>For no customer in particular? Leave it empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Customer on the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

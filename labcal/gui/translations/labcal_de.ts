@@ -444,10 +444,6 @@
         <translation>niemand</translation>
     </message>
     <message>
-        <source>Draft: not signed.</source>
-        <translation>Entwurf: nicht unterschrieben.</translation>
-    </message>
-    <message>
         <source>Figures</source>
         <translation>Werte</translation>
     </message>
@@ -6140,22 +6136,6 @@ diesem Schritt …</translation>
 <context>
     <name>NamesCard</name>
     <message>
-        <source>Names on the certificate</source>
-        <translation>Namen auf dem Zertifikat</translation>
-    </message>
-    <message>
-        <source>Laboratory</source>
-        <translation>Labor</translation>
-    </message>
-    <message>
-        <source>Customer</source>
-        <translation>Kunde</translation>
-    </message>
-    <message>
-        <source>Keep these names</source>
-        <translation>Namen übernehmen</translation>
-    </message>
-    <message>
         <source>The laboratory is remembered for every certificate</source>
         <translation>Das Labor wird für jedes Zertifikat gemerkt</translation>
     </message>
@@ -6172,8 +6152,20 @@ diesem Schritt …</translation>
         <translation>Nach dem Labor wird einmal gefragt. Sein Logo: logo.png oder logo.svg im Ordner von labcal.</translation>
     </message>
     <message>
+        <source>Laboratory on the certificate</source>
+        <translation>Labor auf dem Zertifikat</translation>
+    </message>
+    <message>
         <source>For no customer in particular? Leave it empty.</source>
         <translation>Für keinen bestimmten Kunden? Leer lassen.</translation>
+    </message>
+    <message>
+        <source>Customer on the certificate</source>
+        <translation>Kunde auf dem Zertifikat</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>

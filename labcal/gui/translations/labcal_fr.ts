@@ -444,10 +444,6 @@
         <translation>personne encore</translation>
     </message>
     <message>
-        <source>Draft: not signed.</source>
-        <translation>Projet : non signé.</translation>
-    </message>
-    <message>
         <source>Figures</source>
         <translation>Valeurs</translation>
     </message>
@@ -6140,22 +6136,6 @@ cette étape …</translation>
 <context>
     <name>NamesCard</name>
     <message>
-        <source>Names on the certificate</source>
-        <translation>Noms sur le certificat</translation>
-    </message>
-    <message>
-        <source>Laboratory</source>
-        <translation>Laboratoire</translation>
-    </message>
-    <message>
-        <source>Customer</source>
-        <translation>Client</translation>
-    </message>
-    <message>
-        <source>Keep these names</source>
-        <translation>Garder ces noms</translation>
-    </message>
-    <message>
         <source>The laboratory is remembered for every certificate</source>
         <translation>Le laboratoire est retenu pour chaque certificat</translation>
     </message>
@@ -6172,8 +6152,20 @@ cette étape …</translation>
         <translation>Le laboratoire n&apos;est demandé qu&apos;une fois. Son logo : logo.png ou logo.svg dans le dossier de labcal.</translation>
     </message>
     <message>
+        <source>Laboratory on the certificate</source>
+        <translation>Laboratoire sur le certificat</translation>
+    </message>
+    <message>
         <source>For no customer in particular? Leave it empty.</source>
         <translation>Pour aucun client en particulier ? Laisser vide.</translation>
+    </message>
+    <message>
+        <source>Customer on the certificate</source>
+        <translation>Client sur le certificat</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>

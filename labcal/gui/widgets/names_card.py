@@ -11,7 +11,7 @@ from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.common import Card, button
 from labcal.gui.widgets.fault_card import FaultCard
 
 SHARES = (4, 2, 1)  # of the width: name, city, country
@@ -25,36 +25,40 @@ class NamesCard(Card):
     """
 
     def __init__(self, app_state: AppState, fault: FaultCard, heard: Callable[[], object]) -> None:
-        super().__init__(" ")
-        self.heading.setText(self.tr("Names on the certificate"))
+        super().__init__()
         self._app_state, self._fault, self._heard = app_state, fault, heard
         self._one: CalibrationFile | None = None
         self.named: Named | None = None  # before it is known
+        self._wanted = False  # by the step that is to be done now, or by a signature that waits
         self._grid = QGridLayout()
         self._grid.setSpacing(GRID)
-        self.laboratory = self._row(0, self.tr("Laboratory"))
-        self.customer = self._row(1, self.tr("Customer"))
-        self.note = label("", "caption", wrap=True)
-        self.keep = button(self.tr("Keep these names"), self.tr("The laboratory is remembered for every certificate"))
+        self.laboratory = self._row(
+            0,
+            self.tr("Laboratory on the certificate"),
+            self.tr("The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal's folder."),
+        )
+        self.customer = self._row(
+            1, self.tr("Customer on the certificate"), self.tr("For no customer in particular? Leave it empty.")
+        )
+        self.keep = button(self.tr("Keep"), self.tr("The laboratory is remembered for every certificate"))
         self.keep.clicked.connect(self._keep)
         for column, share in enumerate(SHARES):
             self._grid.setColumnStretch(column, share)
-        self._grid.addWidget(self.note, 2, 0)
-        self._grid.addWidget(self.keep, 2, 1, 1, 2, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
+        self._grid.addWidget(self.keep, 0, len(SHARES), 2, 1, Qt.AlignmentFlag.AlignBottom)
         self.body.addLayout(self._grid)
         for field in (*self.laboratory, *self.customer):
             field.textChanged.connect(self._check)
         self._check()
         self.hide()
 
-    def _row(self, row: int, who: str) -> Fields:
+    def _row(self, row: int, who: str, tip: str) -> Fields:
         fields = QLineEdit(), QLineEdit(), QLineEdit()
         for column, (field, what) in enumerate(
             zip(fields, (who, self.tr("City"), self.tr("Country, as DE")), strict=True)
         ):
             field.setPlaceholderText(what)
-            field.setToolTip(f"{who}: {what}" if column else who)
-            field.setAccessibleName(field.toolTip())
+            field.setToolTip(f"{who}: {what}" if column else tip)
+            field.setAccessibleName(f"{who}: {what}" if column else who)
             self._grid.addWidget(field, row, column)
         return fields
 
@@ -80,15 +84,24 @@ class NamesCard(Card):
 
     def _show(self) -> None:
         one, said = self._one, self.named
-        self.setVisible(one is not None and not one.standing.signatures and bool(self.lacks()))
+        asks = one is not None and not one.standing.signatures and bool(self.lacks())
+        self.setVisible(asks and self._wanted)
         if said is None:
             return
         for fields, stated in ((self.laboratory, said.laboratory), (self.customer, said.customer)):
             for field in fields:
                 field.setVisible(not stated)
-        once = self.tr("The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal's folder.")
-        nobody = self.tr("For no customer in particular? Leave it empty.")
-        self.note.setText(" ".join(([] if said.laboratory else [once]) + ([] if said.customer else [nobody])))
+
+    def want(self, wanted: bool) -> None:
+        """Ask, or not yet: one thing after the other."""
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self._show()
+
+    def lacks_at_a_signature(self) -> str:
+        """As `lacks`; the fields are there then."""
+        self.want(True)
+        return self.lacks()
 
     def lacks(self) -> str:
         """Whom the certificate will not name, as a sentence; "" where both are stated, or it is not known yet."""

@@ -75,8 +75,8 @@ class StepCard(Card):
     def fold(self) -> None:
         """Show the whole card, or its heading alone."""
         self.unfold.setVisible(self.folded)
-        for part in (self.holder, self.button):
-            part.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
+        self.holder.setVisible(not self.folded and self.fields.count() > 0)
+        self.button.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
         self.rules.setVisible(self.now and bool(self.rules.text()))
         self.words.setVisible(bool(self.words.text()))
 
