@@ -81,7 +81,7 @@ def test_the_result_is_that_of_the_card_at_the_end_of_the_run_and_is_sorted_and_
     """PASS, FAIL, stopped …: not how it ended in the store's words, and not what its calibration became."""
     still.open_page("History")
     page, worker = still.page("History"), still.app_state.quick_worker
-    page._results._waiting.clear()  # of the test before, which nobody answers any more
+    page.results.waiting.clear()  # of the test before, which nobody answers any more
     stopped = "failed: aborted by the operator"
     ends = ("finished", "finished", "finished", "stopped", stopped, "failed: dut is silent", "interrupted")
     runs = tuple(replace(RUN, run_id=f"s{n}", status=status) for n, status in enumerate(ends))

@@ -132,26 +132,23 @@ def test_the_certificate_is_of_the_dut_at_the_top(listed):
 
 def test_the_count_and_the_run_are_said_alike_on_every_page(listed):
     """Start, Fit, Loop, Certificate and History: one number, and one name of a run, its DUT first."""
-    worker = listed.app_state.quick_worker
+    worker, name = listed.app_state.quick_worker, run_name(OF_21)
     released = replace(calibration(), run_id="r21")
     released = replace(released, dut=replace(released.dut, serial="EM-21"))
-    for page in ("Start", "History", "Certificate", "Fit", "Loop"):
-        listed.open_page(page)
-    worker.answer(ListRuns, (OF_22, OF_21))
-    start, history = listed.page("Start"), listed.page("History")
-    start._runs_known((OF_22, OF_21))
-    history._runs_known((OF_22, OF_21))
-    assert history.card.unit.text() == start.facts["runs"][0].text() == "2 in the store"
+    history = listed.page("History")
+    assert history.card.unit.text() == "2 in the store"
     history.search.setText("EM-21")
     assert history.card.unit.text() == "1 of 2 in the store"
     history.search.clear()
-    certificate = listed.page("Certificate")
-    certificate._known((released,))
-    name = run_name(OF_21)
     assert name.startswith("EM-21 · ")
-    assert certificate.list.itemText(0).endswith(name)
-    assert name in start.facts["runs"][1].text()
+    listed.open_page("Start")
+    worker.answer(ListRuns, (OF_22, OF_21))
+    counted, lines = listed.page("Start").facts["runs"]
+    assert (counted.text(), name in lines.text()) == ("2 in the store", True)
+    listed.open_page("Certificate")
+    worker.answer(ListCalibrations, (released,))
+    assert listed.page("Certificate").list.itemText(0).endswith(name)
     for page in ("Fit", "Loop"):
-        chooser = listed.page(page).chooser
-        chooser._known((OF_22, OF_21))
-        assert chooser.itemText(1).endswith(name)
+        listed.open_page(page)
+        worker.answer(ListRuns, (OF_22, OF_21))
+        assert listed.page(page).chooser.itemText(1).endswith(name)

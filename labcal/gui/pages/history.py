@@ -43,8 +43,8 @@ class HistoryPage(QWidget):
         self.runs: tuple[RunLine, ...] = ()
         self._found: list[RunLine] = []
         self._compared: CompareRuns | None = None
-        self._idle_queue, self._results = IdleQueue(self), RunResults(app_state.quick_worker)
-        self._results.changed.connect(self._show)
+        self._idle_queue, self.results = IdleQueue(self), RunResults(app_state.quick_worker)
+        self.results.changed.connect(self._show)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -211,7 +211,7 @@ class HistoryPage(QWidget):
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self.runs = runs
         self._app_state.path.take_runs(runs)
-        self._results.ask(runs)
+        self.results.ask(runs)
         self._show()
 
     def _calibrations_known(self, files: tuple[CalibrationFile, ...]) -> None:
@@ -222,7 +222,7 @@ class HistoryPage(QWidget):
     def _show(self) -> None:
         now, chosen = datetime.now().astimezone(), self.chosen_runs()
         runs = self._archived.runs if self.of_archive else self.runs
-        rows = rows_of(runs, self.search.text(), now, self._app_state.path.stands, self._results.word, self._order)
+        rows = rows_of(runs, self.search.text(), now, self._app_state.path.stands, self.results.word, self._order)
         self._found = found = [row.run for row in rows]
         self._say_why_empty(found)
         self.card.unit.setText("" if self.of_archive else count_words(len(runs), len(found)))

@@ -7195,6 +7195,17 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>StepCard</name>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is done in this step</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StepList</name>
     <message>
         <source>Steps</source>

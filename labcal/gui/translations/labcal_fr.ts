@@ -7196,6 +7196,17 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>StepCard</name>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>What is done in this step</source>
+        <translation>Ce qui se fait à cette étape</translation>
+    </message>
+</context>
+<context>
     <name>StepList</name>
     <message>
         <source>Steps</source>

@@ -25,34 +25,34 @@ class RunResults(QObject):
         super().__init__()
         self._worker = worker
         self._known: dict[str, RunResult | None] = {}  # None: it is asked for, or cannot be told
-        self._waiting: list[str] = []
+        self.waiting: list[str] = []
         self._at_once = AT_ONCE
 
     def ask(self, runs: Iterable[RunLine]) -> None:
         """Ask for those that have finished and are not known."""
-        idle = not self._waiting
+        idle = not self.waiting
         new = [one.run_id for one in runs if one.status == "finished" and one.run_id not in self._known]
         self._known |= dict.fromkeys(new)
-        self._waiting += new
+        self.waiting += new
         if idle:
             self._ask_some()
 
     def _ask_some(self) -> None:
-        if some := tuple(self._waiting[: self._at_once]):
+        if some := tuple(self.waiting[: self._at_once]):
             told, not_told = partial(self._told, some), partial(self._not_told, some)
             self._worker.request(TellResults(some), told, not_told)
 
     def _told(self, asked: tuple[str, ...], said: tuple[RunResult, ...]) -> None:
         self._known |= {one.run_id: one for one in said}
-        del self._waiting[: len(asked)]
+        del self.waiting[: len(asked)]
         self.changed.emit()
         self._ask_some()
 
     def _not_told(self, asked: tuple[str, ...], fault: Fault) -> None:
         """A damaged record says so where it is opened; here their status stands. Of others it is told all the same."""
-        del self._waiting[: len(asked)]
+        del self.waiting[: len(asked)]
         if len(asked) > 1:
-            self._waiting[:0] = asked  # one by one: the damaged one is not known
+            self.waiting[:0] = asked  # one by one: the damaged one is not known
             self._at_once = 1
         self._ask_some()
 

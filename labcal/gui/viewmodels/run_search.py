@@ -19,7 +19,7 @@ NOT_WHOLE = ("running", "interrupted")
 DAY = re.compile(r"(\d{1,2})[./](\d{1,2})\.?(?:[./]?(\d{4}))?")  # 22.11.2026, 22.11., 22/11/2026: the day first
 
 
-class Row(NamedTuple):
+class FoundRun(NamedTuple):
     """A run with its cells, and the colour of its result."""
 
     run: RunLine
@@ -65,16 +65,16 @@ def rows_of(
     stands: Callable[[str], str],
     told: Callable[[RunLine], tuple[str, str]],
     order: tuple[int, bool],
-) -> list[Row]:
+) -> list[FoundRun]:
     """The rows of those runs that `words` find, in their order: `stands` and `told` say what became of each."""
-    rows = (Row(one, cells(one, stands(one.run_id), word), state) for one in runs for word, state in [told(one)])
+    rows = (FoundRun(one, cells(one, stands(one.run_id), word), state) for one in runs for word, state in [told(one)])
     return in_order((row for row in rows if matches(row.run, words, now, row.cells)), *order)
 
 
-def in_order(rows: Iterable[Row], column: int, falling: bool) -> list[Row]:
+def in_order(rows: Iterable[FoundRun], column: int, falling: bool) -> list[FoundRun]:
     """`rows` by a column; what is alike stays as it was, times are those to the second, and shapes do not count."""
 
-    def key(row: Row) -> str:
+    def key(row: FoundRun) -> str:
         return row.run.started_utc if column == 0 else row.cells[column].lstrip(SHAPES)
 
     return sorted(rows, key=key, reverse=falling)

@@ -33,7 +33,7 @@ class StepCard(Card):
         self.fields.setSpacing(GRID)
         self.fields.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.stacked = self.opened = self.now = False
-        self.unfold = button(translated("Show"), translated("What is done in this step"))
+        self.unfold = button(self.tr("Show"), self.tr("What is done in this step"))
         self.unfold.clicked.connect(self._unfold)
         self.unfold.hide()
         self.body.addWidget(self.mark)
