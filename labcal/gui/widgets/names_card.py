@@ -14,7 +14,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import Card, button
 from labcal.gui.widgets.fault_card import FaultCard
 
-SHARES = (4, 2, 1)  # of the width: name, city, country
+SHARES = (4, 2, 2)  # of the width: name, city, country
 Fields = tuple[QLineEdit, ...]
 
 
