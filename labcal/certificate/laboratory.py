@@ -1,19 +1,25 @@
-"""Who issues a certificate and for whom, where the run does not say it: `laboratory.toml` in labcal's folder."""
+"""Who issues a certificate and for whom, where the run does not say it.
+
+The laboratory is in `laboratory.toml` in labcal's folder; the customer is in a file beside the calibration, else there
+too.
+"""
 
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
 from labcal.errors import InputError
+from labcal.files.atomic import write_text
 from labcal.files.toml_file import read_toml
 from labcal.record import Administrative
 from labcal.record.administrative import Address, Laboratory
 
 FILE = "laboratory.toml"
+CUSTOMER = ".customer"  # ends the name of the file beside a calibration that says for whom it is
 WANTED = 'name = "…", city = "…", country = "DE", and under [customer] the same three'
 _LABORATORY, _ADDRESS = TypeAdapter(Laboratory), TypeAdapter(Address)
 
@@ -37,9 +43,37 @@ def read_laboratory(path: Path) -> Administrative:
     return Administrative(laboratory, stated)
 
 
-def administrative_of(run: Administrative | None, path: Path) -> Administrative:
-    """What the run states, and of laboratory and customer what it leaves open from the file `path`, where that is."""
+def write_laboratory(path: Path, laboratory: Laboratory) -> None:
+    """Write who issues certificates, once: a file that is there is people's own. Raises InputError."""
+    if path.exists():
+        raise InputError("the laboratory is stated already", file=path)
+    stated = {name: value for name, value in asdict(laboratory).items() if value is not None}
+    lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in stated.items()]
+    write_text(path, "".join(lines))
+
+
+def customer_beside(calibration: Path) -> Address | None:
+    """For whom it is by the file beside it; None where there is none. Raises InputError."""
+    file = calibration.with_suffix(CUSTOMER)
+    if not file.exists():
+        return None
+    try:
+        return _ADDRESS.validate_json(file.read_bytes())
+    except ValidationError as error:
+        raise InputError(f"no customer: {error.errors()[0]['msg']}", file=file) from None
+
+
+def write_customer(calibration: Path, customer: Address) -> None:
+    """Say beside a calibration for whom it is."""
+    said = {name: value for name, value in asdict(customer).items() if value is not None}
+    write_text(calibration.with_suffix(CUSTOMER), json.dumps(said, ensure_ascii=False) + "\n")
+
+
+def administrative_of(run: Administrative | None, path: Path, calibration: Path | None = None) -> Administrative:
+    """What the run states; laboratory and customer that it leaves open, from beside `calibration`, else from `path`."""
     stated = run or Administrative()
+    if stated.customer is None and calibration is not None:
+        stated = replace(stated, customer=customer_beside(calibration))
     if None not in (stated.laboratory, stated.customer) or not path.exists():
         return stated
     own = read_laboratory(path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from labcal.record.delays import delays_open
-from labcal.record.stream import Item, Measurement, Step
+from labcal.record.stream import Event, Item, Measurement, Step
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 
@@ -31,6 +31,13 @@ def not_measured(items: Iterable[Item], found: Mapping[str, Measurement]) -> tup
     steps = [name for item in items if isinstance(item, Step) for name in item.names if name.startswith("closure-")]
     wanted = dict.fromkeys(name.replace("-", " ") for name in steps)
     return (*(name for name in wanted if name not in found), *delays_open(steps, found))
+
+
+def left_out(items: Iterable[Item], found: Mapping[str, Measurement]) -> tuple[str, ...]:
+    """Steps that were skipped, closures that were broken off and not repeated, and delays that no turns told."""
+    items = list(items)
+    skipped = (str(item.data.get("step", "")) for item in items if isinstance(item, Event) and item.kind == "skip")
+    return tuple(dict.fromkeys((*skipped, *not_measured(items, found))))
 
 
 def open_words(left: Iterable[Measurement], not_measured: Iterable[str]) -> tuple[str, ...]:

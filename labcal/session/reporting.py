@@ -81,7 +81,7 @@ def label(calibration: Path, out: Path, allowed_signers: Path | None = None, *, 
         checked = verify(calibration, allowed_signers)
         found = certificate.parse_calibration(checked.content, calibration)
         run = run_of(found)
-        stated = _circumstances(found, run).administrative.laboratory
+        stated = _circumstances(found, run, calibration).administrative.laboratory
         write_label(found, checked, stated.name if stated else "", run.started_utc[:10] if run else "", out)
 
 
@@ -94,11 +94,11 @@ def _report_calibration(
     xml_key: XmlKeyFiles | None,
 ) -> None:
     by = None if xml_key is None else read_xml_key(xml_key.key, xml_key.certificates, xml_key.ask)
-    path = _beside(path, out)
+    told_at, path = path, _beside(path, out)
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
-    said = _circumstances(calibration, run)
+    said = _circumstances(calibration, run, told_at)
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
     if out.suffix.lower() == ".xml":
         for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out, changed, by):
@@ -110,9 +110,9 @@ def _report_calibration(
         on_remark(lacking)
 
 
-def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:
-    """What the record and labcal's folder tell beside the calibration."""
-    stated = administrative_of(run.administrative if run else None, home() / LABORATORY)
+def _circumstances(calibration: Calibration, run: Run | None, file: Path) -> Circumstances:
+    """What the record, labcal's folder and what lies beside `file` tell beside the calibration."""
+    stated = administrative_of(run.administrative if run else None, home() / LABORATORY, file)
     header = header_of(calibration.run_id) if run else None
     procedure = (header.procedure, header.source_sha256) if header else ("", "")
     images = images_in(home(), accredited=not calibration.simulated)

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import pytest
 
-from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure, Standing
 from labcal.gui.ipc.messages import ListCalibrations
 from labcal.gui.theming.theme import DARK, LIGHT
-from labcal.gui.viewmodels.calibration_rows import PARAMETERS, parameter_rows
+from labcal.gui.viewmodels.calibration_rows import PARAMETERS, cause_rows, map_rows, short_rows
 from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION, change_rows, specification_rows, verdict
-from labcal.gui.widgets.calibration_views import CHANGED, SPECIFIED, CalibrationViews
+from labcal.gui.widgets.calibration_views import BUDGET, CAUSES, CHANGED, MAP, SPECIFIED, CalibrationViews
 from labcal.gui.widgets.measurement_table import Table
 from labcal.record import Dut
 from labcal.uncertainty.conformity import Change, Changes, Judged
@@ -41,6 +41,9 @@ def calibration(lines: tuple[Judged, ...] = LINES, left_open: tuple[str, ...] = 
         specification=lines,
         left_open=left_open,
     )  # fmt: skip
+
+
+SHORT = replace(calibration(()), figures=(Figure("offset", "offset x", -1250.0, 40.0, "nT"),))
 
 
 @pytest.fixture
@@ -118,24 +121,30 @@ def test_without_lines_there_is_nothing_to_open_but_what_was_left_open(views):
 def test_rows_are_as_wide_as_their_headings():
     assert {len(row) for row in specification_rows(LINES)} == {len(SPECIFICATION)}
     assert {len(row) for row in change_rows(FOUND)} == {len(CHANGES)}
-    assert {len(row) for row in parameter_rows(calibration())} == {len(PARAMETERS)}
+    assert {len(row) for row in (*map_rows(calibration()), *short_rows(SHORT), *cause_rows(SHORT))} == {len(PARAMETERS)}
 
 
-def test_below_the_parameters_stands_what_makes_most_of_each_uncertainty_and_all_of_it_in_the_tip(views):
+def test_a_few_figures_stand_first_and_the_map_behind_a_tab_of_its_own(views):
+    views.show_calibration(SHORT)
+    assert text(views.table) == [["offset x", "−1\u202f250", "40", "nT"]]
+    assert [views.tabs.isTabVisible(at) for at in (MAP, CAUSES, BUDGET)] == [True, False, False]
+    views.tabs.setCurrentIndex(MAP)
+    assert [row[0] for row in text(views.table)][:4] == ["k x", "k y", "k z", "K xx"]
+
+
+def test_what_makes_most_of_each_uncertainty_stands_behind_a_tab_and_all_of_it_in_the_tip(views):
     shares = (("reference: zero", 0.84), ("noise", 0.16))
     budget = (
         BudgetLine("|b|", "50 µT along x", 7.42, 2.0, "nT", shares),
         BudgetLine("angle xy", "", 0.0151, 2.1, "deg", ()),
     )
     views.show_calibration(replace(calibration(), budget=budget))
-    rows = text(views.table)
-    assert len(rows) == 12 + 2
-    assert [row[0] for row in rows[:4]] == ["k x", "k y", "k z", "K xx"]
-    assert rows[12:] == [
+    views.tabs.setCurrentIndex(BUDGET)
+    assert text(views.table) == [
         ["|b| · 50 µT along x: reference: zero 84.0 %", "–", "7.4", "nT"],
         ["angle xy", "–", "0.015", "deg"],
     ]
-    assert views.table.item(12, 0).toolTip().split("\n") == [
+    assert views.table.item(0, 0).toolTip().split("\n") == [
         "|b| 50 µT along x", "k = 2.00", "reference: zero 84.0 %", "noise 16.0 %"
     ]  # fmt: skip
     assert not views.remark.isVisibleTo(views)

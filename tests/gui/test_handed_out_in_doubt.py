@@ -43,7 +43,7 @@ def test_the_certificate_page_says_it_in_amber_before_it_goes_and_after(page):
         "As AMBIGUOUS: why is said above.",
         "warning",
     )
-    page.paper.handed_out.emit(DOUBTFUL)
+    page.paper.handed_out.emit(DOUBTFUL, "copy.json")
     assert page.paper.words.text() == "Handed out as AMBIGUOUS. Next: another DUT."
     assert page.paper.words.property("state") == "warning"
     page.refresh()

@@ -9,7 +9,9 @@ from PySide6.QtCore import QPoint, Qt
 
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
-from labcal.gui.viewmodels.run_search import cells, file_name, matches
+from labcal.gui.ipc.record_messages import RunResult, TellResults
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.run_search import HEADINGS, cells, file_name, matches
 
 RUN = RunLine("r1", "2026-11-22T23:30:00Z", "finished", "EM-07", "J. Doe", "preflight", simulated=True)
 BEFORE = replace(
@@ -73,3 +75,31 @@ def test_a_click_on_a_heading_sorts_and_a_second_one_turns_round_and_the_choice_
     assert ids() == ["r0", "r1"]
     page.sort_by(0)
     page.search.clear()
+
+
+def test_the_result_is_that_of_the_card_at_the_end_of_the_run_and_is_sorted_and_found_by(still):
+    """PASS, FAIL, stopped …: not how it ended in the store's words, and not what its calibration became."""
+    still.open_page("History")
+    page, worker = still.page("History"), still.app_state.quick_worker
+    page.results.waiting.clear()  # of the test before, which nobody answers any more
+    stopped = "failed: aborted by the operator"
+    ends = ("finished", "finished", "finished", "stopped", stopped, "failed: dut is silent", "interrupted")
+    runs = tuple(replace(RUN, run_id=f"s{n}", status=status) for n, status in enumerate(ends))
+    worker.answer(ListRuns, runs)
+    at = HEADINGS.index("result")
+    shown = lambda: [page.table.text(row, at) for row in range(page.table.rowCount())]  # noqa: E731
+    assert shown()[0] == "finished"  # before it is read
+    results = RunResult("s0", "PASS", ()), RunResult("s1", "FAIL", ()), RunResult("s2", "PASS", ("closure z",))
+    worker.answer(TellResults, results)
+    assert shown() == [
+        "✓ PASS", "✕ FAIL", "▲ PASS, without closure z", "■ STOPPED", "■ STOPPED", "✕ FAILED", "▲ INTERRUPTED"
+    ]  # fmt: skip
+    assert page.table.item(1, at).foreground().color().name() == LIGHT.bad
+    page.search.setText("pass")
+    assert shown() == ["✓ PASS", "▲ PASS, without closure z"]
+    page.search.clear()
+    page.sort_by(at)
+    assert [word.split()[1] for word in shown()] == sorted(word.split()[1] for word in shown())
+    page.sort_by(0)
+    seen = [page.table.horizontalHeader().logicalIndex(n) for n in range(4)]
+    assert [HEADINGS[n] for n in seen] == ["started", "DUT", "result", "calibration"]

@@ -11,6 +11,7 @@ from labcal.gui.ipc.answers import Look, RunLine
 from labcal.gui.ipc.messages import ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
 from labcal.gui.standing import come_back
 from labcal.gui.viewmodels.one_dut import KEPT
+from labcal.gui.widgets.run_chooser import run_name
 
 OF_21 = RunLine("r21", "2026-11-22T01:00:00Z", "finished", "EM-21", "J. Doe", "preflight", verdict="explained")
 OF_22 = RunLine("r22", "2026-11-22T02:00:00Z", "finished", "EM-22", "J. Doe", "preflight")
@@ -127,3 +128,27 @@ def test_the_certificate_is_of_the_dut_at_the_top(listed):
     page.refresh()
     worker.answer(ListCalibrations, (mine, other))
     assert (page.chosen(), page.list.isVisible(), "EM-23" in page.empty.text()) == (None, True, True)
+
+
+def test_the_count_and_the_run_are_said_alike_on_every_page(listed):
+    """Start, Fit, Loop, Certificate and History: one number, and one name of a run, its DUT first."""
+    worker, name = listed.app_state.quick_worker, run_name(OF_21)
+    released = replace(calibration(), run_id="r21")
+    released = replace(released, dut=replace(released.dut, serial="EM-21"))
+    history = listed.page("History")
+    assert history.card.unit.text() == "2 in the store"
+    history.search.setText("EM-21")
+    assert history.card.unit.text() == "1 of 2 in the store"
+    history.search.clear()
+    assert name.startswith("EM-21 · ")
+    listed.open_page("Start")
+    worker.answer(ListRuns, (OF_22, OF_21))
+    counted, lines = listed.page("Start").facts["runs"]
+    assert (counted.text(), name in lines.text()) == ("2 in the store", True)
+    listed.open_page("Certificate")
+    worker.answer(ListCalibrations, (released,))
+    assert listed.page("Certificate").list.itemText(0).endswith(name)
+    for page in ("Fit", "Loop"):
+        listed.open_page(page)
+        worker.answer(ListRuns, (OF_22, OF_21))
+        assert listed.page(page).chooser.itemText(1).endswith(name)

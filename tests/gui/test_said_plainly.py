@@ -50,7 +50,7 @@ def test_a_page_without_runs_says_where_they_come_from(still, qtbot, name):
     still.app_state.quick_worker.answer(ListRuns, (RUN, replace(RUN, run_id="r2", status="failed: aborted")))
     assert page.to_run.isHidden()
     assert "Choose a run above" in page.empty.text()
-    assert page.chooser.itemText(0).startswith("2026-01-05")
+    assert page.chooser.itemText(0).startswith("EM-07 · 2026-01-05")
     assert page.chooser.itemText(1).startswith("✕ failed · ")
 
 

@@ -10,6 +10,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QInputDialog, QLineEdit, QPushButton
 
+from labcal.gui.widgets.calibration_views import BUDGET
+
 LONG_MS = 180_000
 
 
@@ -52,6 +54,7 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     own_lab.open_page("Certificate")
     page = own_lab.page("Certificate")
     qtbot.waitUntil(lambda: page.list.count() == 1, timeout=LONG_MS)
+    page.views.tabs.setCurrentIndex(BUDGET)
     shown = {page.table.text(n, 0).partition(": ")[0]: n for n in range(page.table.rowCount())}
     assert page.table.text(shown["off 90° x–y"], 0).endswith("%")  # what makes most of its U
     assert "noise of the run, through the fit" in page.table.item(shown["off 90° x–y"], 0).toolTip()
@@ -80,6 +83,24 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     assert json.loads(Path(page.chosen().path).read_text())["validity"]["until"] == "2099-12-31"
     qtbot.waitUntil(lambda: steps.signer.currentText() == "a.smith", timeout=LONG_MS)  # who has to sign
     steps.passphrase.setText("a long passphrase")
+    qtbot.mouseClick(steps.sign, Qt.MouseButton.LeftButton)
+    assert steps.signature.asked.text() == (
+        "The certificate names no laboratory and no customer. Sign it all the same?"
+    )
+    assert steps.passphrase.text()  # it is pressed once more, or somebody is named first
+    for field, words in zip(page.names.customer, ("Holm AS", "Oslo", "n"), strict=True):
+        field.setText(words)
+    assert not page.names.keep.isEnabled()
+    page.names.customer[2].setText("no")
+    qtbot.mouseClick(page.names.keep, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: page.names.lacks() == "The certificate names no laboratory.", timeout=LONG_MS)
+    assert (page.names.customer[0].isVisible(), page.names.laboratory[0].isVisible()) == (False, True)
+    assert not steps.signature.asked.isVisible()
+    for field, words in zip(page.names.laboratory, ("A lab", "Bern", "CH"), strict=True):
+        field.setText(words)
+    qtbot.mouseClick(page.names.keep, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: not page.names.isVisible(), timeout=LONG_MS)
+    assert page.named.text() == "Certificate of A lab, Bern (CH), for Holm AS, Oslo (NO)."
     qtbot.mouseClick(steps.sign, Qt.MouseButton.LeftButton)
     assert steps.passphrase.text() == ""
     qtbot.waitUntil(lambda: "VALID: signed by a.smith" in page.standing.text(), timeout=LONG_MS)
@@ -121,8 +142,13 @@ def test_the_dcc_is_written_by_a_click_and_a_laboratory_that_is_not_stated_is_as
 def test_a_calibration_is_handed_out_and_applied(qtbot, signed, tmp_path):
     page = signed.page("Certificate")
     page.paper.hand_out(str(tmp_path))
-    qtbot.waitUntil(lambda: (tmp_path / "allowed_signers").is_file(), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: page.drop.words.isVisible(), timeout=LONG_MS)  # what has left is verified where it lies
     (handed,) = tmp_path.glob("*.json")
+    said = page.said.text().splitlines()[1:]
+    assert [line.partition(": ")[0] for line in said] == sorted(one.name for one in tmp_path.iterdir())
+    assert handed.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
+    assert page.drop.words.text().startswith(f"▲ {handed.name}: VALID")
+    assert page.stage.text().endswith("✓ handed out  →  ✓ verified")
     assert handed.read_bytes() == Path(page.chosen().path).read_bytes()
     assert handed.with_name(f"{handed.name}.sshsig").is_file()
     effects = {c for effect in page.chosen().effects for c in effect.channels}

@@ -68,6 +68,8 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, by_mouse, tmp_path, monkeypa
         qtbot.waitUntil(lambda: "Sign alone: it is valid, and PROV" in steps.signature.words.text(), timeout=patience)
         steps.passphrase.setText("a long passphrase")
         click(steps.sign)
+        assert "names no laboratory and no customer" in steps.signature.asked.text()
+        click(steps.sign)
         qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=patience)
         assert page.paper.words.text() == "As PROVISIONAL: nobody approved it before it was signed."
         page.verify(page.chosen().path)

@@ -22,7 +22,6 @@ from labcal.gui.ipc.messages import (
     CorrectSerial,
     ExportRun,
     FindSimulatedBench,
-    HandOut,
     ImportBundle,
     KeepPhoto,
     LastCageCheck,
@@ -38,7 +37,6 @@ from labcal.gui.ipc.messages import (
     WriteLabel,
     WriteReport,
 )
-from labcal.record.run_id import name_outside
 from labcal.record.specification import UNITS
 from labcal.uncertainty.conformity import LEFT_OPEN, Changes, Judged, stated_lines
 from labcal.uncertainty.conformity.change import SHOWN
@@ -301,15 +299,6 @@ def changed_since(channel: Channel, asked: ChangedSince) -> Changes | None:
     return session.changed_since(session.load_calibration(Path(asked.path)))
 
 
-def hand_out(channel: Channel, asked: HandOut) -> str:
-    """Copy a calibration, its signatures and the keys they are checked against to a folder."""
-    from labcal import session
-
-    path = Path(asked.path)
-    session.hand_out(path, Path(asked.folder), name_outside(session.load_calibration(path).dut.serial, path.stem))
-    return asked.folder
-
-
 def simulated_bench(channel: Channel, asked: FindSimulatedBench) -> str:
     """The bench file of the simulated lab."""
     from labcal.demo import simulated_bench as found
@@ -345,6 +334,5 @@ HANDLERS = (
     handles(CorrectSerial, correct_serial),
     handles(ApplyCalibration, apply),
     handles(ChangedSince, changed_since),
-    handles(HandOut, hand_out),
     handles(FindSimulatedBench, simulated_bench),
 )

@@ -15,12 +15,16 @@ from labcal.gui.ipc.answered_for import AnswersFor as AnswersFor
 from labcal.gui.ipc.archive_messages import FetchRun as FetchRun
 from labcal.gui.ipc.archive_messages import ListArchivedCalibrations as ListArchivedCalibrations
 from labcal.gui.ipc.archive_messages import ListArchivedRuns as ListArchivedRuns
+from labcal.gui.ipc.customer_messages import HandOut as HandOut
+from labcal.gui.ipc.customer_messages import StateNames as StateNames
+from labcal.gui.ipc.customer_messages import WhoIsNamed as WhoIsNamed
 from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.lab_messages import Identify as Identify
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
 from labcal.gui.ipc.record_messages import TellRecord as TellRecord
+from labcal.gui.ipc.record_messages import TellResults as TellResults
 from labcal.gui.ipc.record_messages import TellTurned as TellTurned
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.ipc.words import Abort as Abort
@@ -331,14 +335,6 @@ class ChangedSince(Command[Changes | None]):
     """What changed since the calibration before the one at `path` of the same DUT; nothing where none is before."""
 
     path: str
-
-
-@dataclass(frozen=True, slots=True)
-class HandOut(Command[str]):
-    """Copy a calibration, its signatures and the public keys to a folder; answers it."""
-
-    path: str
-    folder: str
 
 
 @dataclass(frozen=True, slots=True)

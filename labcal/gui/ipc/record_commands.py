@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
-from labcal.gui.ipc.record_messages import TellRecord, TellTurned
+from labcal.gui.ipc.record_messages import RunResult, TellRecord, TellResults, TellTurned
 from labcal.record.told import Told
 from labcal.record.turned import TurnBefore
 
@@ -23,4 +23,19 @@ def tell_turned(channel: Channel, asked: TellTurned) -> tuple[TurnBefore, ...]:
     return turned(asked.run)
 
 
-HANDLERS = (handles(TellRecord, tell), handles(TellTurned, tell_turned))
+def tell_results(channel: Channel, asked: TellResults) -> tuple[RunResult, ...]:
+    """As the card of a run's end says it."""
+    from labcal.session.checks import left_out, results, worst
+    from labcal.store import Store
+
+    def of(store: Store, run: str) -> RunResult:
+        items = list(store.items(run, but="block", raw=False))
+        found = results(items)
+        least = worst(found)
+        return RunResult(run, "" if least is None else least.verdict, left_out(items, found))
+
+    with Store.open() as store:
+        return tuple(of(store, run) for run in asked.runs)
+
+
+HANDLERS = (handles(TellRecord, tell), handles(TellResults, tell_results), handles(TellTurned, tell_turned))

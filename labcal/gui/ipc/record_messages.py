@@ -17,6 +17,22 @@ class TellRecord(Command[Told]):
 
 
 @dataclass(frozen=True, slots=True)
+class RunResult:
+    """What a finished run came to: the worst verdict measured ("": nothing had a limit), and what is missing."""
+
+    run_id: str
+    verdict: str
+    left_out: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TellResults(Command[tuple[RunResult, ...]]):
+    """What these finished runs came to."""
+
+    runs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class TellTurned(Command[tuple[TurnBefore, ...]]):
     """Where the field was in the turns that this run has recorded."""
 

@@ -16,6 +16,7 @@ from labcal.gui.ipc import (
     bench_commands,
     bench_file_commands,
     compare_commands,
+    customer_commands,
     file_commands,
     record_commands,
     recording_commands,
@@ -28,7 +29,7 @@ from labcal.gui.ipc.wire import fault_of
 
 ROOMS = (
     *(bench_commands, bench_file_commands, study_commands, compare_commands),
-    *(file_commands, record_commands, recording_commands, archive_commands),
+    *(customer_commands, file_commands, record_commands, recording_commands, archive_commands),
 )
 HANDLERS = dict(pair for room in ROOMS for pair in room.HANDLERS)
 

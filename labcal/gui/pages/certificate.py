@@ -1,4 +1,4 @@
-"""Certificate: drafts, key, approve and sign by two persons, verify a dropped file, reports and exports."""
+"""Certificate: what a file is and where it stands, its steps to the customer, and its figures; any file is verified."""
 
 from __future__ import annotations
 
@@ -20,19 +20,22 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, handed_out_as, state_of, steps
+from labcal.gui.viewmodels.stages import stages, to_be_done
 from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
+from labcal.gui.widgets.names_card import NamesCard
+from labcal.gui.widgets.run_chooser import run_name
 from labcal.record.told import Told
 
 MOST_ROWS = 80  # of the table are seen without rolling it
 
 
 class CertificatePage(QWidget):
-    """The chosen calibration, its four steps from draft to file, and its figures below them."""
+    """The chosen calibration, where it stands, its four steps from draft to file, and its figures below them."""
 
     shows_only = True  # where there is no room for it the page is scrolled, and nothing in it is squeezed
 
@@ -42,12 +45,14 @@ class CertificatePage(QWidget):
         self._files: dict[str, CalibrationFile] = {}
         self._wanted = self._told_of = ""
         self._for = self._asked_for = ""  # this DUT it was chosen
+        self._copies: dict[str, str] = {}  # handed out: where it lies, and of which file it is
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
-        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done)
+        self.names = NamesCard(app_state, self.fault, self._names_known)
+        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks_at_a_signature)
         self.paper = Paper(app_state, self.chosen, self.fault)
         self.said = self.paper.said
         self.paper.handed_out.connect(self._handed_out)
@@ -56,15 +61,14 @@ class CertificatePage(QWidget):
         self.list.currentIndexChanged.connect(self._show)
         self.list.activated.connect(self._picked)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
-        column.addWidget(self.empty_card)
-        column.addWidget(self.list)
-        column.addWidget(flat(self._chosen_card()))
-        for part in (self.fault, self.steps, self.paper):
-            column.addWidget(part)
-        column.addWidget(self.figures, 1)
-        self.drop = Drop()
+        self.drop = Drop(self.list)
         self.drop.dropped.connect(self.verify)
         column.addWidget(self.drop)
+        column.addWidget(self.empty_card)
+        column.addWidget(flat(self._chosen_card()))
+        for part in (self.fault, self.names, self.steps, self.paper):
+            column.addWidget(part)
+        column.addWidget(self.figures, 1)
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
         app_state.lab.changed.connect(self._other_dut)
@@ -110,12 +114,14 @@ class CertificatePage(QWidget):
     def _chosen_card(self) -> Card:
         """How the chosen one stands, in a word and in sentences."""
         self.detail = Card()
-        self.word, self.standing = label("", "ask"), label("", wrap=True)
+        self.word, self.standing = label("", "ask", wrap=True), label("", wrap=True)
+        self.stage, self.to_do = label("", wrap=True), label("", "title", wrap=True)
+        self.named = label("", "caption", wrap=True)
         self.doubt = label("", wrap=True)  # of the cause: no signature takes it away
         self.open = label("", wrap=True)  # of the run's own checks, before anybody approves
         for part in (self.doubt, self.open):
             set_state(part, "warning")
-        for part in (self.word, self.doubt, self.standing, self.open):
+        for part in (self.word, self.stage, self.to_do, self.doubt, self.standing, self.open, self.named):
             self.detail.body.addWidget(part)
         return self.detail
 
@@ -146,12 +152,17 @@ class CertificatePage(QWidget):
         with QSignalBlocker(self.list):
             self.list.clear()
             for one in files:
-                simulated = translated("SIMULATED") if one.simulated else ""
-                words = (file_word(one), one.dut.serial, Path(one.path).stem, simulated)
-                self.list.addItem("  ·  ".join(filter(None, words)), one.path)
+                self.list.addItem(f"{file_word(one)}  ·  {self._of(one)}", one.path)
             self.list.setCurrentIndex(self.list.findData(kept))  # none by itself, where none is of the DUT at the top
         self._wanted = ""
         self._show()
+
+    def _of(self, one: CalibrationFile) -> str:
+        """Of which DUT and run it is, as on every page; by its file's name where that run is not in the store."""
+        run = next((line for line in self._app_state.path.runs if line.run_id == one.run_id), None)
+        simulated = translated("SIMULATED") if one.simulated else ""
+        words = "  ·  ".join(filter(None, (one.dut.serial, Path(one.path).stem, simulated)))
+        return words if run is None or run.dut_serial != one.dut.serial else run_name(run)
 
     def _say_empty(self) -> None:
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
@@ -177,10 +188,13 @@ class CertificatePage(QWidget):
         for part in (self.detail, self.steps, self.paper, self.figures):
             part.setVisible(one is not None)
         self.steps.show_file(one, self._files.values())
+        if one is None:
+            self.names.show_file(None)
         if one is not None:
             self.list.setToolTip(plain(self.list.currentText()))  # the whole, where there is no room for it
             self.word.setText(f"{file_word(one).upper()}  ·  {one.dut.serial}")
             self.standing.setText(" ".join(self._standing_words(one)))
+            self.names.show_file(one)
             set_state(self.word, file_state(one))
             self.doubt.setText(ambiguity(one))
             self.doubt.setVisible(bool(self.doubt.text()))
@@ -206,7 +220,7 @@ class CertificatePage(QWidget):
     def _standing_words(self, one: CalibrationFile) -> list[str]:
         """How it stands, who measured and who approved."""
         draft = not one.standing.signatures
-        words = [self.tr("Draft: not signed.")] if draft else list(map(in_words, one.standing.sentences))
+        words = [] if draft else list(map(in_words, one.standing.sentences))  # that it is a draft is said above
         words += [in_words("SIMULATED: it describes no real sensor.")] if draft and one.simulated else []
         approved = ", ".join(one.approvers) or self.tr("nobody yet")
         return [*words, self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved)]
@@ -222,7 +236,32 @@ class CertificatePage(QWidget):
             stands = self.stands(one)
             self.steps.show_steps(stands)
             self.paper.show_step(stands[-1])
+            self.names.want(stands[0].mark != "now" or not self.steps.signature.asked.isHidden())
+            self._place_paper(stands[-1].mark in ("now", "done"))
+            kept = self._app_state.path.handed_out
+            self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))
+            self.to_do.setText(to_be_done(tuple(step.mark for step in stands)))
+            self.to_do.setVisible(bool(self.to_do.text()))
+            self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
+
+    def _place_paper(self, first: bool) -> None:
+        """What is to be done now stands above the steps that are done."""
+        column = self.layout()
+        assert isinstance(column, QVBoxLayout)
+        at = column.indexOf(self.steps)
+        if first is not (column.indexOf(self.paper) < at):
+            column.removeWidget(self.paper)
+            column.insertWidget(column.indexOf(self.steps) + (not first), self.paper)
+
+    def _names_known(self) -> None:
+        self.steps.names_known()
+        self._show_named()
+
+    def _show_named(self) -> None:
+        """By whom and for whom it is; before it is signed the card below asks for who is not named."""
+        self.named.setText("" if self.names.isVisibleTo(self) else self.names.line())
+        self.named.setVisible(bool(self.named.text()))
 
     @property
     def begins_at(self) -> QWidget:
@@ -244,19 +283,25 @@ class CertificatePage(QWidget):
             self.begins_at.setFocus(Qt.FocusReason.OtherFocusReason)
         self.refresh()
 
-    def _handed_out(self, one: CalibrationFile) -> None:
+    def _handed_out(self, one: CalibrationFile, copy: str) -> None:
+        """What has left is checked as it lies there."""
+        self._copies[copy] = one.path
         self._app_state.path.take_handed_out(one)
         self._app_state.lab.update(message=self.tr("{0} is handed out.").format(one.dut.serial))
         self._show_steps()
+        self.verify(copy)
 
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""
         self._app_state.quick_worker.request(VerifyFile(path), self._verified, self.fault.show_fault)
 
     def _verified(self, said: Standing) -> None:
-        self.said.clear()
+        if said.path not in self._copies:
+            self.said.clear()
         shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         words = " ".join([*map(in_words, said.sentences), *faults])
-        self.drop.words.setText(f"{shape} {Path(said.path).name}: {words}")
-        set_state(self.drop.words, state_of(said))
+        self.drop.say(f"{shape} {Path(said.path).name}: {words}", state_of(said))
+        if (one := self._files.get(self._copies.get(said.path, said.path))) is not None and said.valid:
+            self._app_state.path.handed_out.verify(one)
+            self._show_steps()

@@ -14,6 +14,7 @@ from labcal.gui.ipc.messages import ApplyCalibration, Command, HandOut, WriteLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.handed_files import handed_files
 from labcal.gui.widgets.common import button, label
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
@@ -29,7 +30,7 @@ LABELS = "PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"
 class Paper(StepCard):
     """Buttons for the calibration that `chosen` gives, and a line that says what came of it; faults go to `fault`."""
 
-    handed_out = Signal(object)  # the CalibrationFile whose files were copied
+    handed_out = Signal(object, str)  # the CalibrationFile whose files were copied, and its copy
 
     def __init__(self, app_state: AppState, chosen: Callable[[], CalibrationFile | None], fault: FaultCard) -> None:
         super().__init__(" ")
@@ -44,7 +45,7 @@ class Paper(StepCard):
         self.report.clicked.connect(self._report)
         self.export = button(
             self.tr("Hand out"),
-            self.tr("The file with its signatures and keys, the certificate on paper, a label for the DUT"),
+            self.tr("A folder with all that goes to the customer; the certificate on paper, a label for the DUT"),
         )
         self.export.setMenu(self._menu())
         self.apply = button(
@@ -56,11 +57,6 @@ class Paper(StepCard):
         self.words.setContentsMargins(0, GRID, 0, 0)  # in line with the words of the buttons
         for part in (self.words, self.said):
             words.addWidget(part)
-        self._paper = "", ""  # the calibration that was copied, and where its certificate goes
-        self.add = button(self.tr("Add the PDF"), self.tr("Write the certificate beside the files that were copied"))
-        self.add.clicked.connect(lambda: self.write_report(*self._paper))
-        self.add.hide()
-        words.addWidget(self.add, 0, Qt.AlignmentFlag.AlignLeft)
         words.addWidget(self.folder, 0, Qt.AlignmentFlag.AlignLeft)
         words.addStretch()
         row.addLayout(words, 1)
@@ -72,7 +68,7 @@ class Paper(StepCard):
     def _menu(self) -> QMenu:
         menu = QMenu(self)
         for words, act in (
-            (self.tr("Files into a folder …"), self._hand_out),
+            (self.tr("All into one folder …"), self._hand_out),
             (self.tr("Print the certificate"), self.print_certificate),
             (self.tr("Print a label for the DUT"), self.print_label),
             (self.tr("Label as a file …"), self._label),
@@ -143,20 +139,17 @@ class Paper(StepCard):
         return asks.selectedFiles()[0] if asks.exec() else ""
 
     def hand_out(self, folder: str) -> None:
-        """Copy the chosen calibration, its signatures and the public keys to `folder`."""
+        """Everything that goes to the customer into `folder`: file, signatures, keys, the certificate, and a list."""
         if (one := self._chosen()) is not None:
-            words = self.tr("Copied to {0}").format(folder)
-            paper = Path(folder) / f"{_file_name(one)}.pdf"
-            lacks = self.tr("The certificate for people, a PDF, is not in it.")
+            words, name = self.tr("Handed out into {0}:").format(folder), _file_name(one)
 
             def said(_: object) -> str:
                 self.folder.show_folder(folder)
-                self._paper = one.path, str(paper)
-                self.add.setVisible(not paper.exists())
-                self.handed_out.emit(one)
-                return words if paper.exists() else f"{words}. {lacks}"
+                self.handed_out.emit(one, str(Path(folder) / f"{name}.json"))
+                return "\n".join([words, *handed_files(Path(folder), name)])
 
             self._send(HandOut(one.path, folder), said)
+            self.said.setText(self.tr("Writing the certificate …"))
 
     def _apply(self) -> None:
         source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
@@ -180,7 +173,6 @@ class Paper(StepCard):
 
         self._fault.show_fault(None)
         self.folder.show_folder("")
-        self.add.hide()
         self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)
 
 

@@ -35,9 +35,12 @@ class SigningSteps(StepRow):
         chosen: Callable[[], CalibrationFile | None],
         fault: FaultCard,
         done: Callable[[str, CalibrationFile | None], object],
+        lacks: Callable[[], str],
     ) -> None:
+        """`lacks`: whom the certificate will not name, as a sentence; asked about before a signature."""
         super().__init__()
         self._app_state, self._chosen, self._fault, self._done = app_state, chosen, fault, done
+        self._lacks = lacks
         self.keys: tuple[str, ...] = ()
         self._shown = ""  # of this file is what was done
         self.stated = StatedFields()
@@ -98,7 +101,8 @@ class SigningSteps(StepRow):
         self.sign.clicked.connect(self._sign)
         self.valid = label("", wrap=True)
         self.valid.setAccessibleName(self.tr("Until when it is good"))
-        card.put((self.signer, self.passphrase, self.valid), self.sign)
+        card.put((self.signer, self.passphrase), self.sign)
+        card.body.insertWidget(card.body.indexOf(card.words), self.valid)
         return card
 
     def _secret(self, name: str, tip: str) -> QLineEdit:
@@ -126,6 +130,7 @@ class SigningSteps(StepRow):
             for card in (self.key, self.approval, self.signature):
                 card.say_done("")
             self._ask_before_approval("")
+            self._ask_before_signing("")
 
     def _offer(self) -> None:
         """Who may approve, and who is to sign next."""
@@ -155,6 +160,7 @@ class SigningSteps(StepRow):
         """How each step stands."""
         for card, step in zip((self.key, self.approval, self.signature), stands, strict=False):
             card.show_step(step)
+        self.rest(all(step.mark != "now" for step in stands[:3]))
 
     def begins_at(self, stands: tuple[SigningStep, SigningStep, SigningStep, SigningStep]) -> QWidget:
         """The field where what is to be done now begins."""
@@ -229,13 +235,26 @@ class SigningSteps(StepRow):
             self.approve.setEnabled(False)
         return None
 
+    def _ask_before_signing(self, words: str) -> None:
+        self.signature.ask(words)
+        self.sign.setText(self.tr("Sign it all the same") if words else self.tr("Sign"))
+
     def _sign(self) -> None:
+        """Where nobody is named as laboratory or customer the first press asks, and the second one signs."""
         if (one := self._chosen()) is not None:
+            if not one.standing.signatures and (lacks := self._lacks()) and self.signature.asked.isHidden():
+                return self._ask_before_signing(self.tr("{0} Sign it all the same?").format(lacks))
+            self._ask_before_signing("")
             name, passphrase = self.signer.currentText(), self.passphrase.text()
             command = Sign(one.path, name, passphrase, *self.stated.stated())
             known = partial(self._said, self.signature, self.tr("Signed by {0}.").format(name))
             self._ask(command, self.signature, self.passphrase, known)
             self.passphrase.clear()
+        return None
+
+    def names_known(self) -> None:
+        """Somebody is named now: what was asked before a signature is asked anew."""
+        self._ask_before_signing("")
 
     def _said(self, card: StepCard, words: str, one: CalibrationFile | None) -> None:
         """What was done, in the card of its own step."""

@@ -17,7 +17,9 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.comparable import run_key, why_not_compared
 from labcal.gui.viewmodels.export_formats import FORMATS, Format
-from labcal.gui.viewmodels.run_search import NOT_WHOLE, cells, file_name, in_order, matches, measured_s, moment_s
+from labcal.gui.viewmodels.run_count import count_words
+from labcal.gui.viewmodels.run_results import RunResults
+from labcal.gui.viewmodels.run_search import HEADINGS, NOT_WHOLE, OF_ARCHIVE, file_name, measured_s, moment_s, rows_of
 from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import Card, button, combo_box, label, set_state, shrinkable
@@ -30,9 +32,6 @@ from labcal.gui.widgets.record_words import RecordWords
 from labcal.gui.widgets.recording_view import RecordingView
 from labcal.gui.widgets.trend import Trend
 
-HEADINGS = ("started", "DUT", "procedure", "operator", "ended", "result", "run")
-OF_ARCHIVE = tuple(heading if heading != "result" else "site" for heading in HEADINGS)
-
 
 class HistoryPage(QWidget):
     """The runs of the store, or of the archive, and the calibrations of the DUT that is chosen over time."""
@@ -44,7 +43,8 @@ class HistoryPage(QWidget):
         self.runs: tuple[RunLine, ...] = ()
         self._found: list[RunLine] = []
         self._compared: CompareRuns | None = None
-        self._idle_queue = IdleQueue(self)
+        self._idle_queue, self.results = IdleQueue(self), RunResults(app_state.quick_worker)
+        self.results.changed.connect(self._show)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -55,7 +55,7 @@ class HistoryPage(QWidget):
         column.addWidget(self.faces)
         self.faces.addWidget(self._list(theme))
         app_state.run.ended.connect(self.refresh)
-        self._archived.changed.connect(self._archive_known)
+        self._archived.changed.connect(lambda: self._show() if self.of_archive else None)
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
@@ -120,10 +120,6 @@ class HistoryPage(QWidget):
             return self.tr("The bundle as it was pushed (.zip): import it on this computer to open it")
         return self.tr("As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each")
 
-    def _archive_known(self) -> None:
-        if self.of_archive:
-            self._show()
-
     def _list(self, theme: Theme) -> QWidget:
         """The runs, and below them the trend of the DUT that is chosen."""
         holder, self.trend = QWidget(), Trend(theme)
@@ -135,7 +131,7 @@ class HistoryPage(QWidget):
         return holder
 
     def _runs_card(self) -> Card:
-        card = Card(self.tr("Runs"))
+        card = self.card = Card(self.tr("Runs"))
         self.place = combo_box(
             self.tr("Runs of this computer, or those of all benches in the archive, which are only looked at"),
             self.tr("Where the runs are"),
@@ -178,7 +174,8 @@ class HistoryPage(QWidget):
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
         header = self.table.horizontalHeader()
-        header.moveSection(5, 2)  # what became of it stands where a narrow window shows it
+        for column in (4, 5):
+            header.moveSection(column, column - 2)  # what came out, and became of it, where a narrow window shows it
         header.setSortIndicatorShown(True)
         header.setSortIndicator(0, Qt.SortOrder.DescendingOrder)
         header.sectionClicked.connect(self.sort_by)
@@ -214,6 +211,7 @@ class HistoryPage(QWidget):
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self.runs = runs
         self._app_state.path.take_runs(runs)
+        self.results.ask(runs)
         self._show()
 
     def _calibrations_known(self, files: tuple[CalibrationFile, ...]) -> None:
@@ -224,15 +222,15 @@ class HistoryPage(QWidget):
     def _show(self) -> None:
         now, chosen = datetime.now().astimezone(), self.chosen_runs()
         runs = self._archived.runs if self.of_archive else self.runs
-        words, stands = self.search.text(), self._app_state.path.stands
-        found = in_order((one for one in runs if matches(one, words, now, stands(one.run_id))), *self._order)
-        self._found = found
+        rows = rows_of(runs, self.search.text(), now, self._app_state.path.stands, self.results.word, self._order)
+        self._found = found = [row.run for row in rows]
         self._say_why_empty(found)
+        self.card.unit.setText("" if self.of_archive else count_words(len(runs), len(found)))
         self.table.setRowCount(len(found))
-        for row, one in enumerate(found):
-            for column, text in enumerate(cells(one, stands(one.run_id))):
+        for row, (one, texts, state) in enumerate(rows):
+            for column, text in enumerate(texts):
                 tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_words(one.status)}
-                ink = self._theme.warning if column == 5 and doubtful(text) else self._theme.text
+                ink = getattr(self._theme, {4: state, 5: "warning" if doubtful(text) else ""}.get(column) or "text")
                 self.table.set_cell(row, column, text or "–", colour=ink, tip=tips.get(column, ""))
         self._keep_chosen(chosen, found)
         self._chosen()

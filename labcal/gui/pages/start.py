@@ -16,6 +16,7 @@ from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translate
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
+from labcal.gui.viewmodels.run_count import count_words
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
@@ -264,7 +265,7 @@ class StartPage(QWidget):
             path, titles = self._app_state.path, [run_title(one) for one in runs[:last]]
             stands = [path.stands(one.run_id) for one in runs]
             lines = [" · ".join(filter(None, both)) for both in zip(titles, stands, strict=False)]
-            return self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
+            return self._say("runs", count_words(len(runs)), "\n".join(lines))
         words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
         return self._say("runs", self.tr("none yet"), words)
 

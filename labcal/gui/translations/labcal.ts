@@ -350,11 +350,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Parameters</source>
+        <source>As found, as left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>As found, as left</source>
+        <source>In short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -433,10 +445,6 @@
     </message>
     <message>
         <source>U: k=2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Draft: not signed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5268,15 +5276,11 @@
 <context>
     <name>Drop</name>
     <message>
-        <source>Drop a calibration file here to verify it</source>
+        <source>Verify a file …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a file …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A calibration .json with its .sshsig beside it</source>
+        <source>Choose a calibration .json with its .sshsig beside it, or drop it on the window</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6145,6 +6149,57 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>NamesCard</name>
+    <message>
+        <source>Laboratory on the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal&apos;s folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Customer on the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For no customer in particular? Leave it empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laboratory is remembered for every certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate names no customer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory and no customer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate of {0}, for {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6152,6 +6207,10 @@ after this step …</source>
     </message>
     <message>
         <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder with all that goes to the customer; the certificate on paper, a label for the DUT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6171,19 +6230,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add the PDF</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write the certificate beside the files that were copied</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Files into a folder …</source>
+        <source>All into one folder …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6231,11 +6278,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copied to {0}</source>
+        <source>Handed out into {0}:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The certificate for people, a PDF, is not in it.</source>
+        <source>Writing the certificate …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6922,6 +6969,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Sign it all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Sign it all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Signed by {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7092,10 +7147,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} in the store</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7152,6 +7203,17 @@ after this step …</source>
     </message>
     <message>
         <source>“{0}” is no day: 2027-11-21, or {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StepCard</name>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is done in this step</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7754,10 +7816,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>risk</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8111,6 +8169,10 @@ after this step …</source>
     </message>
     <message>
         <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8771,6 +8833,70 @@ after this step …</source>
     </message>
     <message>
         <source>{0}: answers again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the certificate, for people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calibration, for programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a signature of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>when it was signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the keys to verify it by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this list, for the customer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} in the store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: a key (1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: approve (2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: sign (3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: hand it out (4)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -350,12 +350,24 @@
         <translation>Was von der Kalibrierung gezeigt wird</translation>
     </message>
     <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
         <source>As found, as left</source>
         <translation>Vorgefunden, hinterlassen</translation>
+    </message>
+    <message>
+        <source>In short</source>
+        <translation>Kurz gefasst</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Ursachen</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>The bench file stated no specification when the run was measured.</source>
@@ -434,10 +446,6 @@
     <message>
         <source>nobody yet</source>
         <translation>niemand</translation>
-    </message>
-    <message>
-        <source>Draft: not signed.</source>
-        <translation>Entwurf: nicht unterschrieben.</translation>
     </message>
     <message>
         <source>Figures</source>
@@ -5268,16 +5276,12 @@
 <context>
     <name>Drop</name>
     <message>
-        <source>Drop a calibration file here to verify it</source>
-        <translation>Eine Kalibrierdatei hier ablegen, um sie zu prüfen</translation>
+        <source>Verify a file …</source>
+        <translation>Datei prüfen …</translation>
     </message>
     <message>
-        <source>Choose a file …</source>
-        <translation>Datei wählen …</translation>
-    </message>
-    <message>
-        <source>A calibration .json with its .sshsig beside it</source>
-        <translation>Eine Kalibrierung .json mit ihrer .sshsig daneben</translation>
+        <source>Choose a calibration .json with its .sshsig beside it, or drop it on the window</source>
+        <translation>Eine Kalibrierung .json mit ihrer .sshsig daneben wählen, oder auf das Fenster ziehen</translation>
     </message>
     <message>
         <source>Verify a calibration</source>
@@ -6146,6 +6150,57 @@ diesem Schritt …</translation>
     </message>
 </context>
 <context>
+    <name>NamesCard</name>
+    <message>
+        <source>Laboratory on the certificate</source>
+        <translation>Labor auf dem Zertifikat</translation>
+    </message>
+    <message>
+        <source>The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal&apos;s folder.</source>
+        <translation>Nach dem Labor wird einmal gefragt. Sein Logo: logo.png oder logo.svg im Ordner von labcal.</translation>
+    </message>
+    <message>
+        <source>Customer on the certificate</source>
+        <translation>Kunde auf dem Zertifikat</translation>
+    </message>
+    <message>
+        <source>For no customer in particular? Leave it empty.</source>
+        <translation>Für keinen bestimmten Kunden? Leer lassen.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>The laboratory is remembered for every certificate</source>
+        <translation>Das Labor wird für jedes Zertifikat gemerkt</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Land, wie DE</translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory.</source>
+        <translation>Das Zertifikat nennt kein Labor.</translation>
+    </message>
+    <message>
+        <source>The certificate names no customer.</source>
+        <translation>Das Zertifikat nennt keinen Kunden.</translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory and no customer.</source>
+        <translation>Das Zertifikat nennt kein Labor und keinen Kunden.</translation>
+    </message>
+    <message>
+        <source>Certificate of {0}, for {1}.</source>
+        <translation>Zertifikat von {0}, für {1}.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6154,6 +6209,10 @@ diesem Schritt …</translation>
     <message>
         <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
         <translation>Für Menschen als .html oder .pdf, für Maschinen als DCC (.xml, Schema der PTB)</translation>
+    </message>
+    <message>
+        <source>A folder with all that goes to the customer; the certificate on paper, a label for the DUT</source>
+        <translation>Ein Ordner mit allem, was an den Kunden geht; das Zertifikat auf Papier, ein Etikett für den Prüfling</translation>
     </message>
     <message>
         <source>Apply to readings …</source>
@@ -6172,20 +6231,8 @@ diesem Schritt …</translation>
         <translation>4  Ausgeben</translation>
     </message>
     <message>
-        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
-        <translation>Die Datei mit Signaturen und Schlüsseln, der Kalibrierschein auf Papier, ein Etikett für den Prüfling</translation>
-    </message>
-    <message>
-        <source>Add the PDF</source>
-        <translation>Das PDF dazulegen</translation>
-    </message>
-    <message>
-        <source>Write the certificate beside the files that were copied</source>
-        <translation>Den Kalibrierschein neben die kopierten Dateien schreiben</translation>
-    </message>
-    <message>
-        <source>Files into a folder …</source>
-        <translation>Dateien in einen Ordner …</translation>
+        <source>All into one folder …</source>
+        <translation>Alles in einen Ordner …</translation>
     </message>
     <message>
         <source>Print the certificate</source>
@@ -6232,12 +6279,12 @@ diesem Schritt …</translation>
         <translation>Hierher kopieren</translation>
     </message>
     <message>
-        <source>Copied to {0}</source>
-        <translation>Kopiert nach {0}</translation>
+        <source>Handed out into {0}:</source>
+        <translation>Ausgegeben nach {0}:</translation>
     </message>
     <message>
-        <source>The certificate for people, a PDF, is not in it.</source>
-        <translation>Der Kalibrierschein für Menschen, ein PDF, ist nicht dabei.</translation>
+        <source>Writing the certificate …</source>
+        <translation>Das Zertifikat wird geschrieben …</translation>
     </message>
     <message>
         <source>Readings of this DUT</source>
@@ -6923,6 +6970,14 @@ diesem Schritt …</translation>
         <translation>Genehmigt von {0}.</translation>
     </message>
     <message>
+        <source>Sign it all the same</source>
+        <translation>Trotzdem signieren</translation>
+    </message>
+    <message>
+        <source>{0} Sign it all the same?</source>
+        <translation>{0} Trotzdem signieren?</translation>
+    </message>
+    <message>
         <source>Signed by {0}.</source>
         <translation>Signiert von {0}.</translation>
     </message>
@@ -7093,10 +7148,6 @@ diesem Schritt …</translation>
         <translation>Keine fertige Messung im Speicher hat eine Schlussprüfung.</translation>
     </message>
     <message>
-        <source>{0} in the store</source>
-        <translation>{0} im Speicher</translation>
-    </message>
-    <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
     </message>
@@ -7154,6 +7205,17 @@ diesem Schritt …</translation>
     <message>
         <source>“{0}” is no day: 2027-11-21, or {1}</source>
         <translation>„{0}“ ist kein Tag: 2027-11-21 oder {1}</translation>
+    </message>
+</context>
+<context>
+    <name>StepCard</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>What is done in this step</source>
+        <translation>Was in diesem Schritt getan wird</translation>
     </message>
 </context>
 <context>
@@ -7783,10 +7845,6 @@ diesem Schritt …</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>ended</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
         <source>risk</source>
         <translation>Risiko</translation>
     </message>
@@ -8181,6 +8239,10 @@ diesem Schritt …</translation>
     <message>
         <source>✕ HANDS OFF: the coils may be on</source>
         <translation>✕ HÄNDE WEG: Die Spulen können eingeschaltet sein</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>{0} has to sign. The operator may sign as well.</source>
@@ -8773,6 +8835,70 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: answers again</source>
         <translation>{0}: antwortet wieder</translation>
+    </message>
+    <message>
+        <source>the certificate, for people</source>
+        <translation>das Zertifikat, für Menschen</translation>
+    </message>
+    <message>
+        <source>the calibration, for programs</source>
+        <translation>die Kalibrierung, für Programme</translation>
+    </message>
+    <message>
+        <source>a signature of it</source>
+        <translation>eine Signatur davon</translation>
+    </message>
+    <message>
+        <source>when it was signed</source>
+        <translation>wann sie signiert wurde</translation>
+    </message>
+    <message>
+        <source>the keys to verify it by</source>
+        <translation>die Schlüssel zum Prüfen</translation>
+    </message>
+    <message>
+        <source>this list, for the customer</source>
+        <translation>diese Liste, für den Kunden</translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation>{0} im Speicher</translation>
+    </message>
+    <message>
+        <source>{0} of {1} in the store</source>
+        <translation>{0} von {1} im Speicher</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>signiert</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>geprüft</translation>
+    </message>
+    <message>
+        <source>Next: a key (1)</source>
+        <translation>Weiter: ein Schlüssel (1)</translation>
+    </message>
+    <message>
+        <source>Next: approve (2)</source>
+        <translation>Weiter: genehmigen (2)</translation>
+    </message>
+    <message>
+        <source>Next: sign (3)</source>
+        <translation>Weiter: signieren (3)</translation>
+    </message>
+    <message>
+        <source>Next: hand it out (4)</source>
+        <translation>Weiter: ausgeben (4)</translation>
     </message>
 </context>
 <context>

@@ -350,12 +350,24 @@
         <translation>Ce qui est montré de l&apos;étalonnage</translation>
     </message>
     <message>
-        <source>Parameters</source>
-        <translation>Paramètres</translation>
-    </message>
-    <message>
         <source>As found, as left</source>
         <translation>Avant, après</translation>
+    </message>
+    <message>
+        <source>In short</source>
+        <translation>En bref</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Transformation</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Causes</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertitude</translation>
     </message>
     <message>
         <source>The bench file stated no specification when the run was measured.</source>
@@ -434,10 +446,6 @@
     <message>
         <source>nobody yet</source>
         <translation>personne encore</translation>
-    </message>
-    <message>
-        <source>Draft: not signed.</source>
-        <translation>Projet : non signé.</translation>
     </message>
     <message>
         <source>Figures</source>
@@ -5268,16 +5276,12 @@
 <context>
     <name>Drop</name>
     <message>
-        <source>Drop a calibration file here to verify it</source>
-        <translation>Déposez ici un fichier d&apos;étalonnage pour le vérifier</translation>
+        <source>Verify a file …</source>
+        <translation>Vérifier un fichier …</translation>
     </message>
     <message>
-        <source>Choose a file …</source>
-        <translation>Choisir un fichier …</translation>
-    </message>
-    <message>
-        <source>A calibration .json with its .sshsig beside it</source>
-        <translation>Un étalonnage .json avec son .sshsig à côté</translation>
+        <source>Choose a calibration .json with its .sshsig beside it, or drop it on the window</source>
+        <translation>Choisir un étalonnage .json avec son .sshsig à côté, ou le déposer sur la fenêtre</translation>
     </message>
     <message>
         <source>Verify a calibration</source>
@@ -6146,6 +6150,57 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>NamesCard</name>
+    <message>
+        <source>Laboratory on the certificate</source>
+        <translation>Laboratoire sur le certificat</translation>
+    </message>
+    <message>
+        <source>The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal&apos;s folder.</source>
+        <translation>Le laboratoire n&apos;est demandé qu&apos;une fois. Son logo : logo.png ou logo.svg dans le dossier de labcal.</translation>
+    </message>
+    <message>
+        <source>Customer on the certificate</source>
+        <translation>Client sur le certificat</translation>
+    </message>
+    <message>
+        <source>For no customer in particular? Leave it empty.</source>
+        <translation>Pour aucun client en particulier ? Laisser vide.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>The laboratory is remembered for every certificate</source>
+        <translation>Le laboratoire est retenu pour chaque certificat</translation>
+    </message>
+    <message>
+        <source>City</source>
+        <translation>Ville</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Pays, comme DE</translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory.</source>
+        <translation>Le certificat ne nomme aucun laboratoire.</translation>
+    </message>
+    <message>
+        <source>The certificate names no customer.</source>
+        <translation>Le certificat ne nomme aucun client.</translation>
+    </message>
+    <message>
+        <source>The certificate names no laboratory and no customer.</source>
+        <translation>Le certificat ne nomme ni laboratoire ni client.</translation>
+    </message>
+    <message>
+        <source>Certificate of {0}, for {1}.</source>
+        <translation>Certificat de {0}, pour {1}.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6154,6 +6209,10 @@ cette étape …</translation>
     <message>
         <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
         <translation>Pour les personnes en .html ou .pdf, pour les machines en DCC (.xml, schéma de la PTB)</translation>
+    </message>
+    <message>
+        <source>A folder with all that goes to the customer; the certificate on paper, a label for the DUT</source>
+        <translation>Un dossier avec tout ce qui va au client ; le certificat sur papier, une étiquette pour le DUT</translation>
     </message>
     <message>
         <source>Apply to readings …</source>
@@ -6172,20 +6231,8 @@ cette étape …</translation>
         <translation>4  Remettre</translation>
     </message>
     <message>
-        <source>The file with its signatures and keys, the certificate on paper, a label for the DUT</source>
-        <translation>Le fichier avec ses signatures et ses clés, le certificat sur papier, une étiquette pour le DUT</translation>
-    </message>
-    <message>
-        <source>Add the PDF</source>
-        <translation>Ajouter le PDF</translation>
-    </message>
-    <message>
-        <source>Write the certificate beside the files that were copied</source>
-        <translation>Écrire le certificat à côté des fichiers copiés</translation>
-    </message>
-    <message>
-        <source>Files into a folder …</source>
-        <translation>Les fichiers dans un dossier …</translation>
+        <source>All into one folder …</source>
+        <translation>Tout dans un dossier …</translation>
     </message>
     <message>
         <source>Print the certificate</source>
@@ -6232,12 +6279,12 @@ cette étape …</translation>
         <translation>Copier ici</translation>
     </message>
     <message>
-        <source>Copied to {0}</source>
-        <translation>Copié vers {0}</translation>
+        <source>Handed out into {0}:</source>
+        <translation>Remis dans {0} :</translation>
     </message>
     <message>
-        <source>The certificate for people, a PDF, is not in it.</source>
-        <translation>Le certificat lisible, un PDF, n’y est pas.</translation>
+        <source>Writing the certificate …</source>
+        <translation>Écriture du certificat …</translation>
     </message>
     <message>
         <source>Readings of this DUT</source>
@@ -6923,6 +6970,14 @@ cette étape …</translation>
         <translation>Approuvé par {0}.</translation>
     </message>
     <message>
+        <source>Sign it all the same</source>
+        <translation>Signer quand même</translation>
+    </message>
+    <message>
+        <source>{0} Sign it all the same?</source>
+        <translation>{0} Signer quand même ?</translation>
+    </message>
+    <message>
         <source>Signed by {0}.</source>
         <translation>Signé par {0}.</translation>
     </message>
@@ -7093,10 +7148,6 @@ cette étape …</translation>
         <translation>Aucune mesure finie du dépôt n&apos;a de contrôle final.</translation>
     </message>
     <message>
-        <source>{0} in the store</source>
-        <translation>{0} dans le dépôt</translation>
-    </message>
-    <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
     </message>
@@ -7154,6 +7205,17 @@ cette étape …</translation>
     <message>
         <source>“{0}” is no day: 2027-11-21, or {1}</source>
         <translation>« {0} » n’est pas un jour : 2027-11-21, ou {1}</translation>
+    </message>
+</context>
+<context>
+    <name>StepCard</name>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>What is done in this step</source>
+        <translation>Ce qui se fait à cette étape</translation>
     </message>
 </context>
 <context>
@@ -7783,10 +7845,6 @@ cette étape …</translation>
         <translation>résultat</translation>
     </message>
     <message>
-        <source>ended</source>
-        <translation>fin</translation>
-    </message>
-    <message>
         <source>risk</source>
         <translation>risque</translation>
     </message>
@@ -8181,6 +8239,10 @@ cette étape …</translation>
     <message>
         <source>✕ HANDS OFF: the coils may be on</source>
         <translation>✕ MAINS LOIN : les bobines sont peut-être alimentées</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>étalonnage</translation>
     </message>
     <message>
         <source>{0} has to sign. The operator may sign as well.</source>
@@ -8773,6 +8835,70 @@ cette étape …</translation>
     <message>
         <source>{0}: answers again</source>
         <translation>{0} : répond de nouveau</translation>
+    </message>
+    <message>
+        <source>the certificate, for people</source>
+        <translation>le certificat, pour les personnes</translation>
+    </message>
+    <message>
+        <source>the calibration, for programs</source>
+        <translation>l&apos;étalonnage, pour les programmes</translation>
+    </message>
+    <message>
+        <source>a signature of it</source>
+        <translation>une signature de celui-ci</translation>
+    </message>
+    <message>
+        <source>when it was signed</source>
+        <translation>quand il a été signé</translation>
+    </message>
+    <message>
+        <source>the keys to verify it by</source>
+        <translation>les clés pour le vérifier</translation>
+    </message>
+    <message>
+        <source>this list, for the customer</source>
+        <translation>cette liste, pour le client</translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation>{0} dans le dépôt</translation>
+    </message>
+    <message>
+        <source>{0} of {1} in the store</source>
+        <translation>{0} sur {1} dans le dépôt</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>projet</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>signé</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>délivré</translation>
+    </message>
+    <message>
+        <source>verified</source>
+        <translation>vérifié</translation>
+    </message>
+    <message>
+        <source>Next: a key (1)</source>
+        <translation>Suite : une clé (1)</translation>
+    </message>
+    <message>
+        <source>Next: approve (2)</source>
+        <translation>Suite : approuver (2)</translation>
+    </message>
+    <message>
+        <source>Next: sign (3)</source>
+        <translation>Suite : signer (3)</translation>
+    </message>
+    <message>
+        <source>Next: hand it out (4)</source>
+        <translation>Suite : remettre (4)</translation>
     </message>
 </context>
 <context>

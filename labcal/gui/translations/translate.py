@@ -125,7 +125,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "parameter"),
     QT_TRANSLATE_NOOP("Words", "figure"),
     QT_TRANSLATE_NOOP("Words", "result"),
-    QT_TRANSLATE_NOOP("Words", "ended"),
+    QT_TRANSLATE_NOOP("Words", "calibration"),
     QT_TRANSLATE_NOOP("Words", "risk"),
     QT_TRANSLATE_NOOP("Words", "as found"),
     QT_TRANSLATE_NOOP("Words", "as left"),

@@ -1,11 +1,11 @@
-"""A calibration's parameters and its budget, as rows of a table."""
+"""A calibration's figures, its parameters and its budget, as rows of a table."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from labcal.gui.ipc.answers import BudgetLine, CalibrationFile
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure
 from labcal.gui.translations.sentences import in_words, name_in_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.viewmodels.study import cause_name
@@ -23,8 +23,13 @@ class Cell:
     tip: str = ""
 
 
-def parameter_rows(one: CalibrationFile) -> list[list[Cell]]:
-    """A row for each parameter of map and effects, then for each quantity of the budget, under `PARAMETERS`."""
+def short_rows(one: CalibrationFile) -> list[list[Cell]]:
+    """Offsets, scale factors and angles as people follow them; of a file that states none, its map."""
+    return [_figure(figure) for figure in one.figures] or map_rows(one)
+
+
+def map_rows(one: CalibrationFile) -> list[list[Cell]]:
+    """A row for each parameter of the map, k then K row by row."""
     u: tuple[float | None, ...] = one.u or (None,) * 12
     gain = f"nT/{one.dut.unit}"
     rows = [
@@ -32,16 +37,23 @@ def parameter_rows(one: CalibrationFile) -> list[list[Cell]]:
         for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
     ]
     K = zip((f"K {a}{b}" for a in "xyz" for b in "xyz"), (v for row in one.K for v in row), u, strict=False)
-    rows += [_parameter(name, value, s, gain) for name, value, s in K]
-    for effect in (*one.effects, *one.findings):
-        name = cause_name(effect.effect, effect.channels)
-        rows += [_parameter(f"{name} {p.name}", p.value, p.u, p.unit) for p in effect.parameters]
-    return rows + budget_rows(one.budget)
+    return rows + [_parameter(name, value, s, gain) for name, value, s in K]
+
+
+def cause_rows(one: CalibrationFile) -> list[list[Cell]]:
+    """A row for each parameter of what is corrected, or found, beside the map."""
+    named = ((cause_name(effect.effect, effect.channels), effect) for effect in (*one.effects, *one.findings))
+    return [_parameter(f"{name} {p.name}", p.value, p.u, p.unit) for name, effect in named for p in effect.parameters]
 
 
 def budget_rows(budget: Sequence[BudgetLine]) -> list[list[Cell]]:
     """A row for each quantity: what makes most of its U, and U; all that makes it where one points at it."""
     return [_budgeted(line) for line in budget]
+
+
+def _figure(figure: Figure) -> list[Cell]:
+    u = None if figure.U is None else figure.U / 2
+    return _parameter(name_in_words(figure.quantity), figure.value, u, figure.unit)
 
 
 def _parameter(name: str, value: float, u: float | None, unit: str) -> list[Cell]:

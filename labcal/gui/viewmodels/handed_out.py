@@ -25,6 +25,14 @@ class HandedOut:
         """Whether it was handed out with all its signatures."""
         return _name(one) in self._kept("handed_out")
 
+    def verify(self, one: CalibrationFile) -> None:
+        """This file was checked as it stands, and holds."""
+        self._keep("verified", _name(one))
+
+    def verified(self, one: CalibrationFile) -> bool:
+        """Whether it was checked with all its signatures."""
+        return _name(one) in self._kept("verified")
+
     def close(self, run_id: str) -> None:
         """The DUT of this run is done with."""
         self._keep("closed_runs", run_id)

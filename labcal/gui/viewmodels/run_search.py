@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
+from typing import NamedTuple
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.loop_words import verdict_word
 
+HEADINGS = ("started", "DUT", "procedure", "operator", "result", "calibration", "run")
+OF_ARCHIVE = tuple(heading if heading != "calibration" else "site" for heading in HEADINGS)
+SHAPES = "✓▲✕■?○● "
 NOT_WHOLE = ("running", "interrupted")
 DAY = re.compile(r"(\d{1,2})[./](\d{1,2})\.?(?:[./]?(\d{4}))?")  # 22.11.2026, 22.11., 22/11/2026: the day first
+
+
+class FoundRun(NamedTuple):
+    """A run with its cells, and the colour of its result."""
+
+    run: RunLine
+    cells: tuple[str, ...]
+    state: str
 
 
 def local_time(utc: str) -> datetime:
@@ -23,10 +35,10 @@ def local_time(utc: str) -> datetime:
         return datetime.fromtimestamp(0).astimezone()
 
 
-def cells(one: RunLine, stands: str = "") -> tuple[str, ...]:
-    """A run's row: when it began by the clock of this place, DUT, procedure, operator, status, verdict or site, id.
+def cells(one: RunLine, stands: str = "", result: str = "") -> tuple[str, ...]:
+    """A run's row: when it began by the clock of this place, DUT, procedure, operator, result, calibration or site, id.
 
-    `stands`: what became of its calibration.
+    `stands`: what became of its calibration. `result`: how it came out, as the card of its end says it.
     """
     simulated = translated("SIMULATED") if one.simulated else ""
     return (
@@ -34,21 +46,38 @@ def cells(one: RunLine, stands: str = "") -> tuple[str, ...]:
         one.dut_serial,
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
-        translated(one.status.partition(":")[0]),
+        result or translated(one.status.partition(":")[0]),
         one.site or " · ".join(filter(None, (verdict_word(one.verdict), stands))),  # the archive knows no verdicts
         one.run_id,
     )
 
 
-def matches(one: RunLine, words: str, now: datetime, stands: str = "") -> bool:
-    """Whether every word is a day on which the run began, or stands somewhere in its row."""
-    began, line = local_time(one.started_utc).date(), " ".join((*cells(one, stands), one.status)).casefold()
+def matches(one: RunLine, words: str, now: datetime, row: Sequence[str] | None = None) -> bool:
+    """Whether every word is a day on which the run began, or stands somewhere in its `row` (its `cells`)."""
+    began, line = local_time(one.started_utc).date(), " ".join((*(row or cells(one)), one.status)).casefold()
     return all(word.casefold() in line or _is_day(word, began, now.date()) for word in words.split())
 
 
-def in_order(runs: Iterable[RunLine], column: int, falling: bool) -> list[RunLine]:
-    """`runs` by a column of `cells`; what is alike stays as it was, and times are those to the second."""
-    return sorted(runs, key=lambda one: one.started_utc if column == 0 else cells(one)[column], reverse=falling)
+def rows_of(
+    runs: Iterable[RunLine],
+    words: str,
+    now: datetime,
+    stands: Callable[[str], str],
+    told: Callable[[RunLine], tuple[str, str]],
+    order: tuple[int, bool],
+) -> list[FoundRun]:
+    """The rows of those runs that `words` find, in their order: `stands` and `told` say what became of each."""
+    rows = (FoundRun(one, cells(one, stands(one.run_id), word), state) for one in runs for word, state in [told(one)])
+    return in_order((row for row in rows if matches(row.run, words, now, row.cells)), *order)
+
+
+def in_order(rows: Iterable[FoundRun], column: int, falling: bool) -> list[FoundRun]:
+    """`rows` by a column; what is alike stays as it was, times are those to the second, and shapes do not count."""
+
+    def key(row: FoundRun) -> str:
+        return row.run.started_utc if column == 0 else row.cells[column].lstrip(SHAPES)
+
+    return sorted(rows, key=key, reverse=falling)
 
 
 def _is_day(word: str, began: date, today: date) -> bool:

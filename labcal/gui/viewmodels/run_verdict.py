@@ -65,6 +65,7 @@ TEXTS = (
     ),
 )
 NOT_MEASURED, WITHOUT = 6, 7
+ABORTED = "failed: aborted by the operator"  # by COILS OFF: nothing failed
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
 
@@ -101,18 +102,34 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"
         return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
+    missing = run.left_out()
+    word, state = result_word(worst, missing)
     if not worst:
-        return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))
-    shape, state = STATES[worst]
+        return RunVerdict(word, state, "", _next(""))
     about = [one for one in run.measurements.values() if one.verdict == worst]
     said = str(len(about)) if worst == "PASS" else listed(about)
     rule = translated(RULES[worst]).format(said)
-    word = f"{shape} {translated(worst)}"
-    if left_out := ", ".join(map(step_title, run.left_out())):
-        rule = f"{rule} {translated(str(TEXTS[NOT_MEASURED])).format(left_out)}"
-        if worst == "PASS":
-            word, state = translated(str(TEXTS[WITHOUT])).format(f"▲ {translated(worst)}", left_out), "warning"
+    if missing:
+        rule = f"{rule} {translated(str(TEXTS[NOT_MEASURED])).format(', '.join(map(step_title, missing)))}"
     return RunVerdict(word, state, rule, _next(worst))
+
+
+def result_word(worst: str, missing: Collection[str] = ()) -> tuple[str, str]:
+    """What a finished run came to, in a word with its shape, and the colour: by its worst verdict and what it lacks."""
+    if not worst:
+        return f"✓ {translated('DONE')}", ""
+    shape, state = STATES[worst]
+    if missing and worst == "PASS":
+        lacks = ", ".join(map(step_title, missing))
+        return translated(str(TEXTS[WITHOUT])).format(f"▲ {translated(worst)}", lacks), "warning"
+    return f"{shape} {translated(worst)}", state
+
+
+def ended_word(status: str) -> tuple[str, str]:
+    """How a run ended that did not finish, likewise: in the words of the card of its end."""
+    word = "stopped" if status == ABORTED else status.partition(":")[0]
+    shape, state = ENDS.get(word, ("", ""))
+    return (f"{shape} {translated(word).upper()}", state) if shape else (translated(word), "")
 
 
 def keeps_a_turn(run: RunViewModel) -> bool:

@@ -1,4 +1,8 @@
-"""What of a calibration stands in its table: parameters, the specification's lines, or what changed since before."""
+"""What of a calibration stands in its table, a few figures at a time.
+
+First its figures in short, then the specification's lines and what changed since before; behind them, for who wants
+them, the map, what is corrected beside it, and what makes each uncertainty.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +12,7 @@ from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.calibration_rows import PARAMETERS, Cell, parameter_rows
+from labcal.gui.viewmodels.calibration_rows import PARAMETERS, Cell, budget_rows, cause_rows, map_rows, short_rows
 from labcal.gui.viewmodels.conformity import (
     CHANGES,
     SPECIFICATION,
@@ -21,7 +25,7 @@ from labcal.gui.widgets.common import label
 from labcal.gui.widgets.measurement_table import Table
 from labcal.uncertainty.conformity import Changes
 
-SPECIFIED, CHANGED = 1, 2  # tabs beside the parameters
+SPECIFIED, CHANGED, MAP, CAUSES, BUDGET = 1, 2, 3, 4, 5  # tabs beside the figures in short
 
 
 class CalibrationViews(QWidget):
@@ -39,7 +43,8 @@ class CalibrationViews(QWidget):
         self.tabs.setAccessibleName(self.tr("What of the calibration is shown"))
         self.tabs.setDrawBase(False)
         self.tabs.setExpanding(False)
-        for name in (self.tr("Parameters"), verdict(()), self.tr("As found, as left")):
+        names = self.tr("In short"), verdict(()), self.tr("As found, as left")
+        for name in (*names, self.tr("Map"), self.tr("Causes"), self.tr("Uncertainty")):
             self.tabs.addTab(name)
         self.tabs.currentChanged.connect(self.show_view)
         column = QVBoxLayout(self)
@@ -60,6 +65,8 @@ class CalibrationViews(QWidget):
         if another:
             self.show_changes(one.path, None)
         self.tabs.setTabText(SPECIFIED, verdict(one.specification))
+        for at, rows in ((CAUSES, cause_rows(one)), (BUDGET, one.budget)):
+            self._offer(at, bool(rows))
         self._offer(SPECIFIED, bool(one.specification or one.left_open))
         self.show_view()
 
@@ -71,7 +78,6 @@ class CalibrationViews(QWidget):
             SPECIFIED: self.tr("The bench file stated no specification when the run was measured."),
             CHANGED: self.tr("There is no earlier calibration of this DUT to compare it with."),
         }
-        self.tabs.setVisible(any(map(self.tabs.isTabEnabled, reasons)))
         self.missing.setText(" ".join(said for n, said in reasons.items() if not self.tabs.isTabEnabled(n)))
         self.missing.setVisible(bool(self.missing.text()))
 
@@ -99,7 +105,8 @@ class CalibrationViews(QWidget):
             remark = " ".join((rule_of(one.specification), *one.left_open))
             self._show_rows(SPECIFICATION, specification_rows(one.specification), remark)
         else:
-            self._show_rows(PARAMETERS, parameter_rows(one))
+            makes = {MAP: map_rows, CAUSES: cause_rows}.get(at, short_rows)
+            self._show_rows(PARAMETERS, budget_rows(one.budget) if at == BUDGET else makes(one))
 
     def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], remark: str = "") -> None:
         self._table.set_headings(headings)

@@ -1,31 +1,48 @@
-"""Where a calibration file is dropped to be verified."""
+"""Where a calibration file is dropped to be verified, beside what is chosen."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.files.home import home
 from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.common import Surface, button, label
+from labcal.gui.widgets.common import button, label, set_state
 
 
-class Drop(Surface):
-    """Where a calibration file is dropped, or chosen with Enter, to be verified."""
+class Drop(QWidget):
+    """A row of `beside` and the button that verifies a file, and below it how that one stands.
+
+    A file is chosen with Enter, or dropped here.
+    """
 
     dropped = Signal(str)
 
-    def __init__(self) -> None:
+    def __init__(self, beside: QWidget) -> None:
         super().__init__()
         self.setAcceptDrops(True)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
-        self.words = label(self.tr("Drop a calibration file here to verify it"), wrap=True)
-        choose = button(self.tr("Choose a file …"), self.tr("A calibration .json with its .sshsig beside it"))
-        choose.clicked.connect(self._choose)
-        row.addWidget(self.words, 1)
-        row.addWidget(choose)
+        column, row = QVBoxLayout(self), QHBoxLayout()
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(GRID)
+        self.words = label("", wrap=True)
+        self.words.hide()
+        self.choose = button(
+            self.tr("Verify a file …"),
+            self.tr("Choose a calibration .json with its .sshsig beside it, or drop it on the window"),
+        )
+        self.choose.clicked.connect(self._choose)
+        row.addWidget(beside, 1)
+        row.addStretch()
+        row.addWidget(self.choose)
+        column.addLayout(row)
+        column.addWidget(self.words)
+
+    def say(self, words: str, state: str) -> None:
+        """How a file stands."""
+        self.words.setText(words)
+        self.words.show()
+        set_state(self.words, state)
 
     def _choose(self) -> None:
         path, _ = QFileDialog.getOpenFileName(

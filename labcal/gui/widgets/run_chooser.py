@@ -19,14 +19,15 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 
 def run_title(one: RunLine) -> str:
-    """A run in one line: when, which DUT, what, whether SIMULATED, how it ended."""
-    return f"{_which(one)} · {translated(one.status.partition(':')[0])}"
+    """A run in one line: which DUT, when, what, whether SIMULATED, how it ended."""
+    return f"{run_name(one)} · {translated(one.status.partition(':')[0])}"
 
 
-def _which(one: RunLine) -> str:
+def run_name(one: RunLine) -> str:
+    """Which run it is, on every page: its DUT first, which is seen where there is no room for more."""
     when = f"{local_time(one.started_utc):%Y-%m-%d %H:%M}"
     simulated = translated("SIMULATED") if one.simulated else ""
-    return " · ".join(filter(None, (when, one.dut_serial, one.procedure or "bundle", simulated)))
+    return " · ".join(filter(None, (one.dut_serial, when, one.procedure or "bundle", simulated)))
 
 
 class RunChooser(QComboBox):
@@ -81,8 +82,8 @@ def run_label(one: RunLine) -> str:
     """A run's line, begun with how it ended where it did not come to its end; of a finished one nothing is said."""
     status = one.status.partition(":")[0]
     if status in BROKEN:
-        return f"{BROKEN[status]} {translated(status)} · {_which(one)}"
-    return _which(one) if status == "finished" else run_title(one)
+        return f"{BROKEN[status]} {translated(status)} · {run_name(one)}"
+    return run_name(one) if status == "finished" else run_title(one)
 
 
 def go_to_run_button(app_state: AppState) -> QPushButton:

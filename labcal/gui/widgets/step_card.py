@@ -4,30 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, SigningStep
-from labcal.gui.widgets.common import Card, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 
 LETTERS = 28  # a card is at least as wide: with less room they stand below each other
 
 
 class StepCard(Card):
-    """Fields at the top and the button at the bottom, at one height in every card of a row; words in between."""
+    """Fields, the button below them at one height in every card of a row, then words.
+
+    Where cards stand below each other, or none of them is to be done, those that are not are folded to their headings.
+    """
 
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
         self.done, self.asked = label("", "caption", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
-        self.fields = QVBoxLayout()
+        self.holder = QWidget()
+        self.fields = QVBoxLayout(self.holder)
+        self.fields.setContentsMargins(0, 0, 0, 0)
         self.fields.setSpacing(GRID)
+        self.fields.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.stacked = self.opened = self.now = False
+        self.unfold = button(self.tr("Show"), self.tr("What is done in this step"))
+        self.unfold.clicked.connect(self._unfold)
+        self.unfold.hide()
         self.body.addWidget(self.mark)
-        self.body.addLayout(self.fields)
+        self.body.addWidget(self.unfold, 0, Qt.AlignmentFlag.AlignLeft)
+        self.body.addWidget(self.holder)
         for part in (self.wrong, self.asked, self.words, self.done, self.rules):
             self.body.addWidget(part)
         set_state(self.wrong, "bad")
@@ -39,12 +50,35 @@ class StepCard(Card):
         self.body.addStretch()
         self.button = QPushButton()
 
-    def put(self, fields: Sequence[QWidget], button: QPushButton) -> None:
+    def put(self, fields: Sequence[QWidget], does: QPushButton) -> None:
         """The fields of this step, and the button that does it."""
         for field in fields:
             self.fields.addWidget(field)
-        self.button = button
-        self.body.addWidget(button)
+        self.button = does
+        self.body.insertWidget(self.body.indexOf(self.holder) + 1, does)
+
+    def _unfold(self) -> None:
+        self.opened = True
+        self.fold()
+
+    def stack(self, stacked: bool) -> None:
+        """Whether it stands below another one, or is to be out of the way."""
+        if stacked != self.stacked:
+            self.stacked, self.opened = stacked, False
+            self.fold()
+
+    @property
+    def folded(self) -> bool:
+        """Whether its heading is all there is to see."""
+        return self.stacked and not self.now and not self.opened
+
+    def fold(self) -> None:
+        """Show the whole card, or its heading alone."""
+        self.unfold.setVisible(self.folded)
+        self.holder.setVisible(not self.folded and self.fields.count() > 0)
+        self.button.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
+        self.rules.setVisible(self.now and bool(self.rules.text()))
+        self.words.setVisible(bool(self.words.text()))
 
     def show_step(self, step: SigningStep) -> None:
         """How it stands; what is to be done now has an edge in the accent, and the blue button."""
@@ -52,8 +86,10 @@ class StepCard(Card):
         self.mark.setText(f"{shape} {translated(str(name))}")
         set_state(self.mark, state)
         self.words.setText(step.words)
-        self.words.setVisible(bool(step.words))
         now = step.mark == "now"
+        self.opened = self.opened and now is self.now
+        self.now = now
+        self.fold()
         self.edge, self.width_px = (QPalette.ColorRole.Highlight, 2) if now else (Card.edge, Card.width_px)
         set_primary(self.button, now)
         self.update()
@@ -80,6 +116,7 @@ class StepRow(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._cards: tuple[StepCard, ...] = ()
+        self._at_rest = False
         self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(2 * GRID)
@@ -106,11 +143,23 @@ class StepRow(QWidget):
             self._turn()
         return super().event(event)
 
+    def rest(self, at_rest: bool) -> None:
+        """Where nothing is to be done in any of them they are folded, in a row too."""
+        if at_rest != self._at_rest:
+            self._at_rest = at_rest
+            self._turn()
+
     def _turn(self) -> None:
         if not self._cards:
             return
         needed = len(self._cards) * LETTERS * self._cards[0].words.fontMetrics().averageCharWidth()
         row = self.width() >= needed
+        shown = [card for card in self._cards if row and not card.folded]
+        high = max((card.fields.sizeHint().height() for card in shown), default=0)
+        for card in self._cards:
+            card.stack(not row or self._at_rest)
+            if card.holder.minimumHeight() != high:
+                card.holder.setMinimumHeight(high)
         way = QBoxLayout.Direction.LeftToRight if row else QBoxLayout.Direction.TopToBottom
         if way != self._box.direction():
             self._box.setDirection(way)

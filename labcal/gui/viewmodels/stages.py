@@ -1,0 +1,52 @@
+"""From draft to verified: where a calibration file is on its way, on one line."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.ipc.answers import CalibrationFile, Standing
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.signing import NO_LONGER, WORDS
+
+STAGES = (
+    QT_TRANSLATE_NOOP("Words", "draft"),
+    QT_TRANSLATE_NOOP("Words", "signed"),
+    QT_TRANSLATE_NOOP("Words", "released"),
+    QT_TRANSLATE_NOOP("Words", "handed out"),
+    QT_TRANSLATE_NOOP("Words", "verified"),
+)
+SIGNED, RELEASED = 1, 2
+TO_BE_DONE = (
+    QT_TRANSLATE_NOOP("Words", "Next: a key (1)"),
+    QT_TRANSLATE_NOOP("Words", "Next: approve (2)"),
+    QT_TRANSLATE_NOOP("Words", "Next: sign (3)"),
+    QT_TRANSLATE_NOOP("Words", "Next: hand it out (4)"),
+)
+
+
+def stages(one: CalibrationFile, *, handed_out: bool, verified: bool) -> str:
+    """Every stage with its shape: ✓ where it has come to, ● the next one, ○ those after it."""
+    standing = one.standing
+    signed = bool(standing.signatures)
+    if signed and (not standing.valid or standing.status in NO_LONGER):
+        return f"✓ {translated(str(STAGES[0]))}  →  {_stands(standing, 'invalid')}"
+    reached = (True, signed, signed and not standing.provisional, handed_out, verified)
+    first = next((n for n, there in enumerate(reached) if not there and not (signed and n == RELEASED)), -1)
+    words = [f"{_shape(there, n == first)} {translated(str(STAGES[n]))}" for n, there in enumerate(reached)]
+    if signed and standing.provisional:
+        words[RELEASED] = _stands(standing, "provisional")  # it may leave as that
+    return "  →  ".join(words)
+
+
+def _stands(standing: Standing, status: str) -> str:
+    """How it stands in its word; in that of `status` where the file's own is not told."""
+    return translated(str(WORDS[standing.status or status]))
+
+
+def _shape(there: bool, now: bool) -> str:
+    return "✓" if there else "●" if now else "○"
+
+
+def to_be_done(marks: tuple[str, ...]) -> str:
+    """The one thing to do now, by the marks of the four steps; "" where there is none."""
+    return next((translated(str(words)) for words, mark in zip(TO_BE_DONE, marks, strict=True) if mark == "now"), "")

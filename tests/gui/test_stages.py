@@ -1,0 +1,116 @@
+"""Where a calibration file is on its way, and the one thing to do; what stands first on its page."""
+
+from dataclasses import replace
+
+import pytest
+from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, settle, told
+from test_certificate_steps import page as page
+from test_path import calibration
+
+from labcal.gui.ipc.customer_messages import Named, WhoIsNamed
+from labcal.gui.ipc.messages import Sign
+from labcal.gui.viewmodels.stages import stages
+
+ALONE = calibration(provisional=True)
+NOBODY, BOTH = Named("", ""), Named("A lab, Bern (CH)", "Holm AS, Oslo (NO)")
+
+
+@pytest.mark.parametrize(
+    ("one", "handed_out", "verified", "said"),
+    [
+        (DRAFT, False, False, "✓ draft  →  ● signed  →  ○ released  →  ○ handed out  →  ○ verified"),
+        (RELEASED, False, False, "✓ draft  →  ✓ signed  →  ✓ released  →  ● handed out  →  ○ verified"),
+        (RELEASED, True, True, "✓ draft  →  ✓ signed  →  ✓ released  →  ✓ handed out  →  ✓ verified"),
+        (
+            calibration(provisional=True),
+            True,
+            False,
+            "✓ draft  →  ✓ signed  →  ▲ provisional  →  ✓ handed out  →  ● verified",
+        ),
+        (NOT_VALID, False, False, "✓ draft  →  ✕ not valid"),
+        (OUTDATED, True, True, "✓ draft  →  ▲ superseded"),
+    ],
+)
+def test_a_file_is_at_one_stage(one, handed_out, verified, said):
+    assert stages(one, handed_out=handed_out, verified=verified) == said
+
+
+def test_first_stands_what_it_is_then_what_to_do_and_the_figures_last(page):
+    told(page, APPROVED, "a.smith")
+    order = (page.drop, page.detail, page.steps, page.paper, page.figures)
+    tops = [part.y() for part in order]
+    assert tops == sorted(tops)
+    assert page.to_do.text() == "Next: sign (3)"
+    assert page.drop.choose.text() == "Verify a file …"
+    assert page.drop.choose.y() < page.detail.y()
+
+
+def test_what_is_to_be_handed_out_stands_above_the_steps_that_are_done_and_they_are_folded(page):
+    told(page, RELEASED, "a.smith")
+    assert page.paper.y() < page.steps.y()
+    assert not page.steps.passphrase.isVisible()
+    page.steps.signature.unfold.click()
+    assert page.steps.passphrase.isVisible()
+    page.refresh()
+    told(page, APPROVED, "a.smith")
+    assert page.steps.y() < page.paper.y()
+    assert page.steps.passphrase.isVisible()
+
+
+def known(page, said):
+    page._app_state.quick_worker.answer(WhoIsNamed, said)
+    settle()
+
+
+def test_who_is_not_named_is_asked_for_before_a_signature_and_nobody_is_a_second_press(page):
+    told(page, APPROVED, "a.smith")
+    assert not page.names.isVisible()  # it is not known yet
+    known(page, NOBODY)
+    assert page.names.isVisible()
+    page.steps.passphrase.setText("four words for it")
+    page.steps.sign.click()
+    asked = page._app_state.quick_worker.asked
+    assert not [one for one in asked if isinstance(one.command, Sign)]
+    assert (page.steps.sign.text(), page.steps.signature.asked.isVisible()) == ("Sign it all the same", True)
+    page.steps.sign.click()
+    assert [one for one in asked if isinstance(one.command, Sign)]
+
+
+def test_one_thing_after_the_other_first_a_key_then_the_names(page):
+    told(page, DRAFT)
+    known(page, NOBODY)
+    assert not page.names.isVisible()
+    page.refresh()
+    told(page, DRAFT, "a.smith")
+    assert page.names.isVisible()
+
+
+def test_where_both_are_named_it_says_so_and_asks_nothing(page):
+    told(page, APPROVED, "a.smith")
+    known(page, BOTH)
+    assert (page.names.isVisible(), page.named.text()) == (
+        False,
+        "Certificate of A lab, Bern (CH), for Holm AS, Oslo (NO).",
+    )
+    page.steps.passphrase.setText("four words for it")
+    page.steps.sign.click()
+    assert [one for one in page._app_state.quick_worker.asked if isinstance(one.command, Sign)]
+
+
+def test_after_a_signature_nobody_is_asked_for_any_more_but_it_is_said(page):
+    told(page, replace(RELEASED), "a.smith")
+    known(page, NOBODY)
+    assert (page.names.isVisible(), page.named.text()) == (
+        False,
+        "The certificate names no laboratory and no customer.",
+    )
+
+
+def test_steps_below_each_other_are_folded_but_the_one_to_do_now(page):
+    told(page, APPROVED, "a.smith")
+    page.steps.setFixedWidth(300)
+    settle()
+    folded = [not card.holder.isVisible() for card in (page.steps.key, page.steps.approval, page.steps.signature)]
+    assert folded == [True, True, False]
+    page.steps.key.unfold.click()
+    assert page.steps.key_name.isVisible()
