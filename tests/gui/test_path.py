@@ -376,6 +376,15 @@ def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
     assert not live.fit.isVisible()
 
 
+def test_a_run_that_measured_nothing_puts_no_failed_below_the_serial(still):
+    run, live = still.app_state.run, still.page("Run").live
+    run.start(RunProcedure("preflight", "bench.toml", {}, "SIM-0001", "J. Doe"))
+    (asked,) = (one for one in still.app_state.bench_worker.asked if isinstance(one.command, RunProcedure))
+    asked.failed(Fault("input", "no such supply"))
+    assert run_verdict(run).word == "✕ NOT MEASURED"
+    assert live.verdict.rule.text() == "Nothing was measured, so this says nothing of the DUT."
+
+
 @pytest.mark.parametrize(("status", "simulated", "dut"), [
     ("interrupted", True, "EM-21"),
     pytest.param("finished", True, "SIM-0001", marks=pytest.mark.slow),

@@ -281,7 +281,7 @@ class BenchPage(QWidget):
         facts, answered = self._app_state.facts, self._app_state.answered.get(name)
         identity = (answered.identity if answered is not None else "") or "–"
         simulated = facts is not None and facts.simulated and answered is not None and role == "dut"
-        said = self.tr("{0}, simulated").format(identity) if simulated else identity
+        said = self.tr("{0}, simulated: whichever DUT is typed").format(identity) if simulated else identity
         other = dict(self._app_state.lab.state.other_serials).get(name, "")
         ink = self._theme.warning if other else ""
         self.table.set_cell(row, 3, f"▲ {other}: {said}" if other else said, colour=ink)

@@ -284,7 +284,8 @@ class Choose(QWidget):
         if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
         shortfall = self.form.shortfall() if self.form is not None and self._planned is None else ""  # the plan says it
-        self.objection.setText(objection or (f"▲ {shortfall}" if shortfall else ""))
+        doubts = "\n".join(f"▲ {doubt}" for doubt in (self._app_state.named_serials.asked(), shortfall) if doubt)
+        self.objection.setText(objection or doubts)
         self.objection.setVisible(bool(self.objection.text()))
         set_state(self.objection, "bad" if objection else "warning")
         if self._needs_of is not None:

@@ -96,7 +96,7 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self._turned = False  # in any segment
         self.covered = Covered()
-        self._goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
+        self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
         self.time = RunTime()
         self._dut_s: float | None = None  # stamp of its last reading
@@ -131,7 +131,7 @@ class RunViewModel(QObject):
         kept = {name: getattr(self, name) for name in STILL_SHOWN} | {"drawn": self.drawn.gone_on_with()}
         command = ResumeRun(run_id, order.bench, order.dut, *words)
         self._begin(order, command, run_id, kept.items() if run_id == self.run_id else ())
-        self._goes_on, self.anew = True, self.virtual_time
+        self.goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -387,7 +387,7 @@ class RunViewModel(QObject):
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)
-        left = fault.kind in BROKEN or (self._goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
+        left = fault.kind in BROKEN or (self.goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 

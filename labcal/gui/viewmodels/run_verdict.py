@@ -60,11 +60,13 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "DONE"),
     QT_TRANSLATE_NOOP("Words", "Not measured: {0}."),
     QT_TRANSLATE_NOOP("Words", "{0}, without {1}"),
+    QT_TRANSLATE_NOOP("Words", "NOT MEASURED"),
+    QT_TRANSLATE_NOOP("Words", "Nothing was measured, so this says nothing of the DUT."),
     QT_TRANSLATE_NOOP(
         "Words", "It cannot be gone on with: a result of {0} is worked out from one recording without a gap."
     ),
 )
-NOT_MEASURED, WITHOUT = 6, 7
+NOT_MEASURED, WITHOUT, NOTHING, NOTHING_OF = 6, 7, 8, 9
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
 
@@ -99,7 +101,12 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
         if resumable and run.order is not None and run.order.procedure not in resumable:
             what = "stopped" if wanted else "mended" if mended else "failed"  # nothing offers what cannot be
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"
-        return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
+        said = translated(word).upper()
+        if (
+            run.step is None and word == "failed" and not run.goes_on
+        ):  # below a serial in large letters it would be a verdict on that DUT
+            said, rule = translated(str(TEXTS[NOTHING])), translated(str(TEXTS[NOTHING_OF]))
+        return RunVerdict(f"{shape} {said}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     if not worst:
         return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))

@@ -48,16 +48,22 @@ def noted_words(told: Told, *, here: bool = False) -> str:
     return translated(NOTED_HERE if here else NOTED).format(" · ".join(told.notes)) if told.notes else ""
 
 
+def serials_words(told: Told) -> str:
+    """Which instruments named another serial than was stated; "" where none did."""
+    return f"▲ {'; '.join(map(in_words, told.other_serials))}." if told.other_serials else ""
+
+
 def remarked_words(told: Told) -> str:
     """What the procedure noted itself, in one line: how often, and the last of it; "" where nothing was."""
     return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1])) if told.remarks else ""
 
 
 def open_words(told: Told) -> str:
-    """Which of the run's checks are open, with value and limit; "" where all are passed."""
+    """Which of the run's checks are open, with value and limit, and whose serial is another; "" where all is well."""
+    others = list(map(in_words, told.other_serials))
     judged = [f"{translated(one.verdict)}: {listed((one,))}" for one in told.open]
     missing = [translated(MISSING).format(step_title(name)) for name in told.not_measured]
-    return translated(OPEN).format("; ".join((*judged, *missing))) if judged or missing else ""
+    return translated(OPEN).format("; ".join((*others, *judged, *missing))) if others or judged or missing else ""
 
 
 def _one(interruption: Interruption) -> str:
