@@ -168,6 +168,9 @@ class PathViewModel(QObject):
             return self._to_calibrate(state.dut_serial)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
             return Next("Loop" if marks["Loop"] == "now" else "Fit", self.tr("See what is found"), waits=True)
+        if marks["Fit"] == "broken":
+            others = Next("Fit", self.tr("Try the other methods"), presses=True)
+            return others if self._study.untried else self._to_calibrate(state.dut_serial, again=True)
         if marks["Fit"] == "open":
             return Next("Fit", self.tr("Fit the run"), last.run_id)
         if marks["Loop"] == "open":
@@ -177,11 +180,12 @@ class PathViewModel(QObject):
             return Next("Loop", self.tr("See what is not known"), "" if shown else last.run_id)
         return self._of_the_signatures(last)
 
-    def _to_calibrate(self, serial: str) -> Next:
-        """By a preflight: where a setting of it is refused, that comes first."""
+    def _to_calibrate(self, serial: str, *, again: bool = False) -> Next:
+        """By a preflight, `again` where its run gave no fit: where a setting of it is refused, that comes first."""
         if self.refused:
             return Next("Run", self.tr("Mend {0}").format(self.refused))
-        return Next("Run", self.tr("Calibrate {0}").format(serial), ready=bool(self.begins))
+        words = self.tr("Measure {0} again") if again else self.tr("Calibrate {0}")
+        return Next("Run", words.format(serial), ready=bool(self.begins))
 
     def take_form(self, refused: str, begins: str) -> None:
         """How the form on the Run page stands: a preflight's first setting that is refused, and what may begin."""
@@ -227,7 +231,7 @@ class PathViewModel(QObject):
         if studied and self._study.busy and not self._study.traces:
             return "now"
         fitted = (studied and self._study.best() is not None) or self._file(last) is not None
-        return "done" if fitted else "open"
+        return "done" if fitted else "broken" if studied and self._study.no_fit else "open"
 
     def _of_the_loop(self, last: RunLine) -> Mark:
         if self._study.run == last.run_id and self._study.traces:

@@ -25,11 +25,15 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "Noted, in the run's record (History shows it): {0}"),
     QT_TRANSLATE_NOOP("Words", "Noted: {0}"),
     QT_TRANSLATE_NOOP("Words", "The procedure noted {0} more, the last: {1}"),
+    QT_TRANSLATE_NOOP(
+        "Words", "The procedure noted {0} more, estimates as it went; the verdict does not rest on them."
+    ),
     QT_TRANSLATE_NOOP("Words", "▲ Open in the run itself: {0}. An approval takes that as it is."),
     QT_TRANSLATE_NOOP("Words", "{0} not measured"),
 )
 ONCE, OFTEN, NOTHING, AT, BEFORE, AT_ALONE, BEFORE_ALONE, UNKNOWN, SECONDS, MINUTES, HOURS, *_NOTES = map(str, TEXTS)
-NOTED, NOTED_HERE, REMARKED, OPEN, MISSING = _NOTES
+NOTED, NOTED_HERE, REMARKED, ESTIMATED, OPEN, MISSING = _NOTES
+SO_FAR = "offsets so far"  # as a running estimate begins: it has no part in a verdict
 
 
 def interrupted_words(told: Told) -> str:
@@ -55,7 +59,11 @@ def serials_words(told: Told) -> str:
 
 def remarked_words(told: Told) -> str:
     """What the procedure noted itself, in one line: how often, and the last of it; "" where nothing was."""
-    return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1])) if told.remarks else ""
+    if not told.remarks:
+        return ""
+    if told.remarks[-1].startswith(SO_FAR):
+        return translated(ESTIMATED).format(len(told.remarks))
+    return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1]))
 
 
 def open_words(told: Told) -> str:
