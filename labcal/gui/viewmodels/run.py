@@ -358,7 +358,9 @@ class RunViewModel(QObject):
         if block.stream != "channel":
             self._sends_more.add(block.source)
         if block.stream != "channel" or block.source not in self._sends_more:
-            self.reading[block.source], self.read_s[block.source] = (block.columns, block.values[-1]), time.monotonic()
+            came_late_s = self.time.seen_s - float(block.t_s[-1])  # after what is newer
+            self.reading[block.source] = (block.columns, block.values[-1])
+            self.read_s[block.source] = time.monotonic() - came_late_s
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
