@@ -171,8 +171,8 @@ def test_what_was_handed_out_before_a_second_signature_is_handed_out_again(still
     ("status", "why"),
     [
         ("stopped", "was stopped before its end"),
-        ("failed: dut is silent", "failed: dut is silent"),
-        ("interrupted", "was interrupted"),
+        ("failed: dut is silent", "was broken off: dut is silent"),
+        ("interrupted", "was broken off"),
     ],
 )
 @pytest.mark.parametrize("name", ["Fit", "Loop"])
@@ -362,7 +362,7 @@ def test_who_began_anew_is_not_asked_to_go_on_with_what_was_before():
 
 @pytest.mark.parametrize(
     ("status", "word"),
-    [("stopped", "■ STOPPED"), ("failed: dut is silent", "✕ FAILED"), ("interrupted", "▲ INTERRUPTED")],
+    [("stopped", "■ STOPPED"), ("failed: dut is silent", "✕ BROKEN OFF"), ("interrupted", "▲ BROKEN OFF")],
 )
 def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
     run, live = still.app_state.run, still.page("Run").live

@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
@@ -15,6 +16,7 @@ from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word, handed_out_as, handed_out_word
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.record.endings import ended_word
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
 SHAPES: dict[Mark, str] = {"done": "✓", "now": "●", "doubt": "▲", "broken": "✕", "open": "○"}
@@ -98,19 +100,20 @@ class PathViewModel(QObject):
 
     def why_no_fit(self, run_id: str) -> str:
         """Why a run gives no calibration; "" where it may, or is not known."""
-        status = next((one.status for one in self.runs if one.run_id == run_id), "finished")
-        if status in WHOLE:
+        listed = next((one for one in self.runs if one.run_id == run_id), None)
+        status = "finished" if listed is None else listed.status
+        if listed is None or status in WHOLE:
             return ""
-        failed = self.tr("failed: {0}").format(status.partition(": ")[2])
+        why = in_words(status.partition(": ")[2])
         known = {
             "stopped": self.tr("was stopped before its end"),
-            "interrupted": self.tr("was interrupted"),
+            "broken off": self.tr("was broken off: {0}").format(why) if why else self.tr("was broken off"),
             "running": self.tr("still goes on"),
         }
         remedy = self.tr("What it did not measure would be missing in the calibration. Measure again on the Run page.")
         if status == "interrupted":
             remedy = self.tr("What it has not measured yet would be missing: go on with it on the Start page.")
-        return self.tr("Run {0} {1}. {2}").format(run_id, known.get(status, failed), remedy)
+        return self.tr("Run {0} {1}. {2}").format(run_id, known[ended_word(status, stopped=listed.stopped)], remedy)
 
     def broken_off(self, simulated: bool) -> str:
         """The DUT of the newest run in such a lab, where that run is to be gone on with; else ""."""

@@ -41,6 +41,7 @@ from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
+from labcal.record.endings import ended_words
 from labcal.record.stream import (
     COVERAGE,
     NOT_USED,
@@ -358,9 +359,8 @@ class RunViewModel(QObject):
         if block.stream != "channel":
             self._sends_more.add(block.source)
         if block.stream != "channel" or block.source not in self._sends_more:
-            came_late_s = self.time.seen_s - float(block.t_s[-1])  # after what is newer
-            self.reading[block.source] = (block.columns, block.values[-1])
-            self.read_s[block.source] = time.monotonic() - came_late_s
+            self.reading[block.source] = (block.columns, block.values[-1])  # what waited came late
+            self.read_s[block.source] = time.monotonic() - (self.time.seen_s - float(block.t_s[-1]))
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
@@ -383,7 +383,7 @@ class RunViewModel(QObject):
         self._over()
 
     def _last_words(self) -> str:
-        said = in_words(named_links(self._ending or self.status, self.links))
+        said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
         said = self.tr("ended by COILS OFF") if self.by_off and self.status != "finished" else said
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 

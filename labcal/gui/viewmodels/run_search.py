@@ -10,6 +10,7 @@ from pathlib import Path
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.loop_words import verdict_word
+from labcal.record.endings import ended_word
 
 NOT_WHOLE = ("running", "interrupted")
 DAY = re.compile(r"(\d{1,2})[./](\d{1,2})\.?(?:[./]?(\d{4}))?")  # 22.11.2026, 22.11., 22/11/2026: the day first
@@ -34,7 +35,7 @@ def cells(one: RunLine, stands: str = "") -> tuple[str, ...]:
         one.dut_serial,
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
-        translated(one.status.partition(":")[0]),
+        translated(ended_word(one.status, stopped=one.stopped)),
         one.site or " · ".join(filter(None, (verdict_word(one.verdict), stands))),  # the archive knows no verdicts
         one.run_id,
     )

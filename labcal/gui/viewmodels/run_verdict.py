@@ -13,6 +13,7 @@ from labcal.gui.viewmodels.axis_checks import WORST
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.run_steps import name_a_turn
+from labcal.record.endings import ended_word
 from labcal.record.stream import Measurement
 
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
@@ -101,7 +102,7 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
         if resumable and run.order is not None and run.order.procedure not in resumable:
             what = "stopped" if wanted else "mended" if mended else "failed"  # nothing offers what cannot be
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"
-        said = translated(word).upper()
+        said = translated(ended_word(word)).upper()
         if (
             run.step is None and word == "failed" and not run.goes_on
         ):  # below a serial in large letters it would be a verdict on that DUT

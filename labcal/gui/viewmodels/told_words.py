@@ -11,8 +11,8 @@ from labcal.gui.viewmodels.run_verdict import listed
 from labcal.record.told import Interruption, Told
 
 TEXTS = (
-    QT_TRANSLATE_NOOP("Words", "▲ Interrupted once: {0}. Measured again: {1}."),
-    QT_TRANSLATE_NOOP("Words", "▲ Interrupted {0} times: {1}. Measured again: {2}."),
+    QT_TRANSLATE_NOOP("Words", "▲ One interruption: {0}. Measured again: {1}."),
+    QT_TRANSLATE_NOOP("Words", "▲ {0} interruptions: {1}. Measured again: {2}."),
     QT_TRANSLATE_NOOP("Words", "nothing"),
     QT_TRANSLATE_NOOP("Words", "at {0}, for {1}"),
     QT_TRANSLATE_NOOP("Words", "before its first step, for {0}"),

@@ -11,6 +11,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.common import button
+from labcal.record.endings import ended_word
 
 VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
 LISTED = ("finished", "imported", "stopped", "interrupted", "failed")
@@ -20,7 +21,7 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 def run_title(one: RunLine) -> str:
     """A run in one line: when, which DUT, what, whether SIMULATED, how it ended."""
-    return f"{_which(one)} · {translated(one.status.partition(':')[0])}"
+    return f"{_which(one)} · {translated(ended_word(one.status, stopped=one.stopped))}"
 
 
 def _which(one: RunLine) -> str:
@@ -81,7 +82,8 @@ def run_label(one: RunLine) -> str:
     """A run's line, begun with how it ended where it did not come to its end; of a finished one nothing is said."""
     status = one.status.partition(":")[0]
     if status in BROKEN:
-        return f"{BROKEN[status]} {translated(status)} · {_which(one)}"
+        word = ended_word(one.status, stopped=one.stopped)
+        return f"{BROKEN.get(word, BROKEN[status])} {translated(word)} · {_which(one)}"
     return _which(one) if status == "finished" else run_title(one)
 
 
