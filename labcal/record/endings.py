@@ -13,7 +13,10 @@ BY_A_PERSON = (f": {BY_OPERATOR}", ": aborted by the operator")
 
 
 def ended_words(status: str, *, stopped: bool = False) -> str:
-    """A state with its reason, or the sentence that begins with it; `stopped`: the record says that a person did it."""
+    """A state with its reason, or the sentence that begins with it; `stopped`: the record says that a person did it.
+
+    "interrupted by its store: why" becomes "broken off by its store: why".
+    """
     for name in NO_END:
         rest = status.removeprefix(name)
         if rest == status or not (rest == "" or rest.startswith((":", " by "))):

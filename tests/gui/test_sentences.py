@@ -76,7 +76,7 @@ def test_no_fault_has_a_form_here_that_nobody_says():
 
 BETWEEN_PROGRAMS = (  # what no technician's click can bring about
     "is not for the session to ask", "is not for the session to address", "is no order", "drives Q", "makes room",
-    "first; `labcal bench off` sets", "in the folder of [safety]", "goes on trying", "Q Q", "no command", "was to be made",
+    "first; `labcal bench off` sets", "in the folder of [safety]", "goes on trying", "Q Q", "Q: Q.",
 )  # fmt: skip
 
 

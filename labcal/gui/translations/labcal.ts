@@ -7360,7 +7360,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A run that went on is broken off by its own process, coils to zero first: go on with it on Start.</source>
+        <source>A run that went on is broken off by its own process: go on with it on Start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5610,7 +5610,7 @@
     </message>
     <message>
         <source>{0}; {1} cannot be gone on with: start it anew</source>
-        <translation>{0}; {1} kann nicht fortgesetzt werden: neu beginnen</translation>
+        <translation>{0}; {1} kann nicht weiter: neu beginnen</translation>
     </message>
     <message>
         <source>what was not committed is lost</source>
@@ -7361,8 +7361,8 @@ diesem Schritt …</translation>
         <translation>Das Fenster brach ab und wurde neu gestartet. Was es zuletzt sagte, liegt in {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is broken off by its own process, coils to zero first: go on with it on Start.</source>
-        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, Spulen zuerst auf null: auf Start weiter.</translation>
+        <source>A run that went on is broken off by its own process: go on with it on Start.</source>
+        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen: auf Start weiter.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>

@@ -7361,8 +7361,8 @@ cette étape …</translation>
         <translation>La fenêtre s&apos;est interrompue et a été relancée. Ses derniers mots sont gardés dans {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is broken off by its own process, coils to zero first: go on with it on Start.</source>
-        <translation>Une mesure en cours est interrompue par son propre processus, bobines d&apos;abord à zéro : la continuer à l&apos;Accueil.</translation>
+        <source>A run that went on is broken off by its own process: go on with it on Start.</source>
+        <translation>Une mesure en cours est interrompue par son propre processus : la continuer à l&apos;Accueil.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
