@@ -108,6 +108,11 @@ def _raised(node):
 def test_the_end_of_a_run_is_said_in_german(german):
     assert in_words("broken off: dut: the link was lost.").startswith("unterbrochen: dut: ")
     assert in_words("coil x: zero has not been read back.") == "Spule x: null wurde nicht zurückgelesen."
+    whole = in_words(
+        "zero, open; before that: coil x: 0.5 A still flows 2.0 s after zero was set (zero is below 0.01 A)"
+    )
+    assert whole.startswith("null, offen; davor: Spule x: 0,5 A fließen noch 2,0 s")  # its end was lost on the way
+    assert in_words("broken off: dut: no reply in 0.5 s, nothing came").endswith("keine Antwort in 0,5 s, nichts kam")
     assert in_words("The work was ended by this window.") == "Die Arbeit wurde von diesem Fenster beendet."
 
 

@@ -114,6 +114,7 @@ LAB_FAULTS = (
     QT_TRANSLATE_NOOP("Data", "{0} was {1} when run {2} began, now it is {3}"),
     QT_TRANSLATE_NOOP("Data", "the bench holds {0}, the run is of {1}: nothing was moved"),
     QT_TRANSLATE_NOOP("Data", "taking to zero from here what no guardian holds: not read back yet …"),
+    QT_TRANSLATE_NOOP("Data", "before that: {0}"),
     QT_TRANSLATE_NOOP("Data", "not asked this time; {0} s ago: {1}"),
     QT_TRANSLATE_NOOP("Data", "NOT confirmed at zero: {0}"),
     QT_TRANSLATE_NOOP("Data", "zero of coil {0} is not confirmed, and tried again"),
@@ -137,8 +138,15 @@ LAB_FAULTS = (
     QT_TRANSLATE_NOOP("Data", "{0}; {1} cannot be gone on with: start it anew"),
     QT_TRANSLATE_NOOP("Data", "what was not committed is lost"),
     QT_TRANSLATE_NOOP("Data", "what it held is lost where there is no copy"),
+    QT_TRANSLATE_NOOP("Data", "{0} s ago: {1}"),
+    QT_TRANSLATE_NOOP("Data", "the guardian failed at {0}: {1}: {2}."),
+    QT_TRANSLATE_NOOP("Data", "the connection to {0} was lost"),
+    QT_TRANSLATE_NOOP("Data", "session {0} orders it"),
+    QT_TRANSLATE_NOOP("Data", "labcal bench off, process {0}"),
+    QT_TRANSLATE_NOOP("Data", "coil {0}: zero was ordered for all coils: {1}."),
 )
 OF_THE_WORK = (  # of the window's own processes
+    QT_TRANSLATE_NOOP("Data", "zero was ordered; what was being asked of this line was given up."),
     QT_TRANSLATE_NOOP("Data", "The work was ended by this window."),
     QT_TRANSLATE_NOOP("Data", "The work was killed (signal {0})."),
     QT_TRANSLATE_NOOP("Data", "The worker process could not be started."),

@@ -825,6 +825,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>coils read back at zero by their supplies</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5529,6 +5533,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>before that: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>not asked this time; {0} s ago: {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5618,6 +5626,34 @@
     </message>
     <message>
         <source>what it held is lost where there is no copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} s ago: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guardian failed at {0}: {1}: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the connection to {0} was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>session {0} orders it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>labcal bench off, process {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: zero was ordered for all coils: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero was ordered; what was being asked of this line was given up.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -825,6 +825,10 @@
         <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
     </message>
     <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation>Spulen NICHT als null bestätigt: {0}</translation>
+    </message>
+    <message>
         <source>coils read back at zero by their supplies</source>
         <translation>Spulen von ihren Netzgeräten bei null zurückgelesen</translation>
     </message>
@@ -1298,7 +1302,7 @@
     </message>
     <message>
         <source>aborted by the operator</source>
-        <translation>vom Bediener abgebrochen</translation>
+        <translation>vom Bediener gestoppt</translation>
     </message>
     <message>
         <source>stopped by the operator</source>
@@ -5529,6 +5533,10 @@
         <translation>was kein Wächter hält, wird von hier auf null gebracht: noch nicht zurückgelesen …</translation>
     </message>
     <message>
+        <source>before that: {0}</source>
+        <translation>davor: {0}</translation>
+    </message>
+    <message>
         <source>not asked this time; {0} s ago: {1}</source>
         <translation>diesmal nicht gefragt; vor {0} s: {1}</translation>
     </message>
@@ -5619,6 +5627,34 @@
     <message>
         <source>what it held is lost where there is no copy</source>
         <translation>was er enthielt, ist verloren, wo es keine Kopie gibt</translation>
+    </message>
+    <message>
+        <source>{0} s ago: {1}</source>
+        <translation>vor {0} s: {1}</translation>
+    </message>
+    <message>
+        <source>the guardian failed at {0}: {1}: {2}.</source>
+        <translation>Der Wächter scheiterte bei {0}: {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>the connection to {0} was lost</source>
+        <translation>die Verbindung zu {0} ging verloren</translation>
+    </message>
+    <message>
+        <source>session {0} orders it</source>
+        <translation>Sitzung {0} befiehlt es</translation>
+    </message>
+    <message>
+        <source>labcal bench off, process {0}</source>
+        <translation>labcal bench off, Prozess {0}</translation>
+    </message>
+    <message>
+        <source>coil {0}: zero was ordered for all coils: {1}.</source>
+        <translation>Spule {0}: Für alle Spulen wurde null befohlen: {1}.</translation>
+    </message>
+    <message>
+        <source>zero was ordered; what was being asked of this line was given up.</source>
+        <translation>Null wurde befohlen; was auf dieser Leitung gefragt wurde, wurde aufgegeben.</translation>
     </message>
     <message>
         <source>The work was ended by this window.</source>

@@ -825,6 +825,10 @@
         <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
     </message>
     <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation>bobines NON confirmées à zéro : {0}</translation>
+    </message>
+    <message>
         <source>coils read back at zero by their supplies</source>
         <translation>bobines relues à zéro par leurs alimentations</translation>
     </message>
@@ -1298,7 +1302,7 @@
     </message>
     <message>
         <source>aborted by the operator</source>
-        <translation>abandonné par l&apos;opérateur</translation>
+        <translation>arrêté par l&apos;opérateur</translation>
     </message>
     <message>
         <source>stopped by the operator</source>
@@ -5529,6 +5533,10 @@
         <translation>ce qu&apos;aucun gardien ne tient est mené à zéro d&apos;ici : pas encore relu …</translation>
     </message>
     <message>
+        <source>before that: {0}</source>
+        <translation>avant cela : {0}</translation>
+    </message>
+    <message>
         <source>not asked this time; {0} s ago: {1}</source>
         <translation>pas demandé cette fois ; il y a {0} s : {1}</translation>
     </message>
@@ -5619,6 +5627,34 @@
     <message>
         <source>what it held is lost where there is no copy</source>
         <translation>ce qu&apos;il contenait est perdu s&apos;il n&apos;y a pas de copie</translation>
+    </message>
+    <message>
+        <source>{0} s ago: {1}</source>
+        <translation>il y a {0} s : {1}</translation>
+    </message>
+    <message>
+        <source>the guardian failed at {0}: {1}: {2}.</source>
+        <translation>le gardien a échoué à {0} : {1} : {2}.</translation>
+    </message>
+    <message>
+        <source>the connection to {0} was lost</source>
+        <translation>la liaison avec {0} a été perdue</translation>
+    </message>
+    <message>
+        <source>session {0} orders it</source>
+        <translation>la session {0} l&apos;ordonne</translation>
+    </message>
+    <message>
+        <source>labcal bench off, process {0}</source>
+        <translation>labcal bench off, processus {0}</translation>
+    </message>
+    <message>
+        <source>coil {0}: zero was ordered for all coils: {1}.</source>
+        <translation>bobine {0} : le zéro a été ordonné pour toutes les bobines : {1}.</translation>
+    </message>
+    <message>
+        <source>zero was ordered; what was being asked of this line was given up.</source>
+        <translation>le zéro a été ordonné ; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
     </message>
     <message>
         <source>The work was ended by this window.</source>

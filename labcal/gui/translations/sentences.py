@@ -24,6 +24,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "coils at zero"),
     QT_TRANSLATE_NOOP("Data", "zero by the supply's word only: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero; {0}"),
+    QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero"),
     QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference: {0}. {1}"),
     QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference"),
@@ -220,7 +221,11 @@ def in_words(sentence: str) -> str:
     for between in BREAKS:
         if len(parts := between.split(sentence, maxsplit=1)) == 2:
             return " ".join(map(in_words, parts))
-    return f"{in_words(sentence[:-1])}{sentence[-1]}" if sentence.endswith((".", ";")) else sentence
+    if sentence.endswith((".", ";")):
+        return f"{in_words(sentence[:-1])}{sentence[-1]}"
+    if found := form_of(f"{sentence}."):  # a whole sentence within another one has lost its end
+        return _filled_in(*found).removesuffix(".")
+    return sentence
 
 
 def name_in_words(name: str) -> str:
