@@ -162,7 +162,7 @@ def _mounted(bench: Bench, axis: str, stood: str) -> Work[None]:
     if axis == stood:
         yield from coils_off(bench)  # nobody has read them since, and the person is sent to look
         yield from standstill(bench)
-        text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
+        text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was before the interruption?"
         up = list(bench.config.platform.axis_cage)
         drawing = {"body_from_cage": attitude(bench, axis).tolist(), "axis_cage": up}
         if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":

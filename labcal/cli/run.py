@@ -19,6 +19,7 @@ from labcal.cli import app
 from labcal.cli.progress import Display, shown
 from labcal.cli.screen import console, say
 from labcal.errors import InputError
+from labcal.record.endings import ended_words
 from labcal.record.person import check_person
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def run(
         [], "--set", metavar="KEY=VALUE", help="A parameter of the procedure; once for each."
     ),
     yes: bool = typer.Option(False, "--yes", help="Answer prompts; on a real bench only those that do nothing."),
-    resume: str | None = typer.Option(None, metavar="RUN", help="Go on with an interrupted run."),
+    resume: str | None = typer.Option(None, metavar="RUN", help="Go on with a run that was stopped or broken off."),
     clock: ClockChoice | None = typer.Option(None, help="True speed, or virtual (the default where all is emulated)."),
     seed: int | None = typer.Option(None, min=0, help="Of the simulated lab: the same gives the same run."),
     override: str | None = typer.Option(
@@ -85,7 +86,7 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, override=lets, **options)
         else:
             return _list()
-    said = told_once(outcome.ending, outcome.at_rest)
+    said = told_once(ended_words(outcome.ending), outcome.at_rest)
     if outcome.resumable:
         said = f"{said}; `{_goes_on(procedure, outcome.run_id, _bench(bench))}` goes on with it"
     as_json = progress is ProgressChoice.json

@@ -13,6 +13,7 @@ from labcal.cli import app
 from labcal.cli.results import FORCE, JSON, write_json
 from labcal.cli.screen import aligned, console, say, say_lines
 from labcal.errors import InputError
+from labcal.record.endings import ended_words
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -78,7 +79,7 @@ def list_archived(url: str | None, json: str | None, *, force: bool) -> None:
     if not found:
         return say("no runs yet: `labcal push` copies finished ones here")
     names = [field.name for field in fields(RunSummary)]
-    rows = ((one["site"], *_listed(RunSummary(*(one[name] for name in names)))) for one in found)
+    rows = ((one["site"], *_listed(RunSummary(**{n: one[n] for n in names if n in one}))) for one in found)
     return say_lines(aligned([("site", *HEADS), *rows]))
 
 
@@ -198,7 +199,14 @@ def _check_format(format_: ExportFormat, there: tuple[ExportFormat, ...], what: 
 
 def _listed(run: RunSummary) -> tuple[str, ...]:
     procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
-    return (run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator)
+    return (
+        run.run_id,
+        run.started_utc,
+        ended_words(run.status, stopped=run.stopped),
+        run.dut_serial,
+        procedure,
+        run.operator,
+    )
 
 
 def _table(*heads: str, **options: Any) -> Table:
@@ -213,7 +221,7 @@ def _head(described: Mapping[str, Any]) -> Table:
     noise = "not stated" if dut["noise_nT"] is None else f"{dut['noise_nT']:g} nT"
     lines = {
         "run": f"{described['run_id']}{' (SIMULATED)' if described['simulated'] else ''}",
-        "status": described["status"],
+        "status": ended_words(described["status"], stopped=described.get("stopped", False)),
         "started": described["started_utc"],
         "operator": described["operator"],
         "DUT": f"{dut['serial']} {dut['model']}, {dut['nominal_nT_per_unit']:g} nT per {dut['unit']}, noise {noise}",

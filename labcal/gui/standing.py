@@ -65,7 +65,7 @@ def come_back(window: Window, page: str, report: str, *, ran: bool) -> None:
         "Standing", "The window broke off, and was started again. What it said last is kept in {0}."
     )
     interrupted = QCoreApplication.translate(
-        "Standing", "A run that went on is interrupted by its own process, as by Stop: go on with it on Start."
+        "Standing", "A run that went on is broken off by its own process: go on with it on Start."
     )
     went_on = QCoreApplication.translate("Standing", "The run went on meanwhile in its own process: here it is.")
     remedy = went_on if window.app_state.run.alive else interrupted if ran else ""

@@ -25,7 +25,8 @@ class Told:
     """Notes and photographs in the order that they were made, in the words that were typed.
 
     `remarks`: what the procedure itself noted. `open`: of the run's checks the last result of each that is no PASS;
-    `not_measured`: the closures and delays that it was to have and has not.
+    `not_measured`: the closures and delays that it was to have and has not. `other_serials`: a sentence for each
+    instrument that named another serial than was stated, as the DUT's that was typed.
     """
 
     interruptions: tuple[Interruption, ...] = ()
@@ -33,3 +34,4 @@ class Told:
     remarks: tuple[str, ...] = ()
     open: tuple[Measurement, ...] = ()
     not_measured: tuple[str, ...] = ()
+    other_serials: tuple[str, ...] = ()

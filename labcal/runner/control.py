@@ -7,6 +7,7 @@ from queue import Empty, SimpleQueue
 from threading import Event
 
 from labcal.errors import Stopped
+from labcal.record.stream import STOPPED_BY
 
 
 class Aborted(Stopped):
@@ -27,6 +28,12 @@ class NotKept(Aborted):
     def __init__(self, fault: Exception) -> None:
         super().__init__(str(fault))
         self.fault = fault
+
+
+def stopped_by(fault: BaseException | None) -> dict[str, str]:
+    """What the last word of a record says of a run that a person ended; nothing of all others."""
+    person = isinstance(fault, Stopped | KeyboardInterrupt) and not isinstance(fault, Left | NotKept)
+    return {STOPPED_BY: "operator"} if person else {}
 
 
 class Control:

@@ -20,7 +20,7 @@ from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.awaited import Awaited
-from labcal.runner.control import Aborted, Control, Left, NotKept
+from labcal.runner.control import Aborted, Control, Left, NotKept, stopped_by
 from labcal.runner.prompts import Answer, checked
 from labcal.runner.said_of_faults import in_a_sentence, what_else
 
@@ -320,7 +320,7 @@ class Drive:
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
             if not ending.by_store:
                 self._keep_fault(ending.fault or next(iter(faults), None))
-            read_back = self._read_back(faults, lost)
+            read_back = self._read_back(faults, lost, ending.fault)
             self._show()  # the coils, before a large platform has come to rest
             if stands := bench.stop_platform():  # it was sent a stop before that; a large one takes seconds to stand
                 self._keep(self._event("standstill", stands))
@@ -340,7 +340,7 @@ class Drive:
         if isinstance(fault, InstrumentError) and (said := self.bench.named(str(fault))) != self._fault_kept:
             self._keep(self._event(FAULT, said, fault=fault.fault))
 
-    def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
+    def _read_back(self, faults: list[Exception], lost: list[Exception], ended: BaseException | None) -> Event:
         """The currents as read back, an axis that does not answer as None, and what went wrong on the way.
 
         `lost` takes what the supplies still had to say: a coil that the guardian took to zero says so before it
@@ -359,7 +359,8 @@ class Drive:
         self._at_zero = zero and self.state.reference.verdict != "disagrees"
         self._said = NOT_CONFIRMED if None in currents else self.state.sentence(now)
         sentences = [in_a_sentence(fault) for fault in faults + lost]
-        return read_back(self.bench, "read-back", state=self.state, current_A=currents, faults=sentences)
+        data: dict[str, Any] = {"current_A": currents, "faults": sentences, **stopped_by(ended)}
+        return read_back(self.bench, "read-back", state=self.state, **data)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)

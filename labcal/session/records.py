@@ -37,7 +37,7 @@ def describe_run(run: str) -> dict[str, Any]:
         bundle = run_bundle(run)
         return describe(bundle.run(), "a bundle, not in the store", origin=bundle.origin)
     with Store.open() as store:
-        return store.describe(run)
+        return store.describe(run) | {"stopped": store.summary(run).stopped}
 
 
 def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -> None:

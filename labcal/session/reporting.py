@@ -132,7 +132,7 @@ def _open(header: RunHeader | None) -> tuple[str, ...]:
     if header is None:
         return ()
     left = told(header.run_id)
-    return open_words(left.open, left.not_measured)
+    return (*(f"{one}." for one in left.other_serials), *open_words(left.open, left.not_measured))
 
 
 def changed_since(calibration: Calibration) -> Changes | None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import datetime
 from itertools import pairwise
 
-from labcal.record.stream import BY, PROCEDURE, RESUMED, Event, Item, Step
+from labcal.record.stream import BY, OTHER_SERIAL, PROCEDURE, RESUMED, Event, Item, Step
 from labcal.record.told import Interruption, Told
 from labcal.session.checks import not_measured, open_checks, results
 from labcal.store import Store
@@ -25,7 +25,7 @@ def told(run_id: str) -> Told:
         found = [replace(one, gone_s=None, timed=False) for one in found]
     notes, remarks = notes_of(items)
     last = results(items)
-    return Told(tuple(found), notes, remarks, open_checks(last), not_measured(items, last))
+    return Told(tuple(found), notes, remarks, open_checks(last), not_measured(items, last), others(items))
 
 
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:
@@ -64,6 +64,11 @@ def notes_of(items: Iterable[Item]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     notes = [item for item in items if isinstance(item, Event) and item.kind == "note"]
     own = tuple(item.text for item in notes if not _of_the_procedure(item))
     return own, tuple(item.text for item in notes if _of_the_procedure(item))
+
+
+def others(items: Iterable[Item]) -> tuple[str, ...]:
+    """Who named another serial than was stated, once each: a run that was gone on with has asked again."""
+    return tuple(dict.fromkeys(one.text for one in items if isinstance(one, Event) and one.kind == OTHER_SERIAL))
 
 
 def _of_the_procedure(note: Event) -> bool:

@@ -10,7 +10,9 @@ from typing import Any
 
 from labcal.errors import InputError
 from labcal.files.home import home
+from labcal.record.endings import STOPPED, ended_word
 from labcal.record.run_id import as_file_name
+from labcal.record.stream import STOPPED_BY
 from labcal.store.database import Connection, connect, named_faults
 from labcal.store.liveness import is_alive
 from labcal.store.schema import IS_CORRECTION
@@ -24,10 +26,16 @@ HEAD = "CASE WHEN json_valid(header) THEN json_extract(header, {}) END".format(
 )  # of a header, what a list shows: a bench file and more stand in it too
 LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
 
+BY_A_PERSON = f"""(SELECT kind = 'event' AND content LIKE '%"{STOPPED_BY}"%' FROM item WHERE item.run = run.number
+ORDER BY item.number DESC LIMIT 1)"""  # by its last word
+
 
 @dataclass(frozen=True, slots=True)
 class RunSummary:
-    """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported."""
+    """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported.
+
+    `stopped`: a person ended it, whether or not it can be gone on with.
+    """
 
     run_id: str
     started_utc: str
@@ -36,6 +44,7 @@ class RunSummary:
     operator: str
     procedure: str
     simulated: bool
+    stopped: bool = False
 
 
 def list_runs(path: Path | None = None) -> list[RunSummary]:
@@ -50,9 +59,9 @@ def summaries(connection: Connection, path: Path, number: int | None = None) -> 
     chosen = "" if number is None else f" WHERE number = {number:d}"
     with named_faults(path):
         rows = connection.execute(
-            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run{chosen} ORDER BY number"
+            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION}, {BY_A_PERSON} FROM run{chosen} ORDER BY number"
         ).fetchall()
-    heads = json.loads(f"[{','.join(head or 'null' for _, head, _, _ in rows)}]")  # read at once: there may be many
+    heads = json.loads(f"[{','.join(head or 'null' for _, head, *_ in rows)}]")  # read at once: there may be many
     return [_summary(path, row[0], head, *row[2:]) for row, head in zip(rows, heads, strict=True)]
 
 
@@ -73,7 +82,9 @@ def corrected(event: str | None) -> str:
     return str(json.loads(event)["data"]["to"]) if event else ""
 
 
-def _summary(path: Path, run_id: str, head: list[Any] | None, status: str, correction: str | None) -> RunSummary:
+def _summary(
+    path: Path, run_id: str, head: list[Any] | None, status: str, correction: str | None, by_person: int | None
+) -> RunSummary:
     started_utc, serial, simulated, operator, procedure = head or [None] * 5
     if started_utc is None or serial is None or simulated is None:
         raise InputError(f"the store is damaged: the header of run {run_id!r}", file=path)
@@ -85,4 +96,5 @@ def _summary(path: Path, run_id: str, head: list[Any] | None, status: str, corre
         operator=operator or "",
         procedure=procedure or "",
         simulated=simulated,
+        stopped=ended_word(status, stopped=bool(by_person)) == STOPPED,
     )

@@ -15,6 +15,7 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
+from labcal.record.endings import ended_words
 from labcal.record.run_id import as_file_name, checked_run_id
 from labcal.record.stream import Event, Item
 from labcal.store import chain
@@ -108,7 +109,7 @@ class Store:
         Raises InputError where there is none that was interrupted, or what is there does not fit its chain.
         """
         if (status := self.status(run_id)) != "interrupted":
-            raise InputError(f"run {run_id} was not interrupted: it is {status}")
+            raise InputError(f"run {run_id} is none to be gone on with: it is {ended_words(status)}")
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
         self.chain_of(run_id)
         alive = Alive(self.lock_file(run_id))

@@ -11,7 +11,7 @@ from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, unread
+from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, PlatformReading, unread
 from labcal.gui.ipc.answers import CoilEnd, Doubt, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
@@ -91,6 +91,33 @@ def test_what_the_reference_read_last_is_what_the_panel_at_the_right_says(still,
     assert age.endswith("s ago")
     in_panel = [one.text() for one in still.side.findChildren(QLabel)]
     assert set(values.removesuffix(" nT").split("  ")) <= set(in_panel)
+
+
+def test_a_reading_has_the_time_it_was_read_and_not_that_of_an_answer_since(still, bench):
+    """After Stop the ramp has put the field away, and the supplies' answers are newer than the last sample."""
+    run, now = still.app_state.run, time.monotonic()
+    run.start(RunProcedure("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit((Block("reference", "reference", ("x", "y", "z"), T, FIELD),))
+    zero = tuple(CoilReading(a, None, 0.0, True, None, now) for a in "xyz")
+    heard = (Heard("reference", now - 12.0), Heard("stage", now - 12.0))
+    stood = PlatformReading(90.0, False, now - 50.0)
+    still.app_state.bench_worker.states.emit(LabState(zero, instruments=heard, platform=stood))
+
+    def last(name):
+        row = next(row for row in range(bench.table.rowCount()) if bench.table.text(row, 1) == name)
+        return bench.table.text(row, 4), bench.table.item(row, 4).foreground().color().name()
+
+    bench.show_readings()
+    text, ink = last("reference")  # just received, whoever answered when
+    assert "ago" not in text
+    newer = Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), T + 40.5, FIELD)  # and then what had waited
+    late = Block("reference", "reference", ("x", "y", "z"), T, FIELD)
+    still.app_state.bench_worker.items.emit((newer, late))
+    bench.show_readings()
+    text, ink = last("reference")
+    assert text == f"{reading_text('reference', FIELD[0])}   40 s ago"
+    assert ink == still.theme.muted.lower()
+    assert last("stage")[0].endswith("50 s ago")
 
 
 def test_the_cage_is_turned_by_keys(qtbot, bench):

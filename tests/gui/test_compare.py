@@ -109,7 +109,7 @@ def test_a_traced_and_an_untraced_result_are_not_of_one_kind_and_nothing_is_said
 def test_why_two_chosen_runs_are_not_compared_is_said(page, qtbot):
     choose(page, qtbot, "r1", "r0")
     assert page.why_not.isVisible()
-    assert page.why_not.text().startswith("No comparison: run r0 is interrupted")
+    assert page.why_not.text().startswith("No comparison: run r0 is broken off")
     assert page.compare.toolTip() == page.why_not.text()
     choose(page, qtbot, "r1", "r2")
     assert not page.why_not.isVisible()

@@ -92,7 +92,7 @@ def test_the_result_is_that_of_the_card_at_the_end_of_the_run_and_is_sorted_and_
     results = RunResult("s0", "PASS", ()), RunResult("s1", "FAIL", ()), RunResult("s2", "PASS", ("closure z",))
     worker.answer(TellResults, results)
     assert shown() == [
-        "✓ PASS", "✕ FAIL", "▲ PASS, without closure z", "■ STOPPED", "■ STOPPED", "✕ FAILED", "▲ INTERRUPTED"
+        "✓ PASS", "✕ FAIL", "▲ PASS, without closure z", "■ STOPPED", "■ STOPPED", "✕ BROKEN OFF", "▲ BROKEN OFF"
     ]  # fmt: skip
     assert page.table.item(1, at).foreground().color().name() == LIGHT.bad
     page.search.setText("pass")

@@ -6,10 +6,12 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import Qt
 from test_calibration_views import LINES
+from test_path import RUN
 
 from labcal.gui.ipc.answers import FitFigures, Fitted
 from labcal.gui.ipc.messages import FitRun, Rehearse
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.next_step import begins_at
 from labcal.gui.viewmodels.fit_words import said_of
 
 K = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -132,3 +134,71 @@ def test_what_a_run_states_of_its_noise_comes_with_its_fit():
 
     assert stated_noise(run(15.0, 8.0)) == pytest.approx(17.0)
     assert (stated_noise(run(None, 8.0)), stated_noise(run(15.0, None))) == (None, None)
+
+
+def test_a_plan_that_cannot_be_is_not_begun_until_its_reason_is_away(still):
+    still.open_page("Run")
+    choose, worker = still.page("Run").choose, still.app_state.bench_worker
+    choose.choose("preflight")
+    choose.rehearse()
+    (asked,) = (one for one in worker.asked if isinstance(one.command, Rehearse))
+    asked.failed(Fault("input", "coil x: 3 A is beyond its limit of 2 A"))
+    assert choose.plan.text().startswith("✕ coil x")
+    assert not choose.start.isEnabled()
+    assert choose.objection.text() == "It cannot be begun as it is set: the plan says why."
+    assert still.app_state.path.next().words == "Mend the plan"
+    choose.form.set_text("magnitudes_nT", "20000")
+    assert choose.start.isEnabled()
+    choose.form.set_text("magnitudes_nT", "")
+    choose.choose("preflight")
+
+
+def test_a_fit_that_comes_to_nothing_says_what_it_means_and_leads_on(still, studied):
+    still.open_page("Fit")
+    page, worker, study = still.page("Fit"), still.app_state.fit_worker, studied
+    study.methods = ("ml", "ekf")
+    no = Fitted(FitFigures(False, "the likelihood has no clear summit"))
+    study.fit("ml")
+    worker.answer(FitRun, no)
+    page.idle_queue.finish()
+    card = page.no_fit
+    assert card.isVisible()
+    assert card.heading.text() == "✕ No calibration from this run by ml"
+    assert card.why.text() == "Why: the likelihood has no clear summit."
+    assert [one.text() for one in begins_at(still.lazy_pages["Fit"])] == ["The other methods"]
+    card.others.click()
+    worker.answer(FitRun, no)
+    page.idle_queue.finish()
+    assert card.heading.text() == "✕ No calibration from this run"
+    assert not card.others.isVisible()
+    assert "measure again" in card.next.text()
+    card.again.click()
+    assert still.page_shown() == "Run"
+
+
+@pytest.mark.parametrize(
+    ("tried", "words"), [(("ml",), "Try the other methods"), (("ml", "ekf"), "Measure EM-07 again")]
+)
+def test_next_does_not_fit_again_what_came_to_nothing(still, studied, tried, words):
+    still.app_state.path.take_runs((RUN,))
+    studied.forget(RUN.run_id)
+    studied.methods = ("ml", "ekf")
+    studied.fits = {name: Fitted(FitFigures(False, "flat")) for name in tried}
+    studied.changed.emit()
+    assert still.app_state.path.marks()["Fit"] == "broken"
+    assert still.app_state.path.next().words == words
+
+
+def test_a_method_without_a_result_stands_folded_beside_the_verdict_of_another(still, studied):
+    still.open_page("Fit")
+    page = still.page("Fit")
+    studied.fits = {"ml": fitted(10.0, 10.0), "ekf": Fitted(FitFigures(False, "the filter has diverged"))}
+    studied.changed.emit()
+    page.idle_queue.finish()
+    assert page.verdict.property("state") == "good"
+    assert page.aside.text() == "Without a result: ekf. What is said above is of ml, and does not rest on them."
+    assert not page.why.isVisible()
+    page.fold.click()
+    assert page.why.text() == "✕ ekf: the filter has diverged"
+    assert page.why.isVisible()
+    page.fold.click()

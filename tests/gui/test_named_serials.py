@@ -12,7 +12,10 @@ from labcal.bench.named_serials import other_serials
 from labcal.bench.serials import is_another
 from labcal.gui.ipc.answers import Identified, InstrumentAnswer
 from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.viewmodels.told_words import open_words, serials_words
 from labcal.record.stream import OTHER_SERIAL, Event, Prompt
+from labcal.record.told import Told
+from labcal.session.told import others
 
 MOUNT = Prompt(1.0, "mount-y", "Mount the DUT.", ("done",), True, {"body_from_cage": np.eye(3).tolist()})
 SAYS = {"instrument": "dut", "named": "EM-21", "stated": "EM-07"}
@@ -65,6 +68,26 @@ def test_a_question_to_mount_says_it_too_and_a_run_tells_of_it_by_itself(real):
     assert card.serials.property("state") == "warning"
     emit((Prompt(2.0, "ready", "Hands off?", ("done",), True),))
     assert not card.serials.isVisible()
+
+
+def test_whoever_begins_is_asked_whether_it_is_the_right_sensor(real):
+    objection = real.page("Run").choose.objection
+    answers(real, "EM-21")
+    QApplication.processEvents()
+    assert objection.text().startswith("▲ dut names itself EM-21, not EM-07: is this the right sensor?")
+    assert objection.property("state") == "warning"
+    assert real.page("Run").choose.start.isEnabled()  # a person decides
+    real.app_state.set_identity(dut="EM-21")
+    QApplication.processEvents()
+    assert "right sensor" not in objection.text()
+
+
+def test_history_and_the_certificate_tell_of_it_after_the_run():
+    said = Event(0.0, OTHER_SERIAL, "dut names itself EM-21, and this run is of EM-07", SAYS)
+    told = Told(other_serials=others([said, said]))
+    assert serials_words(told) == "▲ dut names itself EM-21, and this run is of EM-07."
+    assert open_words(told).startswith("▲ Open in the run itself: dut names itself EM-21, and this run is of EM-07.")
+    assert serials_words(Told()) == open_words(Told()) == ""
 
 
 def test_a_simulated_dut_is_whichever_is_asked_for(still):

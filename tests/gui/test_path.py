@@ -40,6 +40,7 @@ def expired(one):
 
 
 DONE = replace(RUN, verdict="explained")
+UNSIGNED = (calibration(signed=False),)
 HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, and what is next
     "nothing yet": ((ANOTHER,), (), "○○○○", "Calibrate EM-07", "Run"),
     "another procedure": ((replace(RUN, procedure="axes-check"),), (), "○○○○", "Calibrate EM-07", "Run"),
@@ -47,16 +48,10 @@ HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, 
     "stopped": ((replace(RUN, status="stopped"),), (), "▲○○○", "Calibrate EM-07", "Run"),
     "failed": ((replace(RUN, status="failed: dut is silent"),), (), "✕○○○", "Calibrate EM-07", "Run"),
     "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with the run", "Start"),
-    "drafted": ((RUN,), (calibration(signed=False),), "✓✓○○", "Trace the residual", "Loop"),
-    "traced": ((DONE,), (calibration(signed=False),), "✓✓✓○", "Approve and sign", "Certificate"),
+    "drafted": ((RUN,), UNSIGNED, "✓✓○○", "Trace the residual", "Loop"),
+    "traced": ((DONE,), UNSIGNED, "✓✓✓○", "Approve and sign", "Certificate"),
     "approved": ((DONE,), (replace(calibration(signed=False), approvers=("a.smith",)),), "✓✓✓○", "Sign", "Certificate"),
-    "ambiguous": (
-        (replace(RUN, verdict="ambiguous"),),
-        (calibration(signed=False),),
-        "✓✓▲○",
-        "See what is not known",
-        "Loop",
-    ),
+    "ambiguous": ((replace(RUN, verdict="ambiguous"),), UNSIGNED, "✓✓▲○", "See what is not known", "Loop"),
     "unexplained, signed": (
         (replace(RUN, verdict="unexplained"),),
         (calibration(provisional=True),),
@@ -171,8 +166,8 @@ def test_what_was_handed_out_before_a_second_signature_is_handed_out_again(still
     ("status", "why"),
     [
         ("stopped", "was stopped before its end"),
-        ("failed: dut is silent", "failed: dut is silent"),
-        ("interrupted", "was interrupted"),
+        ("failed: dut is silent", "was broken off: dut is silent"),
+        ("interrupted", "was broken off"),
     ],
 )
 @pytest.mark.parametrize("name", ["Fit", "Loop"])
@@ -362,7 +357,7 @@ def test_who_began_anew_is_not_asked_to_go_on_with_what_was_before():
 
 @pytest.mark.parametrize(
     ("status", "word"),
-    [("stopped", "■ STOPPED"), ("failed: dut is silent", "✕ FAILED"), ("interrupted", "▲ INTERRUPTED")],
+    [("stopped", "■ STOPPED"), ("failed: dut is silent", "✕ BROKEN OFF"), ("interrupted", "▲ BROKEN OFF")],
 )
 def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
     run, live = still.app_state.run, still.page("Run").live
@@ -374,6 +369,15 @@ def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
     assert live.verdict.word.text().split() == word.split()
     assert "no verdict" in live.verdict.rule.text()
     assert not live.fit.isVisible()
+
+
+def test_a_run_that_measured_nothing_puts_no_failed_below_the_serial(still):
+    run, live = still.app_state.run, still.page("Run").live
+    run.start(RunProcedure("preflight", "bench.toml", {}, "SIM-0001", "J. Doe"))
+    (asked,) = (one for one in still.app_state.bench_worker.asked if isinstance(one.command, RunProcedure))
+    asked.failed(Fault("input", "no such supply"))
+    assert run_verdict(run).word == "✕ NOT MEASURED"
+    assert live.verdict.rule.text() == "Nothing was measured, so this says nothing of the DUT."
 
 
 @pytest.mark.parametrize(("status", "simulated", "dut"), [

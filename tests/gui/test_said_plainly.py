@@ -51,7 +51,7 @@ def test_a_page_without_runs_says_where_they_come_from(still, qtbot, name):
     assert page.to_run.isHidden()
     assert "Choose a run above" in page.empty.text()
     assert page.chooser.itemText(0).startswith("EM-07 · 2026-01-05")
-    assert page.chooser.itemText(1).startswith("✕ failed · ")
+    assert page.chooser.itemText(1).startswith("✕ broken off · ")
 
 
 def test_fit_on_the_run_page_begins_at_once_and_once(still, qtbot):

@@ -11,6 +11,7 @@ from labcal.bench.coils.state import AT_ZERO, CoilReading, LabState, Witness
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
+from labcal.gui.translations.lab_faults import LAB_FAULTS
 from labcal.gui.translations.sentences import COILS, FORMS, NAME_FORMS, form_of, in_words
 from labcal.gui.viewmodels.lab_now import LabNow
 from labcal.gui.viewmodels.loop_words import without_evidence
@@ -69,8 +70,50 @@ def test_no_fault_has_a_form_here_that_nobody_says():
     files = (file for room in ROOMS for file in (ROOT / room).rglob("*.py") if "gui" not in file.parts)
     nodes = (node for file in files for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
     said = "\n".join(node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str))
-    pieces = {piece.strip(" .;:,'()`") for form in FAULTS for piece in re.split(r"\{\d\}", str(form))}
+    pieces = {piece.strip(" .;:,'()`") for form in (*FAULTS, *LAB_FAULTS) for piece in re.split(r"\{\d\}", str(form))}
     assert {piece for piece in pieces if piece not in said} == set()
+
+
+BETWEEN_PROGRAMS = (  # what no technician's click can bring about
+    "is not for the session to ask", "is not for the session to address", "is no order", "drives Q", "makes room",
+    "first; `labcal bench off` sets", "in the folder of [safety]", "goes on trying", "Q Q", "Q: Q.",
+)  # fmt: skip
+
+
+def test_what_coils_and_guardian_raise_has_a_form():
+    """As after F12: it stands in the red card, and in the line at the bottom."""
+    files = (file for room in ("coils", "guardian") for file in (ROOT / "labcal" / "bench" / room).rglob("*.py"))
+    nodes = (node for file in files for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+    calls = (node for node in nodes if isinstance(node, ast.Call) and getattr(node.func, "id", "") in RAISED)
+    said = [text for call in calls for text in map(_raised, [*call.args[:1], *_remedies(call)]) if " " in text]
+    unknown = {text for text in said if not any(one in text for one in BETWEEN_PROGRAMS)}
+    assert len(unknown) > 20
+    assert {text for text in unknown if form_of(text) is None and form_of(text.rstrip(".")) is None} == set()
+
+
+RAISED = ("InstrumentError", "LimitError")
+
+
+def _remedies(call):
+    return [one.value for one in call.keywords if one.arg == "remedy"]
+
+
+def _raised(node):
+    """A literal with a Q for what is filled in; "" where it is none."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(part.value if isinstance(part, ast.Constant) else "Q" for part in node.values)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+def test_the_end_of_a_run_is_said_in_german(german):
+    assert in_words("broken off: dut: the link was lost.").startswith("unterbrochen: dut: ")
+    assert in_words("coil x: zero has not been read back.") == "Spule x: null wurde nicht zurückgelesen."
+    whole = in_words(
+        "zero, open; before that: coil x: 0.5 A still flows 2.0 s after zero was set (zero is below 0.01 A)"
+    )
+    assert whole.startswith("null, offen; davor: Spule x: 0,5 A fließen noch 2,0 s")  # its end was lost on the way
+    assert in_words("broken off: dut: no reply in 0.5 s, nothing came").endswith("keine Antwort in 0,5 s, nichts kam")
+    assert in_words("The work was ended by this window.") == "Die Arbeit wurde von diesem Fenster beendet."
 
 
 NOT_SHOWN = {  # of the loop, the estimators and the procedures
@@ -120,9 +163,7 @@ def test_all_that_loop_estimators_and_procedures_say_has_a_form():
         ),
         ("a number from 0 to 60 deg/s", "eine Zahl von 0 bis 60 deg/s"),
         pytest.param("VALID: signed by jdoe@lab.", "GÜLTIG: signiert von jdoe@lab.", marks=pytest.mark.slow),
-        pytest.param(
-            "interrupted: aborted by the operator", "unterbrochen: vom Bediener abgebrochen", marks=pytest.mark.slow
-        ),
+        pytest.param("stopped by the operator", "vom Bediener gestoppt", marks=pytest.mark.slow),
     ],
 )
 def test_what_people_meet_most_is_said_in_german(german, fault, german_words):

@@ -72,7 +72,7 @@ def test_a_run_whose_worker_died_is_interrupted_here_as_in_its_record(running):
     running.app_state.resumable = frozenset({"preflight"})
     (asked,) = (one for one in running.app_state.bench_worker.asked if isinstance(one.command, RunProcedure))
     asked.failed(Fault("ended", "The work broke off."))
-    assert run_verdict(running.app_state.run).word == "▲ INTERRUPTED"
+    assert run_verdict(running.app_state.run).word == "▲ BROKEN OFF"
     assert not live.go_on.isVisible()  # nobody has said under which name its record is: the Start page knows
 
 
@@ -89,23 +89,23 @@ def test_what_is_left_of_simulated_time_is_called_that(running):
 def test_a_run_that_nobody_stopped_says_why_it_was_left_and_not_that_it_was_stopped(running):
     why = "the window stood still for more than 4 seconds"
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", fault_of(Left(why))))
-    assert run_verdict(running.app_state.run).word == "▲ INTERRUPTED"
+    assert run_verdict(running.app_state.run).word == "▲ BROKEN OFF"
     card = running.page("Run").live.fault
-    assert (card.heading.text(), card.text.text()) == ("▲ Interrupted", why)
+    assert (card.heading.text(), card.text.text()) == ("▲ Broken off", why)
 
 
 def test_a_run_that_lost_an_instrument_says_that_it_is_mended_first_and_then_gone_on_with(running):
     lost = Fault("instrument", "stage: the link was lost.", "Plug it in.")
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
     verdict = run_verdict(running.app_state.run)
-    assert verdict.word == "▲ INTERRUPTED"
+    assert verdict.word == "▲ BROKEN OFF"
     assert verdict.next.startswith("Mend what is said above, then Go on: no turn was finished")
     running.app_state.run.step = SECOND
     assert "finished turns are kept" in run_verdict(running.app_state.run).next
     assert running.page("Run").live.fault.text.text() == "stage: the link was lost."
 
 
-@pytest.mark.parametrize(("kind", "word"), [("instrument", "▲ INTERRUPTED"), ("input", "✕ FAILED")])
+@pytest.mark.parametrize(("kind", "word"), [("instrument", "▲ BROKEN OFF"), ("input", "✕ BROKEN OFF")])
 def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, word):
     still.app_state.resume("r1", "preflight", "EM-07")
     (asked,) = (one for one in still.app_state.bench_worker.asked if isinstance(one.command, ResumeRun))

@@ -42,7 +42,7 @@ def test_what_is_lost_is_in_the_largest_letters_while_the_run_goes_on_and_after_
     assert live.headline.text().startswith("Hands off")
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
     live.draw()
-    assert live.headline.text() == "✕ Interrupted: no answer from dut"
+    assert live.headline.text() == "✕ Broken off: no answer from dut"
 
 
 def test_a_step_to_be_begun_again_is_said_by_the_button_that_is_there(still):

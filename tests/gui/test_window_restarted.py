@@ -70,7 +70,7 @@ def test_the_run_goes_on_at_the_same_page_and_is_switched_off_from_the_new_windo
     assert "broke off (SIGKILL)" in " ".join(said(window, "labcal gui:"))
     assert on(lab)
     assert said(window, "there") == ["1", page, worker, *order]  # the same process, the same page
-    assert "failed: aborted by the operator" in " ".join(said(window, "ended"))
+    assert "stopped by the operator" in " ".join(said(window, "ended"))
     assert at_zero(lab)
     assert window.wait(60) == 0
     [bundle] = (home() / "crashes").iterdir()

@@ -22,6 +22,7 @@ from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import BY_WORD
 from labcal.errors import InputError, InstrumentError, LimitNotMet
+from labcal.record.endings import ended_word
 from labcal.record.stream import FAULT, Event, Item, Measurement, Prompt, Step
 from labcal.runner import Control, Outcome, find, run_procedure
 from labcal.store import Store
@@ -121,12 +122,29 @@ def test_only_the_same_run_is_resumed(bench_file: BenchFile) -> None:
         ),
         ("R", [('"v_bus"], serial = "SIM-0001"', '"v_bus"], serial = "SIM-0003"')], "dut was .* now it is .*SIM-0003"),
         ("other-text", [], "preflight was changed since run other-text began: start it anew"),
-        (begun.run_id, [], "was not interrupted: it is failed"),
+        (begun.run_id, [], "is none to be gone on with: it is broken off"),
     ):
         with pytest.raises(InputError, match=says):
             session.resume(run_id, bench_file("", *change), seed=2)
     with Store.open() as store:
         assert store.status("R") == "interrupted"
+
+
+@pytest.mark.parametrize("by_a_person", [True, False])
+def test_a_run_that_a_person_stopped_is_listed_so_though_it_may_be_gone_on_with(
+    bench_file: BenchFile, by_a_person: bool
+) -> None:
+    control = Control(to_be_resumed=True)
+
+    def ends(prompt: Prompt) -> str:
+        control.stop() if by_a_person else control.leave()
+        return prompt.choices[0]
+
+    outcome = session.run("preflight", bench_file(), TWO_FIELDS, answer=ends, seed=2, control=control)
+    [listed] = session.runs()
+    assert (outcome.status, listed.status) == ("interrupted", "interrupted")
+    assert listed.stopped == by_a_person
+    assert ended_word(listed.status, stopped=listed.stopped) == ("stopped" if by_a_person else "broken off")
 
 
 def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_interrupted(bench_file: BenchFile) -> None:

@@ -128,10 +128,10 @@ class LiveFilter:
         chance = float(fdtri(self._steps, len(self._start) - 9, 1 - CHANCE))
         if np.isfinite(ratio) and ratio < max(SURPRISE, chance):
             return None
-        size = f"are {ratio:.1f} times" if np.isfinite(ratio) else "are beyond"
+        size = f"{ratio**0.5:.1f} times" if np.isfinite(ratio) else "beyond all bounds"
         return (
-            f"the filter has diverged, or the sensor has changed: its innovations squared {size} "
-            "what its covariance and the noise of the first readings allow"
+            f"the filter has diverged, or the sensor has changed: readings lie {size} farther from what it expects "
+            "than the noise of the first ones allows"
         )
 
     def _begin(self, seen: Scalars, found: Estimate) -> None:

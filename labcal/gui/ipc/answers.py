@@ -307,6 +307,7 @@ class RunLine:
     site: str = ""  # of a run of the archive, and which one it is there: names of runs repeat
     sha256: str = ""
     left_nT: tuple[float, float, float] | None = None  # by its loop: before, after, and noise alone
+    stopped: bool = False  # by a person
 
 
 @dataclass(frozen=True, slots=True)

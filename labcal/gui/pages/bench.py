@@ -281,7 +281,7 @@ class BenchPage(QWidget):
         facts, answered = self._app_state.facts, self._app_state.answered.get(name)
         identity = (answered.identity if answered is not None else "") or "–"
         simulated = facts is not None and facts.simulated and answered is not None and role == "dut"
-        said = self.tr("{0}, simulated").format(identity) if simulated else identity
+        said = self.tr("{0}, simulated: whichever DUT is typed").format(identity) if simulated else identity
         other = dict(self._app_state.lab.state.other_serials).get(name, "")
         ink = self._theme.warning if other else ""
         self.table.set_cell(row, 3, f"▲ {other}: {said}" if other else said, colour=ink)
@@ -323,9 +323,9 @@ class BenchPage(QWidget):
             elif role == "reference" and seen is not None:
                 words, age = reading_text(role, seen), age_words(now.field_old_s)
             elif role == "platform" and now.platform_deg is not None:
-                words = reading_text(role, (now.platform_deg,))
+                words, age = reading_text(role, (now.platform_deg,)), age_words(now.platform_old_s)
             elif said is not None:
-                age = age_words(old_s(run.read_s[name], time.monotonic())) or age  # to answer is no reading
+                age = age_words(old_s(run.read_s[name], time.monotonic()))  # its own: to answer is no reading
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
             old = bool(age) and words != "–"
             standing, colour = self._standing(name)

@@ -5,14 +5,14 @@ from __future__ import annotations
 from math import sqrt
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import FitFigures, Fitted, Matrix
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.fit_words import said_of
+from labcal.gui.viewmodels.fit_words import said_of, set_aside_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
@@ -21,6 +21,7 @@ from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
+from labcal.gui.widgets.no_fit import NoFit
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.work_bar import WorkBar
 
@@ -50,6 +51,10 @@ class FitPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
+        self.no_fit = NoFit()
+        self.no_fit.others_wanted.connect(self._study.fit_all)
+        self.no_fit.again_wanted.connect(lambda: app_state.open_procedure("preflight"))
+        column.addWidget(self.no_fit)
         self.views = FitViews(theme)
         self.views.filter_wanted.connect(self._show_growth)
         column.addWidget(self._table_card(), 2)
@@ -101,9 +106,24 @@ class FitPage(QWidget):
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         card.body.addWidget(self.table, 1)
+        card.body.addLayout(self._set_aside())
         self.why = label("", "caption", wrap=True)
+        self.why.hide()
         card.body.addWidget(self.why)
         return card
+
+    def _set_aside(self) -> QHBoxLayout:
+        """Which methods have no part in the verdict, and behind a fold what they say."""
+        self.aside, self.fold = (
+            label("", "caption", wrap=True),
+            button(self.tr("Why"), self.tr("What each of them says")),
+        )
+        self.fold.setCheckable(True)
+        self.fold.toggled.connect(lambda shown: self.why.setVisible(shown))
+        row = QHBoxLayout()
+        row.addWidget(self.aside, 1)
+        row.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignTop)
+        return row
 
     def open_run(self, run: str) -> None:
         """Study `run`."""
@@ -129,6 +149,7 @@ class FitPage(QWidget):
     def _show(self) -> None:
         study = self._study
         self.fault.show_fault(study.fault)
+        self.no_fit.show_study(study)
         if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         refused = self._app_state.path.why_no_fit(study.run)
@@ -146,7 +167,7 @@ class FitPage(QWidget):
         self.draft.setEnabled(study.best() is not None and not refused)
         self.trace.setEnabled(ready)
         set_primary(self.fit, "ml" not in study.fits)
-        set_primary(self.trace, "ml" in study.fits and study.loop is None)
+        set_primary(self.trace, "ml" in study.fits and study.loop is None and not study.no_fit)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
         self.idle_queue.add(self._show_fits, self._show_pictures)
@@ -181,7 +202,11 @@ class FitPage(QWidget):
 
         self._fill_table()
         self.why.setText("\n".join(refusals(fits)))
-        self.why.setVisible(bool(self.why.text()))
+        self.aside.setText(set_aside_words(fits, self.method() or ""))
+        aside = bool(self.aside.text()) and not self._study.no_fit  # else the card above says it
+        self.aside.setVisible(aside)
+        self.fold.setVisible(aside)
+        self.why.setVisible(aside and self.fold.isChecked())
 
     def _fill_table(self) -> None:
         """What room is left goes to the names, as in every table of figures; with less, the table rolls."""

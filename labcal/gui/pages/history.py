@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.comparable import run_key, why_not_compared
+from labcal.gui.viewmodels.comparable import in_full, run_key, why_not_compared
 from labcal.gui.viewmodels.export_formats import FORMATS, Format
 from labcal.gui.viewmodels.run_count import count_words
 from labcal.gui.viewmodels.run_results import RunResults
@@ -229,7 +229,7 @@ class HistoryPage(QWidget):
         self.table.setRowCount(len(found))
         for row, (one, texts, state) in enumerate(rows):
             for column, text in enumerate(texts):
-                tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_words(one.status)}
+                tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_full(one)}
                 ink = getattr(self._theme, {4: state, 5: "warning" if doubtful(text) else ""}.get(column) or "text")
                 self.table.set_cell(row, column, text or "–", colour=ink, tip=tips.get(column, ""))
         self._keep_chosen(chosen, found)

@@ -15,6 +15,7 @@ from labcal.gui.ipc.answers import Procedure, Procedures
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.messages import ListProcedures, Rehearse
 from labcal.gui.ipc.simulated_clock import SPEEDS
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
@@ -45,6 +46,8 @@ class Choose(QWidget):
         self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
+        self._planned_on: Bench | None = None  # whose plan it is
+        self._cannot_be = False  # so the plan says: nothing is begun before its reason is away
         self._limits = _limits_of(None)  # of the bench that the form is for
         self._needs_of: Procedure | None = None  # the procedure of the form, as it is set
         row = QHBoxLayout(self)
@@ -137,6 +140,7 @@ class Choose(QWidget):
             return
         self._rehearsed = mine = object()
         self._planned = name, given = self.list.currentItem().text(), self.form.given()
+        self._planned_on, self._cannot_be = self._app_state.facts, False
 
         def show_plan(text: str) -> None:
             if self._rehearsed is mine:
@@ -149,14 +153,14 @@ class Choose(QWidget):
             said = map(plan_line, lines[1:])  # the first stands above as heading
             show_plan("\n".join([*said, *self._what_for()]))
 
+        def refused(fault: Fault) -> None:
+            self._cannot_be = self._rehearsed is mine and fault.kind == "input"
+            show_plan(f"✕ {in_words(fault.text)} {in_words(fault.remedy)}")
+
         self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
         self.plan.show()
         self._check()
-        self._app_state.bench_worker.request(
-            Rehearse(name, self._app_state.bench, given),
-            planned,
-            lambda fault: show_plan(f"✕ {in_words(fault.text)} {in_words(fault.remedy)}"),
-        )
+        self._app_state.bench_worker.request(Rehearse(name, self._app_state.bench, given), planned, refused)
 
     def _give_up(self) -> None:
         """Wait for no plan any more: who rehearses it is ended."""
@@ -176,13 +180,17 @@ class Choose(QWidget):
     def _other_settings(self) -> None:
         """A plan is that of its settings."""
         if self.form is not None and (self.list.currentItem().text(), self.form.given()) != self._planned:
-            self._rehearsed = self._planned = None
-            self.plan.clear()
-            self.plan.hide()
+            self._forget_plan()
             self._needs_of = self._as_set(self._procedures[self.list.currentItem().text()])
         self._check()
         if self.form is not None and self.form.valid():
             self._app_state.put_away_said()
+
+    def _forget_plan(self) -> None:
+        self._rehearsed = self._planned = None
+        self._cannot_be = False
+        self.plan.clear()
+        self.plan.hide()
 
     def show_procedures(self, there: Procedures) -> None:
         """List what there is to run, and by name what does not load, with the reason."""
@@ -260,6 +268,8 @@ class Choose(QWidget):
         other = self._limits != _limits_of(self._app_state.facts)
         if self.form is not None and self._shown in self._procedures and other:
             self._chosen(self._shown)
+        if self._cannot_be and self._app_state.facts is not self._planned_on:  # another bench may be able to
+            self._forget_plan()
         self._check()
 
     def _as_set(self, one: Procedure) -> Procedure:
@@ -283,8 +293,11 @@ class Choose(QWidget):
         refused = self.form.refused() if self.form is not None else None
         if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
+        if not objection and self._cannot_be:
+            objection = self.tr("It cannot be begun as it is set: the plan says why.")
         shortfall = self.form.shortfall() if self.form is not None and self._planned is None else ""  # the plan says it
-        self.objection.setText(objection or (f"▲ {shortfall}" if shortfall else ""))
+        doubts = "\n".join(f"▲ {doubt}" for doubt in (self._app_state.named_serials.asked(), shortfall) if doubt)
+        self.objection.setText(objection or doubts)
         self.objection.setVisible(bool(self.objection.text()))
         set_state(self.objection, "bad" if objection else "warning")
         if self._needs_of is not None:
@@ -294,11 +307,12 @@ class Choose(QWidget):
         with focus_kept_in(self, self.give_up, self.show_plan):
             self.give_up.setVisible(rehearsing)
             self.start.setEnabled(ready)
-            self.show_plan.setEnabled(ready)
+            self.show_plan.setEnabled(ready or (self._cannot_be and not self._app_state.run.alive))
             self.show_plan.setVisible(not rehearsing)
         self.work.show_work(rehearsing)
         of_preflight = self._shown == "preflight"
-        named = title_of(refused) if of_preflight and refused is not None else ""
+        mended = self.tr("the plan") if self._cannot_be else title_of(refused) if refused is not None else ""
+        named = mended if of_preflight else ""
         self._app_state.path.take_form(named, self._shown if ready else "")
 
     def refused_field(self) -> QWidget | None:

@@ -44,7 +44,7 @@ class StartPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addWidget(flat(self._hello_card()))
-        self.interrupted = flat(Card(self.tr("▲ Interrupted: to be gone on with")))
+        self.interrupted = flat(Card(self.tr("▲ To be gone on with")))
         self.interrupted.hide()
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
@@ -156,7 +156,7 @@ class StartPage(QWidget):
         here = self._app_state.lab.state.dut_serial
         if here not in (serial for serial, _ in self._to_go_on_with):
             return ""
-        return self.tr("▲ A run of {0} broke off: go on with it below, or measure anew.").format(here)
+        return self.tr("▲ A run of {0} did not come to its end: go on with it below, or measure anew.").format(here)
 
     def _not_ready(self) -> str:
         """What the lab itself has against a run, as the side panel shows it; "" where nothing."""

@@ -21,7 +21,7 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "“{0}” is no name: letters, digits, blanks, and . , ' - _ @ + & / ( ) between them"),
     QT_TRANSLATE_NOOP("Data", "{0}: a report ends in {1}"),
     QT_TRANSLATE_NOOP("Data", "a run needs the serial number of its DUT: --dut SERIAL"),
-    QT_TRANSLATE_NOOP("Data", "run {0} was not interrupted: it is {1}"),
+    QT_TRANSLATE_NOOP("Data", "run {0} is none to be gone on with: it is {1}"),
     QT_TRANSLATE_NOOP("Data", "run {0} is of DUT {1}, the bench has {2}"),
     QT_TRANSLATE_NOOP("Data", "run {0} is of {1}, not of {2}"),
     QT_TRANSLATE_NOOP("Data", "{0} was changed since run {1} began: start it anew"),
@@ -155,11 +155,11 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP(
         "Data", "{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)"
     ),
-    QT_TRANSLATE_NOOP("Data", "failed: {0}"),
-    QT_TRANSLATE_NOOP("Data", "interrupted: {0}"),
+    QT_TRANSLATE_NOOP("Data", "broken off by its store: {0}"),
+    QT_TRANSLATE_NOOP("Data", "broken off: {0}"),
     QT_TRANSLATE_NOOP("Data", "finished"),
     QT_TRANSLATE_NOOP("Data", "stopped"),
-    QT_TRANSLATE_NOOP("Data", "interrupted"),
+    QT_TRANSLATE_NOOP("Data", "broken off"),
     QT_TRANSLATE_NOOP("Data", "imported"),
     QT_TRANSLATE_NOOP("Data", "running"),
 )

@@ -21,13 +21,13 @@ FITS = (
     QT_TRANSLATE_NOOP("Data", "the filter's covariance is no longer positive definite"),
     QT_TRANSLATE_NOOP(
         "Data",
-        "the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its "
-        "covariance and the noise of the first readings allow",
+        "the filter has diverged, or the sensor has changed: readings lie {0} times farther from what it expects "
+        "than the noise of the first ones allows",
     ),
     QT_TRANSLATE_NOOP(
         "Data",
-        "the filter has diverged, or the sensor has changed: its innovations squared are beyond what its "
-        "covariance and the noise of the first readings allow",
+        "the filter has diverged, or the sensor has changed: readings lie beyond all bounds farther from what it "
+        "expects than the noise of the first ones allows",
     ),
     QT_TRANSLATE_NOOP("Data", "{0} readings with a magnitude; a start needs {1}"),
     QT_TRANSLATE_NOOP("Data", "the run is too short for {0} to begin"),

@@ -280,10 +280,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}, simulated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
@@ -309,6 +305,10 @@
     </message>
     <message>
         <source>Instruments of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, simulated: whichever DUT is typed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -524,6 +524,14 @@
     </message>
     <message>
         <source>A setting is not accepted: see above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be begun as it is set: the plan says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the plan</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -833,6 +841,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>coils read back at zero by their supplies</source>
         <translation type="unfinished"></translation>
     </message>
@@ -974,10 +986,6 @@
     </message>
     <message>
         <source>turned by 180° about its {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1141,6 +1149,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1273,10 +1285,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>run {0} was not interrupted: it is {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>run {0} is of DUT {1}, the bench has {2}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1402,6 +1410,10 @@
     </message>
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0} is none to be gone on with: it is {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1769,11 +1781,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>failed: {0}</source>
+        <source>broken off by its store: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>interrupted: {0}</source>
+        <source>broken off: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>broken off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1782,10 +1798,6 @@
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>interrupted</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2969,11 +2981,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its covariance and the noise of the first readings allow</source>
+        <source>the filter has diverged, or the sensor has changed: readings lie {0} times farther from what it expects than the noise of the first ones allows</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the filter has diverged, or the sensor has changed: its innovations squared are beyond what its covariance and the noise of the first readings allow</source>
+        <source>the filter has diverged, or the sensor has changed: readings lie beyond all bounds farther from what it expects than the noise of the first ones allows</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5272,6 +5284,430 @@
         <source>too little evidence</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does every supply obey, are signs and constants right, was something magnetic moved? axes-check tells which coil it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why before it is cleared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a field of {0} nT is beyond the limit of {1}, {2} nT; nothing was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A would take {2} s to ramp down, more than {3} s; lower current_A or raise ramp_A_per_s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, at {1}: {2}. Nothing was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, then measure again: `labcal bench check FILE` lifts this where reference and supplies agree, with --clear-as NAME where a person answers for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows after zero was set; the contacts were not moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: after its contacts were set, a step of {1} A was seen by the reference as {2} A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for a contact that hangs or is welded, then run axes-check.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A root mean square would soon be reached, its limit is {2} A; nothing was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows {2} s after zero was set (zero is below {3} A).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch {0} off by hand, then look at its panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See that it sends, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it stopped {1}° from its target of {2}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it homes at {1} deg/s, the DUT&apos;s limit is {2} deg/s; nothing was moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the homing speed on the stage itself, or take the DUT off and home it with its own program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} answers, before it was {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug the instruments in as bench.toml says, and begin again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: its name came damaged ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} answers here and as {2}: the same instrument answers on both links.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the links in bench.toml, then begin again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} was set to {2} and reads back {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the instrument&apos;s panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} came back as {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the guardian is gone ({1}); how the coils are is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say `labcal bench off`, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another user&apos;s process answers as the guardian of this bench; it is not believed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guardian.log names its process: end it, then say off again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: the guardian before is gone; it had ordered zero and reported no read-back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: zero has not been read back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: a step of {1} A is beyond the {2} A that its ramp of {3} A/s allows now; nothing was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows; its output is not opened under current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp it to zero first; or `labcal bench off`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it did not answer in the time that there is on the way to zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} How the coils are is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} A was not sent: this coil was ordered to zero, and {1} A is the most that it may still hear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: its output was not closed: this coil was ordered to zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a field of {0} nT of the coils alone is beyond the limit of {1} nT, Earth&apos;s {2} nT taken off; nothing was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cage&apos;s calibration is not there: no field is set by it; nothing was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not reached: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} failed ({2}); its port is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} was sent and {2} came back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do two talk on this line at once? Without an adapter that echoes, take echo=1 out of the link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it babbles: more than {1} KiB came without an end, beginning with {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is it the instrument that bench.toml names? Pull its cable and plug it in again, or switch it off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} registers came where {2} were asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no valid Modbus reply.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the reply belongs to another request.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: a program of user {1} is connected to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask user {0} to end it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End that program, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again; if it comes again, look at its cable and its adapter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>returned no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its other end has hung up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1}° is beyond the ±{2}° of the cables; nothing was sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: another process has this port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the dial&apos;s reading is entered after each turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} deg/s is too fast: DUT and platform allow {1} deg/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} deg/s is beyond the DUT&apos;s limit of {1} deg/s; nothing was moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system gives this process no more ({0}); how the coils are is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the supplies off by hand, or say off again in a new terminal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field source has sent no new field for {0} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} was {1} when run {2} began, now it is {3}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taking to zero from here what no guardian holds: not read back yet …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before that: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked this time; {0} s ago: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT confirmed at zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero of coil {0} is not confirmed, and tried again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>supplies and reference agree again, {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the connection to the guardian was lost; {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last read before that (UTC): {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no current was read through it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a guardian holds the ports and hangs, or was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Have it ended, then say off again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the file and say off again, or switch this supply off by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open the output of {0} at its panel, or switch it off at its mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switch off {0} at its mains (no command opens its output)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the DUT come back into its range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the windings cool, then use less current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it sends again, after {1} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no sample for {1} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it answers again, {1} s after its loss was noticed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}; every row is kept by now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, kept by the store {1} s later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}; {1} cannot be gone on with: start it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what was not committed is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it held is lost where there is no copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} s ago: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guardian failed at {0}: {1}: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the connection to {0} was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>session {0} orders it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>labcal bench off, process {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coil {0}: zero was ordered for all coils: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero was ordered; what was being asked of this line was given up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work was ended by this window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work was killed (signal {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work said what this window cannot read, and was ended by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work ended by itself (exit {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work crashed (code {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no run goes on here that could be come back to</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -5375,6 +5811,14 @@
     </message>
     <message>
         <source>Whether the fit is good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each of them says</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6144,6 +6588,10 @@ after this step …</source>
 <context>
     <name>NamedSerials</name>
     <message>
+        <source>{0}: is this the right sensor?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>names itself {0}, not {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6196,6 +6644,25 @@ after this step …</source>
     </message>
     <message>
         <source>Certificate of {0}, for {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>NoFit</name>
+    <message>
+        <source>The other methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimate by every method that was not tried yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the preflight of this DUT on the Run page</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6332,15 +6799,7 @@ after this step …</source>
 <context>
     <name>PathViewModel</name>
     <message>
-        <source>failed: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>was stopped before its end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>was interrupted</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6396,6 +6855,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Try the other methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mend {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6408,6 +6871,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>was broken off: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was broken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit the run</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6417,6 +6888,10 @@ after this step …</source>
     </message>
     <message>
         <source>See what is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure {0} again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6988,7 +7463,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
+        <source>A run that went on is broken off by its own process: go on with it on Start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7047,10 +7522,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The bench file states no calibration of the reference with a date.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7083,7 +7554,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Interrupted: to be gone on with</source>
+        <source>▲ To be gone on with</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7100,6 +7571,10 @@ after this step …</source>
     </message>
     <message>
         <source>Ready. {0} is to be measured on {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7592,10 +8067,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Interrupted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>✕ This page cannot be shown</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8056,10 +8527,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>interrupted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>imported</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8144,6 +8611,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ Broken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>started</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8185,6 +8656,10 @@ after this step …</source>
     </message>
     <message>
         <source>non-orthogonality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>broken off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8428,6 +8903,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>NOT MEASURED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured, so this says nothing of the DUT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8568,6 +9051,38 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✕ No calibration from this run by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No calibration from this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset and gains did not come out of these rows, so nothing can be traced or signed of this run. The DUT may still be good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: the other methods. Some of them need less of a run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: measure again, with turns about x, y and z and in more than one magnitude, as preflight does it. Look first at the pictures below: a turn that stands apart from the others is the one that went wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a result: {0}. What is said above is of {1}, and does not rest on them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a result: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8668,11 +9183,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Interrupted once: {0}. Measured again: {1}.</source>
+        <source>▲ One interruption: {0}. Measured again: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Interrupted {0} times: {1}. Measured again: {2}.</source>
+        <source>▲ {0} interruptions: {1}. Measured again: {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8721,6 +9236,10 @@ after this step …</source>
     </message>
     <message>
         <source>The procedure noted {0} more, the last: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

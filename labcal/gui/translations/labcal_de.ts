@@ -300,8 +300,8 @@
         <translation>Eine Messung läuft und hält die Geräte: danach.</translation>
     </message>
     <message>
-        <source>{0}, simulated</source>
-        <translation>{0}, simuliert</translation>
+        <source>{0}, simulated: whichever DUT is typed</source>
+        <translation>{0}, simuliert: jeder Prüfling, der oben steht</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -525,6 +525,14 @@
     <message>
         <source>A setting is not accepted: see above.</source>
         <translation>Eine Einstellung wird nicht angenommen: siehe oben.</translation>
+    </message>
+    <message>
+        <source>It cannot be begun as it is set: the plan says why.</source>
+        <translation>So eingestellt kann es nicht beginnen: Der Plan sagt, warum.</translation>
+    </message>
+    <message>
+        <source>the plan</source>
+        <translation>den Plan</translation>
     </message>
 </context>
 <context>
@@ -833,6 +841,10 @@
         <translation>Die Spulen gehen auf null: befohlen, noch nicht zurückgelesen …</translation>
     </message>
     <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation>Spulen NICHT als null bestätigt: {0}</translation>
+    </message>
+    <message>
         <source>coils read back at zero by their supplies</source>
         <translation>Spulen von ihren Netzgeräten bei null zurückgelesen</translation>
     </message>
@@ -975,10 +987,6 @@
     <message>
         <source>turned by 180° about its {0}</source>
         <translation>um 180° um seine Achse {0} gedreht</translation>
-    </message>
-    <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
-        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung?</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -1141,6 +1149,10 @@
         <translation>Das Feld geht auf {0} µT.</translation>
     </message>
     <message>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
+        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie vor der Unterbrechung?</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation>Das Feld geht auf {0} µT, und die Plattform kann sich drehen.</translation>
     </message>
@@ -1273,10 +1285,6 @@
         <translation>eine Messung braucht die Seriennummer ihres Prüflings</translation>
     </message>
     <message>
-        <source>run {0} was not interrupted: it is {1}</source>
-        <translation>Messung {0} wurde nicht unterbrochen: sie ist {1}</translation>
-    </message>
-    <message>
         <source>run {0} is of DUT {1}, the bench has {2}</source>
         <translation>Messung {0} ist von Prüfling {1}, auf dem Messplatz steht {2}</translation>
     </message>
@@ -1403,6 +1411,10 @@
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
         <translation>»{0}« ist kein Name: Buchstaben, Ziffern, Leerzeichen, dazwischen . , &apos; - _ @ + &amp; / ( )</translation>
+    </message>
+    <message>
+        <source>run {0} is none to be gone on with: it is {1}</source>
+        <translation>Messung {0} ist nicht fortzusetzen: sie ist {1}</translation>
     </message>
     <message>
         <source>{0}; nothing was made</source>
@@ -1769,12 +1781,16 @@
         <translation>{0}: {1} hat schon einen Schlüssel; ein zweiter würde ihn ersetzen (`labcal keys revoke {2}`, wo er verloren ist)</translation>
     </message>
     <message>
-        <source>failed: {0}</source>
-        <translation>gescheitert: {0}</translation>
+        <source>broken off by its store: {0}</source>
+        <translation>vom Speicher unterbrochen: {0}</translation>
     </message>
     <message>
-        <source>interrupted: {0}</source>
+        <source>broken off: {0}</source>
         <translation>unterbrochen: {0}</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>finished</source>
@@ -1783,10 +1799,6 @@
     <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>imported</source>
@@ -2969,12 +2981,12 @@
         <translation>die Kovarianz des Filters ist nicht mehr positiv definit</translation>
     </message>
     <message>
-        <source>the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its covariance and the noise of the first readings allow</source>
-        <translation>das Filter ist divergiert, oder der Sensor hat sich geändert: Das Quadrat seiner Innovationen ist das {0}-fache dessen, was seine Kovarianz und das Rauschen der ersten Werte erlauben</translation>
+        <source>the filter has diverged, or the sensor has changed: readings lie {0} times farther from what it expects than the noise of the first ones allows</source>
+        <translation>Das Filter hat den Sensor verloren, oder der Sensor hat sich verändert: Messwerte liegen {0}-mal weiter von dem, was es erwartet, als das Rauschen der ersten erlaubt</translation>
     </message>
     <message>
-        <source>the filter has diverged, or the sensor has changed: its innovations squared are beyond what its covariance and the noise of the first readings allow</source>
-        <translation>das Filter ist divergiert, oder der Sensor hat sich geändert: Das Quadrat seiner Innovationen ist über allem, was seine Kovarianz und das Rauschen der ersten Werte erlauben</translation>
+        <source>the filter has diverged, or the sensor has changed: readings lie beyond all bounds farther from what it expects than the noise of the first ones allows</source>
+        <translation>Das Filter hat den Sensor verloren, oder der Sensor hat sich verändert: Messwerte liegen über alle Grenzen weiter von dem, was es erwartet, als das Rauschen der ersten erlaubt</translation>
     </message>
     <message>
         <source>{0} readings with a magnitude; a start needs {1}</source>
@@ -5272,6 +5284,430 @@
         <source>too little evidence</source>
         <translation>zu wenig Evidenz</translation>
     </message>
+    <message>
+        <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
+        <translation>Die Netzgeräte melden {0} A, und die Referenz sieht das nicht: {1}.</translation>
+    </message>
+    <message>
+        <source>Does every supply obey, are signs and constants right, was something magnetic moved? axes-check tells which coil it is.</source>
+        <translation>Gehorcht jedes Netzgerät, stimmen Vorzeichen und Konstanten, wurde etwas Magnetisches bewegt? axes-check sagt, welche Spule es ist.</translation>
+    </message>
+    <message>
+        <source>Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why before it is cleared.</source>
+        <translation>Ist sein Ausgang von selbst ausgegangen, ist die Wicklung offen? Spulen aus, auf sein Bedienfeld sehen, und den Grund finden, bevor es zurückgesetzt wird.</translation>
+    </message>
+    <message>
+        <source>a field of {0} nT is beyond the limit of {1}, {2} nT; nothing was set.</source>
+        <translation>Ein Feld von {0} nT liegt über der Grenze von {1}, {2} nT; nichts wurde eingestellt.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A would take {2} s to ramp down, more than {3} s; lower current_A or raise ramp_A_per_s.</source>
+        <translation>Spule {0}: {1} A bräuchten {2} s bis null, mehr als {3} s; current_A senken oder ramp_A_per_s erhöhen.</translation>
+    </message>
+    <message>
+        <source>{0}, at {1}: {2}. Nothing was set.</source>
+        <translation>{0}, um {1}: {2}. Nichts wurde eingestellt.</translation>
+    </message>
+    <message>
+        <source>{0}, then measure again: `labcal bench check FILE` lifts this where reference and supplies agree, with --clear-as NAME where a person answers for it.</source>
+        <translation>{0}, dann noch einmal messen: `labcal bench check FILE` hebt das auf, wo Referenz und Netzgeräte übereinstimmen, mit --clear-as NAME, wo jemand dafür einsteht.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows after zero was set; the contacts were not moved.</source>
+        <translation>Spule {0}: {1} A fließen noch, nachdem null gesetzt wurde; die Kontakte wurden nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>coil {0}: after its contacts were set, a step of {1} A was seen by the reference as {2} A.</source>
+        <translation>Spule {0}: Nach dem Stellen ihrer Kontakte sah die Referenz einen Schritt von {1} A als {2} A.</translation>
+    </message>
+    <message>
+        <source>Look for a contact that hangs or is welded, then run axes-check.</source>
+        <translation>Nach einem Kontakt sehen, der hängt oder verschweißt ist, dann axes-check.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A root mean square would soon be reached, its limit is {2} A; nothing was set.</source>
+        <translation>Spule {0}: Bald wären {1} A effektiv erreicht, ihre Grenze ist {2} A; nichts wurde eingestellt.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows {2} s after zero was set (zero is below {3} A).</source>
+        <translation>Spule {0}: {1} A fließen noch {2} s, nachdem null gesetzt wurde (null ist unter {3} A).</translation>
+    </message>
+    <message>
+        <source>Switch {0} off by hand, then look at its panel.</source>
+        <translation>{0} von Hand ausschalten, dann auf sein Bedienfeld sehen.</translation>
+    </message>
+    <message>
+        <source>See that it sends, then try again.</source>
+        <translation>Dafür sorgen, dass es sendet, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>{0}: it stopped {1}° from its target of {2}°.</source>
+        <translation>{0}: hielt {1}° vor dem Ziel von {2}°.</translation>
+    </message>
+    <message>
+        <source>{0}: it homes at {1} deg/s, the DUT&apos;s limit is {2} deg/s; nothing was moved.</source>
+        <translation>{0}: fährt mit {1} deg/s zum Nullpunkt, die Grenze des Prüflings ist {2} deg/s; nichts wurde bewegt.</translation>
+    </message>
+    <message>
+        <source>Lower the homing speed on the stage itself, or take the DUT off and home it with its own program.</source>
+        <translation>Die Geschwindigkeit dafür am Drehtisch selbst senken, oder den Prüfling abnehmen und den Tisch mit seinem eigenen Programm zum Nullpunkt fahren.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} answers, before it was {2}.</source>
+        <translation>{0}: {1} antwortet, vorher war es {2}.</translation>
+    </message>
+    <message>
+        <source>Plug the instruments in as bench.toml says, and begin again.</source>
+        <translation>Die Geräte so einstecken, wie bench.toml es sagt, und neu beginnen.</translation>
+    </message>
+    <message>
+        <source>{0}: its name came damaged ({1}).</source>
+        <translation>{0}: sein Name kam beschädigt an ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: {1} answers here and as {2}: the same instrument answers on both links.</source>
+        <translation>{0}: {1} antwortet hier und als {2}: An beiden Verbindungen antwortet dasselbe Gerät.</translation>
+    </message>
+    <message>
+        <source>Correct the links in bench.toml, then begin again.</source>
+        <translation>Die Verbindungen in bench.toml berichtigen, dann neu beginnen.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} was set to {2} and reads back {3}.</source>
+        <translation>{0}: {1} wurde auf {2} gesetzt und liest sich als {3} zurück.</translation>
+    </message>
+    <message>
+        <source>Look at the instrument&apos;s panel.</source>
+        <translation>Auf das Bedienfeld des Geräts sehen.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} came back as {2}.</source>
+        <translation>{0}: {1} kam als {2} zurück.</translation>
+    </message>
+    <message>
+        <source>{0}: the guardian is gone ({1}); how the coils are is not known.</source>
+        <translation>{0}: Der Wächter ist fort ({1}); wie die Spulen stehen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Say `labcal bench off`, then try again.</source>
+        <translation>COILS OFF (`labcal bench off`), dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>another user&apos;s process answers as the guardian of this bench; it is not believed.</source>
+        <translation>Ein Prozess eines anderen Benutzers antwortet als Wächter dieses Messplatzes; ihm wird nicht geglaubt.</translation>
+    </message>
+    <message>
+        <source>guardian.log names its process: end it, then say off again.</source>
+        <translation>guardian.log nennt seinen Prozess: ihn beenden, dann noch einmal ausschalten.</translation>
+    </message>
+    <message>
+        <source>coil {0}: the guardian before is gone; it had ordered zero and reported no read-back.</source>
+        <translation>Spule {0}: Der Wächter davor ist fort; er hatte null befohlen und kein Rücklesen gemeldet.</translation>
+    </message>
+    <message>
+        <source>coil {0}: zero has not been read back.</source>
+        <translation>Spule {0}: null wurde nicht zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>coil {0}: a step of {1} A is beyond the {2} A that its ramp of {3} A/s allows now; nothing was set.</source>
+        <translation>Spule {0}: Ein Schritt von {1} A ist mehr als die {2} A, die ihre Rampe von {3} A/s jetzt erlaubt; nichts wurde eingestellt.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows; its output is not opened under current.</source>
+        <translation>Spule {0}: {1} A fließen noch; unter Strom wird ihr Ausgang nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>Ramp it to zero first; or `labcal bench off`.</source>
+        <translation>Erst auf null fahren; oder COILS OFF (`labcal bench off`).</translation>
+    </message>
+    <message>
+        <source>it did not answer in the time that there is on the way to zero.</source>
+        <translation>es antwortete nicht in der Zeit, die auf dem Weg zu null bleibt.</translation>
+    </message>
+    <message>
+        <source>{0} How the coils are is not known.</source>
+        <translation>{0} Wie die Spulen stehen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>{0} A was not sent: this coil was ordered to zero, and {1} A is the most that it may still hear.</source>
+        <translation>{0} A wurden nicht gesendet: Für diese Spule ist null befohlen, und {1} A ist das Höchste, was sie noch bekommen darf.</translation>
+    </message>
+    <message>
+        <source>{0}: its output was not closed: this coil was ordered to zero.</source>
+        <translation>{0}: sein Ausgang wurde nicht geschlossen: Für diese Spule ist null befohlen.</translation>
+    </message>
+    <message>
+        <source>a field of {0} nT of the coils alone is beyond the limit of {1} nT, Earth&apos;s {2} nT taken off; nothing was set.</source>
+        <translation>Ein Feld von {0} nT allein aus den Spulen liegt über der Grenze von {1} nT, das Erdfeld von {2} nT abgezogen; nichts wurde eingestellt.</translation>
+    </message>
+    <message>
+        <source>the cage&apos;s calibration is not there: no field is set by it; nothing was set.</source>
+        <translation>Die Kalibrierung des Spulenkäfigs fehlt: Nach ihr wird kein Feld eingestellt; nichts wurde eingestellt.</translation>
+    </message>
+    <message>
+        <source>not reached: {0}.</source>
+        <translation>nicht erreicht: {0}.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} failed ({2}); its port is there.</source>
+        <translation>{0}: {1} misslang ({2}); sein Anschluss ist da.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} was sent and {2} came back.</source>
+        <translation>{0}: {1} wurde gesendet, und {2} kam zurück.</translation>
+    </message>
+    <message>
+        <source>Do two talk on this line at once? Without an adapter that echoes, take echo=1 out of the link.</source>
+        <translation>Reden zwei zugleich auf dieser Leitung? Ohne einen Adapter mit Echo echo=1 aus der Verbindung nehmen.</translation>
+    </message>
+    <message>
+        <source>{0}: it babbles: more than {1} KiB came without an end, beginning with {2}.</source>
+        <translation>{0}: es redet ohne Ende: Mehr als {1} KiB kamen ohne Schluss, zu Beginn {2}.</translation>
+    </message>
+    <message>
+        <source>Is it the instrument that bench.toml names? Pull its cable and plug it in again, or switch it off.</source>
+        <translation>Ist es das Gerät, das bench.toml nennt? Sein Kabel ziehen und wieder einstecken, oder es ausschalten.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} registers came where {2} were asked for.</source>
+        <translation>{0}: {1} Register kamen, wo {2} gefragt waren.</translation>
+    </message>
+    <message>
+        <source>{0}: no valid Modbus reply.</source>
+        <translation>{0}: keine gültige Modbus-Antwort.</translation>
+    </message>
+    <message>
+        <source>{0}: the reply belongs to another request.</source>
+        <translation>{0}: Die Antwort gehört zu einer anderen Anfrage.</translation>
+    </message>
+    <message>
+        <source>{0}: a program of user {1} is connected to it.</source>
+        <translation>{0}: Ein Programm des Benutzers {1} ist damit verbunden.</translation>
+    </message>
+    <message>
+        <source>Ask user {0} to end it, then try again.</source>
+        <translation>Den Benutzer {0} bitten, es zu beenden, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>End that program, then try again.</source>
+        <translation>Das Programm beenden, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>End it, then try again.</source>
+        <translation>Es beenden, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.</source>
+        <translation>Es beenden, oder die Sitzung, die diesen Messplatz fährt; COILS OFF (`labcal bench off`) bringt seine Spulen inzwischen auf null.</translation>
+    </message>
+    <message>
+        <source>Try again; if it comes again, look at its cable and its adapter.</source>
+        <translation>Noch einmal versuchen; kommt es wieder, nach Kabel und Adapter sehen.</translation>
+    </message>
+    <message>
+        <source>returned no data</source>
+        <translation>gab keine Daten zurück</translation>
+    </message>
+    <message>
+        <source>its other end has hung up</source>
+        <translation>die Gegenseite hat aufgelegt</translation>
+    </message>
+    <message>
+        <source>{0}: {1}° is beyond the ±{2}° of the cables; nothing was sent.</source>
+        <translation>{0}: {1}° sind mehr als die ±{2}° der Kabel; nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>{0}: another process has this port.</source>
+        <translation>{0}: Ein anderer Prozess hat diesen Anschluss.</translation>
+    </message>
+    <message>
+        <source>Check that the dial&apos;s reading is entered after each turn.</source>
+        <translation>Prüfen, ob nach jeder Drehung die Ablesung der Skala eingegeben wird.</translation>
+    </message>
+    <message>
+        <source>{0} deg/s is too fast: DUT and platform allow {1} deg/s</source>
+        <translation>{0} deg/s sind zu schnell: Prüfling und Drehtisch erlauben {1} deg/s</translation>
+    </message>
+    <message>
+        <source>{0} deg/s is beyond the DUT&apos;s limit of {1} deg/s; nothing was moved.</source>
+        <translation>{0} deg/s liegen über der Grenze des Prüflings von {1} deg/s; nichts wurde bewegt.</translation>
+    </message>
+    <message>
+        <source>the system gives this process no more ({0}); how the coils are is not known.</source>
+        <translation>Das System gibt diesem Prozess nichts mehr ({0}); wie die Spulen stehen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Switch the supplies off by hand, or say off again in a new terminal.</source>
+        <translation>Die Netzgeräte von Hand ausschalten, oder in einem neuen Terminal noch einmal ausschalten.</translation>
+    </message>
+    <message>
+        <source>the field source has sent no new field for {0} s.</source>
+        <translation>Die Feldquelle hat seit {0} s kein neues Feld gesendet.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when run {2} began, now it is {3}</source>
+        <translation>{0} war {1}, als Messung {2} begann, jetzt ist es {3}</translation>
+    </message>
+    <message>
+        <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
+        <translation>auf dem Messplatz steht {0}, die Messung ist von {1}: nichts wurde bewegt</translation>
+    </message>
+    <message>
+        <source>taking to zero from here what no guardian holds: not read back yet …</source>
+        <translation>was kein Wächter hält, wird von hier auf null gebracht: noch nicht zurückgelesen …</translation>
+    </message>
+    <message>
+        <source>before that: {0}</source>
+        <translation>davor: {0}</translation>
+    </message>
+    <message>
+        <source>not asked this time; {0} s ago: {1}</source>
+        <translation>diesmal nicht gefragt; vor {0} s: {1}</translation>
+    </message>
+    <message>
+        <source>NOT confirmed at zero: {0}</source>
+        <translation>NICHT auf null bestätigt: {0}</translation>
+    </message>
+    <message>
+        <source>zero of coil {0} is not confirmed, and tried again</source>
+        <translation>null der Spule {0} ist nicht bestätigt, und wird noch einmal versucht</translation>
+    </message>
+    <message>
+        <source>supplies and reference agree again, {0}: {1}</source>
+        <translation>Netzgeräte und Referenz stimmen wieder überein, {0}: {1}</translation>
+    </message>
+    <message>
+        <source>the connection to the guardian was lost; {0}.</source>
+        <translation>Die Verbindung zum Wächter ging verloren; {0}.</translation>
+    </message>
+    <message>
+        <source>last read before that (UTC): {0}</source>
+        <translation>davor zuletzt gelesen (UTC): {0}</translation>
+    </message>
+    <message>
+        <source>no current was read through it</source>
+        <translation>durch ihn wurde kein Strom gelesen</translation>
+    </message>
+    <message>
+        <source>a guardian holds the ports and hangs, or was stopped.</source>
+        <translation>Ein Wächter hält die Anschlüsse und hängt oder wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Have it ended, then say off again.</source>
+        <translation>Ihn beenden lassen, dann noch einmal ausschalten.</translation>
+    </message>
+    <message>
+        <source>Correct the file and say off again, or switch this supply off by hand.</source>
+        <translation>Die Datei berichtigen und noch einmal ausschalten, oder dieses Netzgerät von Hand ausschalten.</translation>
+    </message>
+    <message>
+        <source>open the output of {0} at its panel, or switch it off at its mains</source>
+        <translation>den Ausgang von {0} an seinem Bedienfeld öffnen, oder es am Netz ausschalten</translation>
+    </message>
+    <message>
+        <source>switch off {0} at its mains (no command opens its output)</source>
+        <translation>{0} am Netz ausschalten (kein Befehl öffnet seinen Ausgang)</translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: {2}</source>
+        <translation>Es ist, als flössen {0} A in Spule {1}: {2}</translation>
+    </message>
+    <message>
+        <source>Let the DUT come back into its range.</source>
+        <translation>Den Prüfling in seinen Bereich zurückkommen lassen.</translation>
+    </message>
+    <message>
+        <source>Let the windings cool, then use less current.</source>
+        <translation>Die Wicklungen abkühlen lassen, dann weniger Strom nehmen.</translation>
+    </message>
+    <message>
+        <source>{0}: it sends again, after {1} s</source>
+        <translation>{0}: sendet wieder, nach {1} s</translation>
+    </message>
+    <message>
+        <source>{0}: no sample for {1} s</source>
+        <translation>{0}: seit {1} s kein Messwert</translation>
+    </message>
+    <message>
+        <source>{0}: it answers again, {1} s after its loss was noticed</source>
+        <translation>{0}: antwortet wieder, {1} s nachdem sein Ausfall bemerkt wurde</translation>
+    </message>
+    <message>
+        <source>{0}; every row is kept by now</source>
+        <translation>{0}; jede Zeile ist inzwischen gespeichert</translation>
+    </message>
+    <message>
+        <source>{0}, kept by the store {1} s later</source>
+        <translation>{0}, vom Speicher {1} s später behalten</translation>
+    </message>
+    <message>
+        <source>{0}; {1} cannot be gone on with: start it anew</source>
+        <translation>{0}; {1} kann nicht weiter: neu beginnen</translation>
+    </message>
+    <message>
+        <source>what was not committed is lost</source>
+        <translation>was nicht geschrieben war, ist verloren</translation>
+    </message>
+    <message>
+        <source>what it held is lost where there is no copy</source>
+        <translation>was er enthielt, ist verloren, wo es keine Kopie gibt</translation>
+    </message>
+    <message>
+        <source>{0} s ago: {1}</source>
+        <translation>vor {0} s: {1}</translation>
+    </message>
+    <message>
+        <source>the guardian failed at {0}: {1}: {2}.</source>
+        <translation>Der Wächter scheiterte bei {0}: {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>the connection to {0} was lost</source>
+        <translation>die Verbindung zu {0} ging verloren</translation>
+    </message>
+    <message>
+        <source>session {0} orders it</source>
+        <translation>Sitzung {0} befiehlt es</translation>
+    </message>
+    <message>
+        <source>labcal bench off, process {0}</source>
+        <translation>labcal bench off, Prozess {0}</translation>
+    </message>
+    <message>
+        <source>coil {0}: zero was ordered for all coils: {1}.</source>
+        <translation>Spule {0}: Für alle Spulen wurde null befohlen: {1}.</translation>
+    </message>
+    <message>
+        <source>zero was ordered; what was being asked of this line was given up.</source>
+        <translation>Null wurde befohlen; was auf dieser Leitung gefragt wurde, wurde aufgegeben.</translation>
+    </message>
+    <message>
+        <source>The work was ended by this window.</source>
+        <translation>Die Arbeit wurde von diesem Fenster beendet.</translation>
+    </message>
+    <message>
+        <source>The work was killed (signal {0}).</source>
+        <translation>Die Arbeit wurde gewaltsam beendet (Signal {0}).</translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation>Der Arbeitsprozess ließ sich nicht starten.</translation>
+    </message>
+    <message>
+        <source>The work said what this window cannot read, and was ended by it.</source>
+        <translation>Die Arbeit sagte, was dieses Fenster nicht lesen kann, und wurde von ihm beendet.</translation>
+    </message>
+    <message>
+        <source>The work ended by itself (exit {0}).</source>
+        <translation>Die Arbeit endete von selbst (Ende {0}).</translation>
+    </message>
+    <message>
+        <source>The work crashed (code {0}).</source>
+        <translation>Die Arbeit stürzte ab (Code {0}).</translation>
+    </message>
+    <message>
+        <source>no run goes on here that could be come back to</source>
+        <translation>hier läuft keine Messung, zu der man zurückkehren könnte</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -5388,6 +5824,14 @@
     <message>
         <source>Whether the fit is good</source>
         <translation>Ob die Anpassung gut ist</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>What each of them says</source>
+        <translation>Was jedes von ihnen sagt</translation>
     </message>
     <message>
         <source>computing: {0}</source>
@@ -6145,6 +6589,10 @@ diesem Schritt …</translation>
 <context>
     <name>NamedSerials</name>
     <message>
+        <source>{0}: is this the right sensor?</source>
+        <translation>{0}: Ist das der richtige Sensor?</translation>
+    </message>
+    <message>
         <source>names itself {0}, not {1}</source>
         <translation>nennt sich {0}, nicht {1}</translation>
     </message>
@@ -6198,6 +6646,25 @@ diesem Schritt …</translation>
     <message>
         <source>Certificate of {0}, for {1}.</source>
         <translation>Zertifikat von {0}, für {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>NoFit</name>
+    <message>
+        <source>The other methods</source>
+        <translation>Die anderen Verfahren</translation>
+    </message>
+    <message>
+        <source>Estimate by every method that was not tried yet</source>
+        <translation>Mit jedem Verfahren schätzen, das noch nicht versucht wurde</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>To the preflight of this DUT on the Run page</source>
+        <translation>Zum preflight dieses Prüflings auf der Seite Messen</translation>
     </message>
 </context>
 <context>
@@ -6333,16 +6800,8 @@ diesem Schritt …</translation>
 <context>
     <name>PathViewModel</name>
     <message>
-        <source>failed: {0}</source>
-        <translation>gescheitert: {0}</translation>
-    </message>
-    <message>
         <source>was stopped before its end</source>
         <translation>wurde vor ihrem Ende gestoppt</translation>
-    </message>
-    <message>
-        <source>was interrupted</source>
-        <translation>wurde unterbrochen</translation>
     </message>
     <message>
         <source>still goes on</source>
@@ -6397,6 +6856,10 @@ diesem Schritt …</translation>
         <translation>Weiter mit der Messung</translation>
     </message>
     <message>
+        <source>Try the other methods</source>
+        <translation>Die anderen Verfahren versuchen</translation>
+    </message>
+    <message>
         <source>Mend {0}</source>
         <translation>{0} berichtigen</translation>
     </message>
@@ -6409,6 +6872,14 @@ diesem Schritt …</translation>
         <translation>Sehen, was gefunden wird</translation>
     </message>
     <message>
+        <source>was broken off: {0}</source>
+        <translation>wurde unterbrochen: {0}</translation>
+    </message>
+    <message>
+        <source>was broken off</source>
+        <translation>wurde unterbrochen</translation>
+    </message>
+    <message>
         <source>Fit the run</source>
         <translation>Messung anpassen</translation>
     </message>
@@ -6419,6 +6890,10 @@ diesem Schritt …</translation>
     <message>
         <source>See what is not known</source>
         <translation>Sehen, was offen ist</translation>
+    </message>
+    <message>
+        <source>Measure {0} again</source>
+        <translation>{0} neu messen</translation>
     </message>
     <message>
         <source>Approve and sign</source>
@@ -6989,8 +7464,8 @@ diesem Schritt …</translation>
         <translation>Das Fenster brach ab und wurde neu gestartet. Was es zuletzt sagte, liegt in {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
-        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start weiter.</translation>
+        <source>A run that went on is broken off by its own process: go on with it on Start.</source>
+        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen: auf Start weiter.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6999,10 +7474,6 @@ diesem Schritt …</translation>
 </context>
 <context>
     <name>StartPage</name>
-    <message>
-        <source>▲ Interrupted: to be gone on with</source>
-        <translation>▲ Unterbrochen: fortzusetzen</translation>
-    </message>
     <message>
         <source>Check the cage</source>
         <translation>Käfig prüfen</translation>
@@ -7068,10 +7539,6 @@ diesem Schritt …</translation>
         <translation>Bereit. {0} wird auf {1} gemessen.</translation>
     </message>
     <message>
-        <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Eine Messung von {0} brach ab: unten weiter, oder neu messen.</translation>
-    </message>
-    <message>
         <source>✕ Not ready: see what is said of the coils.</source>
         <translation>✕ Nicht bereit: siehe, was von den Spulen gesagt ist.</translation>
     </message>
@@ -7118,6 +7585,14 @@ diesem Schritt …</translation>
     <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
+    </message>
+    <message>
+        <source>▲ To be gone on with</source>
+        <translation>▲ Fortzusetzen</translation>
+    </message>
+    <message>
+        <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
+        <translation>▲ Eine Messung von {0} kam nicht an ihr Ende: unten weiter, oder neu messen.</translation>
     </message>
     <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
@@ -7591,10 +8066,6 @@ diesem Schritt …</translation>
     <message>
         <source>■ Stopped</source>
         <translation>■ Gestoppt</translation>
-    </message>
-    <message>
-        <source>▲ Interrupted</source>
-        <translation>▲ Unterbrochen</translation>
     </message>
     <message>
         <source>✕ This page cannot be shown</source>
@@ -8097,10 +8568,6 @@ diesem Schritt …</translation>
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>interrupted</source>
-        <translation>unterbrochen</translation>
-    </message>
-    <message>
         <source>imported</source>
         <translation>eingelesen</translation>
     </message>
@@ -8241,8 +8708,16 @@ diesem Schritt …</translation>
         <translation>✕ HÄNDE WEG: Die Spulen können eingeschaltet sein</translation>
     </message>
     <message>
+        <source>▲ Broken off</source>
+        <translation>▲ Unterbrochen</translation>
+    </message>
+    <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>{0} has to sign. The operator may sign as well.</source>
@@ -8429,6 +8904,14 @@ diesem Schritt …</translation>
         <translation>{0}, ohne {1}</translation>
     </message>
     <message>
+        <source>NOT MEASURED</source>
+        <translation>NICHT GEMESSEN</translation>
+    </message>
+    <message>
+        <source>Nothing was measured, so this says nothing of the DUT.</source>
+        <translation>Nichts wurde gemessen, also sagt das nichts über den Prüfling.</translation>
+    </message>
+    <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>
@@ -8569,6 +9052,38 @@ diesem Schritt …</translation>
         <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
+        <source>✕ No calibration from this run by {0}</source>
+        <translation>✕ Keine Kalibrierung aus dieser Messung mit {0}</translation>
+    </message>
+    <message>
+        <source>✕ No calibration from this run</source>
+        <translation>✕ Keine Kalibrierung aus dieser Messung</translation>
+    </message>
+    <message>
+        <source>Offset and gains did not come out of these rows, so nothing can be traced or signed of this run. The DUT may still be good.</source>
+        <translation>Offset und Verstärkungen kamen aus diesen Zeilen nicht heraus, also lässt sich von dieser Messung nichts ergründen oder unterschreiben. Der Prüfling kann trotzdem gut sein.</translation>
+    </message>
+    <message>
+        <source>Why: {0}.</source>
+        <translation>Warum: {0}.</translation>
+    </message>
+    <message>
+        <source>Next: the other methods. Some of them need less of a run.</source>
+        <translation>Als Nächstes: die anderen Verfahren. Einige brauchen weniger von einer Messung.</translation>
+    </message>
+    <message>
+        <source>Next: measure again, with turns about x, y and z and in more than one magnitude, as preflight does it. Look first at the pictures below: a turn that stands apart from the others is the one that went wrong.</source>
+        <translation>Als Nächstes: neu messen, mit Drehungen um x, y und z und bei mehr als einer Feldstärke, wie preflight es tut. Vorher die Bilder unten ansehen: Eine Drehung, die abseits der anderen liegt, ist die, die missriet.</translation>
+    </message>
+    <message>
+        <source>Without a result: {0}. What is said above is of {1}, and does not rest on them.</source>
+        <translation>Ohne Ergebnis: {0}. Was oben steht, ist von {1} und beruht nicht darauf.</translation>
+    </message>
+    <message>
+        <source>Without a result: {0}.</source>
+        <translation>Ohne Ergebnis: {0}.</translation>
+    </message>
+    <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
         <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
@@ -8669,12 +9184,12 @@ diesem Schritt …</translation>
         <translation>{0}: keine Antwort von {1}</translation>
     </message>
     <message>
-        <source>▲ Interrupted once: {0}. Measured again: {1}.</source>
-        <translation>▲ Einmal unterbrochen: {0}. Noch einmal gemessen: {1}.</translation>
+        <source>▲ One interruption: {0}. Measured again: {1}.</source>
+        <translation>▲ Eine Unterbrechung: {0}. Noch einmal gemessen: {1}.</translation>
     </message>
     <message>
-        <source>▲ Interrupted {0} times: {1}. Measured again: {2}.</source>
-        <translation>▲ {0}-mal unterbrochen: {1}. Noch einmal gemessen: {2}.</translation>
+        <source>▲ {0} interruptions: {1}. Measured again: {2}.</source>
+        <translation>▲ {0} Unterbrechungen: {1}. Noch einmal gemessen: {2}.</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -8723,6 +9238,10 @@ diesem Schritt …</translation>
     <message>
         <source>The procedure noted {0} more, the last: {1}</source>
         <translation>Die Prozedur vermerkte {0} weitere, zuletzt: {1}</translation>
+    </message>
+    <message>
+        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
+        <translation>Die Prozedur vermerkte {0} weitere Schätzungen unterwegs; das Urteil beruht nicht darauf.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>

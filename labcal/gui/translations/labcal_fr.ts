@@ -300,8 +300,8 @@
         <translation>Une mesure est en cours et tient les appareils : après elle.</translation>
     </message>
     <message>
-        <source>{0}, simulated</source>
-        <translation>{0}, simulé</translation>
+        <source>{0}, simulated: whichever DUT is typed</source>
+        <translation>{0}, simulé : quel que soit le DUT saisi</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -525,6 +525,14 @@
     <message>
         <source>A setting is not accepted: see above.</source>
         <translation>Un réglage n&apos;est pas accepté : voir plus haut.</translation>
+    </message>
+    <message>
+        <source>It cannot be begun as it is set: the plan says why.</source>
+        <translation>Ainsi réglé, cela ne peut commencer : le plan dit pourquoi.</translation>
+    </message>
+    <message>
+        <source>the plan</source>
+        <translation>le plan</translation>
     </message>
 </context>
 <context>
@@ -833,6 +841,10 @@
         <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
     </message>
     <message>
+        <source>coils NOT confirmed at zero: {0}</source>
+        <translation>bobines NON confirmées à zéro : {0}</translation>
+    </message>
+    <message>
         <source>coils read back at zero by their supplies</source>
         <translation>bobines relues à zéro par leurs alimentations</translation>
     </message>
@@ -975,10 +987,6 @@
     <message>
         <source>turned by 180° about its {0}</source>
         <translation>tourné de 180° autour de son {0}</translation>
-    </message>
-    <message>
-        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
-        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ?</translation>
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
@@ -1141,6 +1149,10 @@
         <translation>Le champ passe à {0} µT.</translation>
     </message>
     <message>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
+        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme avant l&apos;interruption ?</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation>Le champ passe à {0} µT, et la plateforme peut tourner.</translation>
     </message>
@@ -1273,10 +1285,6 @@
         <translation>une mesure exige le numéro de série de son DUT</translation>
     </message>
     <message>
-        <source>run {0} was not interrupted: it is {1}</source>
-        <translation>la mesure {0} n&apos;a pas été interrompue : elle est {1}</translation>
-    </message>
-    <message>
         <source>run {0} is of DUT {1}, the bench has {2}</source>
         <translation>la mesure {0} est du DUT {1}, sur le banc se trouve {2}</translation>
     </message>
@@ -1403,6 +1411,10 @@
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
         <translation>« {0} » n&apos;est pas un nom : lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
+    </message>
+    <message>
+        <source>run {0} is none to be gone on with: it is {1}</source>
+        <translation>la mesure {0} n&apos;est pas à continuer : elle est {1}</translation>
     </message>
     <message>
         <source>{0}; nothing was made</source>
@@ -1769,12 +1781,16 @@
         <translation>{0} : {1} a déjà une clé ; une seconde la remplacerait (`labcal keys revoke {2}` si elle est perdue)</translation>
     </message>
     <message>
-        <source>failed: {0}</source>
-        <translation>échouée : {0}</translation>
+        <source>broken off by its store: {0}</source>
+        <translation>interrompue par le magasin : {0}</translation>
     </message>
     <message>
-        <source>interrupted: {0}</source>
+        <source>broken off: {0}</source>
         <translation>interrompue : {0}</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>interrompue</translation>
     </message>
     <message>
         <source>finished</source>
@@ -1783,10 +1799,6 @@
     <message>
         <source>stopped</source>
         <translation>arrêtée</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>interrompue</translation>
     </message>
     <message>
         <source>imported</source>
@@ -2969,12 +2981,12 @@
         <translation>la covariance du filtre n&apos;est plus définie positive</translation>
     </message>
     <message>
-        <source>the filter has diverged, or the sensor has changed: its innovations squared are {0} times what its covariance and the noise of the first readings allow</source>
-        <translation>le filtre a divergé, ou le capteur a changé : ses innovations au carré sont {0} fois ce que permettent sa covariance et le bruit des premières lectures</translation>
+        <source>the filter has diverged, or the sensor has changed: readings lie {0} times farther from what it expects than the noise of the first ones allows</source>
+        <translation>le filtre a divergé, ou le capteur a changé : les lectures sont {0} fois plus loin de ce qu&apos;il attend que le bruit des premières ne le permet</translation>
     </message>
     <message>
-        <source>the filter has diverged, or the sensor has changed: its innovations squared are beyond what its covariance and the noise of the first readings allow</source>
-        <translation>le filtre a divergé, ou le capteur a changé : ses innovations au carré dépassent ce que permettent sa covariance et le bruit des premières lectures</translation>
+        <source>the filter has diverged, or the sensor has changed: readings lie beyond all bounds farther from what it expects than the noise of the first ones allows</source>
+        <translation>le filtre a divergé, ou le capteur a changé : les lectures sont au-delà de toute borne plus loin de ce qu&apos;il attend que le bruit des premières ne le permet</translation>
     </message>
     <message>
         <source>{0} readings with a magnitude; a start needs {1}</source>
@@ -5272,6 +5284,430 @@
         <source>too little evidence</source>
         <translation>trop peu d&apos;évidence</translation>
     </message>
+    <message>
+        <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
+        <translation>Les alimentations annoncent {0} A, et la référence ne le voit pas : {1}.</translation>
+    </message>
+    <message>
+        <source>Does every supply obey, are signs and constants right, was something magnetic moved? axes-check tells which coil it is.</source>
+        <translation>Chaque alimentation obéit-elle, signes et constantes sont-ils justes, un objet magnétique a-t-il bougé ? axes-check dit quelle bobine c&apos;est.</translation>
+    </message>
+    <message>
+        <source>Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why before it is cleared.</source>
+        <translation>Sa sortie s&apos;est-elle coupée d&apos;elle-même, l&apos;enroulement est-il ouvert ? Couper les bobines, regarder sa face avant, et trouver la cause avant de réarmer.</translation>
+    </message>
+    <message>
+        <source>a field of {0} nT is beyond the limit of {1}, {2} nT; nothing was set.</source>
+        <translation>Un champ de {0} nT dépasse la limite de {1}, {2} nT ; rien n&apos;a été réglé.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A would take {2} s to ramp down, more than {3} s; lower current_A or raise ramp_A_per_s.</source>
+        <translation>bobine {0} : {1} A mettraient {2} s à redescendre, plus que {3} s ; baisser current_A ou augmenter ramp_A_per_s.</translation>
+    </message>
+    <message>
+        <source>{0}, at {1}: {2}. Nothing was set.</source>
+        <translation>{0}, à {1} : {2}. Rien n&apos;a été réglé.</translation>
+    </message>
+    <message>
+        <source>{0}, then measure again: `labcal bench check FILE` lifts this where reference and supplies agree, with --clear-as NAME where a person answers for it.</source>
+        <translation>{0}, puis mesurer de nouveau : `labcal bench check FILE` lève ceci où référence et alimentations s&apos;accordent, avec --clear-as NAME où une personne en répond.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows after zero was set; the contacts were not moved.</source>
+        <translation>bobine {0} : {1} A passent encore après la mise à zéro ; les contacts n&apos;ont pas bougé.</translation>
+    </message>
+    <message>
+        <source>coil {0}: after its contacts were set, a step of {1} A was seen by the reference as {2} A.</source>
+        <translation>bobine {0} : après le réglage de ses contacts, un pas de {1} A a été vu par la référence comme {2} A.</translation>
+    </message>
+    <message>
+        <source>Look for a contact that hangs or is welded, then run axes-check.</source>
+        <translation>Chercher un contact coincé ou soudé, puis lancer axes-check.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A root mean square would soon be reached, its limit is {2} A; nothing was set.</source>
+        <translation>bobine {0} : {1} A efficaces seraient bientôt atteints, sa limite est {2} A ; rien n&apos;a été réglé.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows {2} s after zero was set (zero is below {3} A).</source>
+        <translation>bobine {0} : {1} A passent encore {2} s après la mise à zéro (zéro est sous {3} A).</translation>
+    </message>
+    <message>
+        <source>Switch {0} off by hand, then look at its panel.</source>
+        <translation>Éteindre {0} à la main, puis regarder sa face avant.</translation>
+    </message>
+    <message>
+        <source>See that it sends, then try again.</source>
+        <translation>Faire qu&apos;il émette, puis réessayer.</translation>
+    </message>
+    <message>
+        <source>{0}: it stopped {1}° from its target of {2}°.</source>
+        <translation>{0} : arrêté à {1}° de sa cible de {2}°.</translation>
+    </message>
+    <message>
+        <source>{0}: it homes at {1} deg/s, the DUT&apos;s limit is {2} deg/s; nothing was moved.</source>
+        <translation>{0} : prend son origine à {1} deg/s, la limite du DUT est {2} deg/s ; rien n&apos;a bougé.</translation>
+    </message>
+    <message>
+        <source>Lower the homing speed on the stage itself, or take the DUT off and home it with its own program.</source>
+        <translation>Baisser cette vitesse sur la platine même, ou retirer le DUT et prendre l&apos;origine par son propre programme.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} answers, before it was {2}.</source>
+        <translation>{0} : {1} répond, avant c&apos;était {2}.</translation>
+    </message>
+    <message>
+        <source>Plug the instruments in as bench.toml says, and begin again.</source>
+        <translation>Brancher les instruments comme le dit bench.toml, et recommencer.</translation>
+    </message>
+    <message>
+        <source>{0}: its name came damaged ({1}).</source>
+        <translation>{0} : son nom est arrivé abîmé ({1}).</translation>
+    </message>
+    <message>
+        <source>{0}: {1} answers here and as {2}: the same instrument answers on both links.</source>
+        <translation>{0} : {1} répond ici et comme {2} : le même instrument répond sur les deux liaisons.</translation>
+    </message>
+    <message>
+        <source>Correct the links in bench.toml, then begin again.</source>
+        <translation>Corriger les liaisons dans bench.toml, puis recommencer.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} was set to {2} and reads back {3}.</source>
+        <translation>{0} : {1} a été mis à {2} et se relit {3}.</translation>
+    </message>
+    <message>
+        <source>Look at the instrument&apos;s panel.</source>
+        <translation>Regarder la face avant de l&apos;instrument.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} came back as {2}.</source>
+        <translation>{0} : {1} est revenu comme {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: the guardian is gone ({1}); how the coils are is not known.</source>
+        <translation>{0} : le gardien n&apos;est plus là ({1}) ; l&apos;état des bobines n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>Say `labcal bench off`, then try again.</source>
+        <translation>COILS OFF (`labcal bench off`), puis réessayer.</translation>
+    </message>
+    <message>
+        <source>another user&apos;s process answers as the guardian of this bench; it is not believed.</source>
+        <translation>un processus d&apos;un autre utilisateur répond comme gardien de ce banc ; on ne le croit pas.</translation>
+    </message>
+    <message>
+        <source>guardian.log names its process: end it, then say off again.</source>
+        <translation>guardian.log nomme son processus : le terminer, puis couper de nouveau.</translation>
+    </message>
+    <message>
+        <source>coil {0}: the guardian before is gone; it had ordered zero and reported no read-back.</source>
+        <translation>bobine {0} : le gardien précédent n&apos;est plus là ; il avait ordonné zéro et n&apos;a annoncé aucune relecture.</translation>
+    </message>
+    <message>
+        <source>coil {0}: zero has not been read back.</source>
+        <translation>bobine {0} : le zéro n&apos;a pas été relu.</translation>
+    </message>
+    <message>
+        <source>coil {0}: a step of {1} A is beyond the {2} A that its ramp of {3} A/s allows now; nothing was set.</source>
+        <translation>bobine {0} : un pas de {1} A dépasse les {2} A que sa rampe de {3} A/s permet maintenant ; rien n&apos;a été réglé.</translation>
+    </message>
+    <message>
+        <source>coil {0}: {1} A still flows; its output is not opened under current.</source>
+        <translation>bobine {0} : {1} A passent encore ; sa sortie ne s&apos;ouvre pas sous courant.</translation>
+    </message>
+    <message>
+        <source>Ramp it to zero first; or `labcal bench off`.</source>
+        <translation>La mener d&apos;abord à zéro ; ou COILS OFF (`labcal bench off`).</translation>
+    </message>
+    <message>
+        <source>it did not answer in the time that there is on the way to zero.</source>
+        <translation>il n&apos;a pas répondu dans le temps qu&apos;il y a sur le chemin du zéro.</translation>
+    </message>
+    <message>
+        <source>{0} How the coils are is not known.</source>
+        <translation>{0} L&apos;état des bobines n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>{0} A was not sent: this coil was ordered to zero, and {1} A is the most that it may still hear.</source>
+        <translation>{0} A n&apos;ont pas été envoyés : le zéro est ordonné pour cette bobine, et {1} A est le plus qu&apos;elle puisse encore recevoir.</translation>
+    </message>
+    <message>
+        <source>{0}: its output was not closed: this coil was ordered to zero.</source>
+        <translation>{0} : sa sortie n&apos;a pas été fermée : le zéro est ordonné pour cette bobine.</translation>
+    </message>
+    <message>
+        <source>a field of {0} nT of the coils alone is beyond the limit of {1} nT, Earth&apos;s {2} nT taken off; nothing was set.</source>
+        <translation>un champ de {0} nT des seules bobines dépasse la limite de {1} nT, les {2} nT de la Terre déduits ; rien n&apos;a été réglé.</translation>
+    </message>
+    <message>
+        <source>the cage&apos;s calibration is not there: no field is set by it; nothing was set.</source>
+        <translation>l&apos;étalonnage de la cage n&apos;est pas là : aucun champ n&apos;est réglé d&apos;après lui ; rien n&apos;a été réglé.</translation>
+    </message>
+    <message>
+        <source>not reached: {0}.</source>
+        <translation>non atteint : {0}.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} failed ({2}); its port is there.</source>
+        <translation>{0} : {1} a échoué ({2}) ; son port est là.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} was sent and {2} came back.</source>
+        <translation>{0} : {1} a été envoyé et {2} est revenu.</translation>
+    </message>
+    <message>
+        <source>Do two talk on this line at once? Without an adapter that echoes, take echo=1 out of the link.</source>
+        <translation>Deux parlent-ils à la fois sur cette ligne ? Sans adaptateur à écho, retirer echo=1 de la liaison.</translation>
+    </message>
+    <message>
+        <source>{0}: it babbles: more than {1} KiB came without an end, beginning with {2}.</source>
+        <translation>{0} : il parle sans fin : plus de {1} Kio sont venus sans terminaison, commençant par {2}.</translation>
+    </message>
+    <message>
+        <source>Is it the instrument that bench.toml names? Pull its cable and plug it in again, or switch it off.</source>
+        <translation>Est-ce l&apos;instrument que nomme bench.toml ? Débrancher et rebrancher son câble, ou l&apos;éteindre.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} registers came where {2} were asked for.</source>
+        <translation>{0} : {1} registres sont venus pour {2} demandés.</translation>
+    </message>
+    <message>
+        <source>{0}: no valid Modbus reply.</source>
+        <translation>{0} : pas de réponse Modbus valable.</translation>
+    </message>
+    <message>
+        <source>{0}: the reply belongs to another request.</source>
+        <translation>{0} : la réponse appartient à une autre demande.</translation>
+    </message>
+    <message>
+        <source>{0}: a program of user {1} is connected to it.</source>
+        <translation>{0} : un programme de l&apos;utilisateur {1} y est connecté.</translation>
+    </message>
+    <message>
+        <source>Ask user {0} to end it, then try again.</source>
+        <translation>Demander à l&apos;utilisateur {0} de le terminer, puis réessayer.</translation>
+    </message>
+    <message>
+        <source>End that program, then try again.</source>
+        <translation>Terminer ce programme, puis réessayer.</translation>
+    </message>
+    <message>
+        <source>End it, then try again.</source>
+        <translation>Le terminer, puis réessayer.</translation>
+    </message>
+    <message>
+        <source>End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.</source>
+        <translation>Le terminer, ou la session qui pilote ce banc ; COILS OFF (`labcal bench off`) ramène entre-temps ses bobines à zéro.</translation>
+    </message>
+    <message>
+        <source>Try again; if it comes again, look at its cable and its adapter.</source>
+        <translation>Réessayer ; si cela revient, regarder son câble et son adaptateur.</translation>
+    </message>
+    <message>
+        <source>returned no data</source>
+        <translation>n&apos;a rendu aucune donnée</translation>
+    </message>
+    <message>
+        <source>its other end has hung up</source>
+        <translation>l&apos;autre bout a raccroché</translation>
+    </message>
+    <message>
+        <source>{0}: {1}° is beyond the ±{2}° of the cables; nothing was sent.</source>
+        <translation>{0} : {1}° dépassent les ±{2}° des câbles ; rien n&apos;a été envoyé.</translation>
+    </message>
+    <message>
+        <source>{0}: another process has this port.</source>
+        <translation>{0} : un autre processus a ce port.</translation>
+    </message>
+    <message>
+        <source>Check that the dial&apos;s reading is entered after each turn.</source>
+        <translation>Vérifier que la lecture du cadran est entrée après chaque rotation.</translation>
+    </message>
+    <message>
+        <source>{0} deg/s is too fast: DUT and platform allow {1} deg/s</source>
+        <translation>{0} deg/s est trop rapide : DUT et plateforme permettent {1} deg/s</translation>
+    </message>
+    <message>
+        <source>{0} deg/s is beyond the DUT&apos;s limit of {1} deg/s; nothing was moved.</source>
+        <translation>{0} deg/s dépasse la limite du DUT de {1} deg/s ; rien n&apos;a bougé.</translation>
+    </message>
+    <message>
+        <source>the system gives this process no more ({0}); how the coils are is not known.</source>
+        <translation>le système ne donne plus rien à ce processus ({0}) ; l&apos;état des bobines n&apos;est pas connu.</translation>
+    </message>
+    <message>
+        <source>Switch the supplies off by hand, or say off again in a new terminal.</source>
+        <translation>Éteindre les alimentations à la main, ou couper de nouveau dans un nouveau terminal.</translation>
+    </message>
+    <message>
+        <source>the field source has sent no new field for {0} s.</source>
+        <translation>la source du champ n&apos;a pas envoyé de nouveau champ depuis {0} s.</translation>
+    </message>
+    <message>
+        <source>{0} was {1} when run {2} began, now it is {3}</source>
+        <translation>{0} était {1} quand la mesure {2} a commencé, maintenant c&apos;est {3}</translation>
+    </message>
+    <message>
+        <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
+        <translation>le banc porte {0}, la mesure est de {1} : rien n&apos;a bougé</translation>
+    </message>
+    <message>
+        <source>taking to zero from here what no guardian holds: not read back yet …</source>
+        <translation>ce qu&apos;aucun gardien ne tient est mené à zéro d&apos;ici : pas encore relu …</translation>
+    </message>
+    <message>
+        <source>before that: {0}</source>
+        <translation>avant cela : {0}</translation>
+    </message>
+    <message>
+        <source>not asked this time; {0} s ago: {1}</source>
+        <translation>pas demandé cette fois ; il y a {0} s : {1}</translation>
+    </message>
+    <message>
+        <source>NOT confirmed at zero: {0}</source>
+        <translation>zéro NON confirmé : {0}</translation>
+    </message>
+    <message>
+        <source>zero of coil {0} is not confirmed, and tried again</source>
+        <translation>le zéro de la bobine {0} n&apos;est pas confirmé, nouvel essai</translation>
+    </message>
+    <message>
+        <source>supplies and reference agree again, {0}: {1}</source>
+        <translation>alimentations et référence s&apos;accordent de nouveau, {0} : {1}</translation>
+    </message>
+    <message>
+        <source>the connection to the guardian was lost; {0}.</source>
+        <translation>la liaison avec le gardien a été perdue ; {0}.</translation>
+    </message>
+    <message>
+        <source>last read before that (UTC): {0}</source>
+        <translation>lu en dernier avant cela (UTC) : {0}</translation>
+    </message>
+    <message>
+        <source>no current was read through it</source>
+        <translation>aucun courant n&apos;a été lu par lui</translation>
+    </message>
+    <message>
+        <source>a guardian holds the ports and hangs, or was stopped.</source>
+        <translation>un gardien tient les ports et reste bloqué, ou a été arrêté.</translation>
+    </message>
+    <message>
+        <source>Have it ended, then say off again.</source>
+        <translation>Le faire terminer, puis couper de nouveau.</translation>
+    </message>
+    <message>
+        <source>Correct the file and say off again, or switch this supply off by hand.</source>
+        <translation>Corriger le fichier et couper de nouveau, ou éteindre cette alimentation à la main.</translation>
+    </message>
+    <message>
+        <source>open the output of {0} at its panel, or switch it off at its mains</source>
+        <translation>ouvrir la sortie de {0} sur sa face avant, ou la couper au secteur</translation>
+    </message>
+    <message>
+        <source>switch off {0} at its mains (no command opens its output)</source>
+        <translation>couper {0} au secteur (aucun ordre n&apos;ouvre sa sortie)</translation>
+    </message>
+    <message>
+        <source>It is as if {0} A flowed in coil {1}: {2}</source>
+        <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : {2}</translation>
+    </message>
+    <message>
+        <source>Let the DUT come back into its range.</source>
+        <translation>Laisser le DUT revenir dans sa plage.</translation>
+    </message>
+    <message>
+        <source>Let the windings cool, then use less current.</source>
+        <translation>Laisser refroidir les enroulements, puis prendre moins de courant.</translation>
+    </message>
+    <message>
+        <source>{0}: it sends again, after {1} s</source>
+        <translation>{0} : émet de nouveau, après {1} s</translation>
+    </message>
+    <message>
+        <source>{0}: no sample for {1} s</source>
+        <translation>{0} : aucun échantillon depuis {1} s</translation>
+    </message>
+    <message>
+        <source>{0}: it answers again, {1} s after its loss was noticed</source>
+        <translation>{0} : répond de nouveau, {1} s après que sa perte a été remarquée</translation>
+    </message>
+    <message>
+        <source>{0}; every row is kept by now</source>
+        <translation>{0} ; chaque ligne est gardée maintenant</translation>
+    </message>
+    <message>
+        <source>{0}, kept by the store {1} s later</source>
+        <translation>{0}, gardé par le magasin {1} s plus tard</translation>
+    </message>
+    <message>
+        <source>{0}; {1} cannot be gone on with: start it anew</source>
+        <translation>{0} ; {1} ne peut pas être continué : recommencer</translation>
+    </message>
+    <message>
+        <source>what was not committed is lost</source>
+        <translation>ce qui n&apos;était pas écrit est perdu</translation>
+    </message>
+    <message>
+        <source>what it held is lost where there is no copy</source>
+        <translation>ce qu&apos;il contenait est perdu s&apos;il n&apos;y a pas de copie</translation>
+    </message>
+    <message>
+        <source>{0} s ago: {1}</source>
+        <translation>il y a {0} s : {1}</translation>
+    </message>
+    <message>
+        <source>the guardian failed at {0}: {1}: {2}.</source>
+        <translation>le gardien a échoué à {0} : {1} : {2}.</translation>
+    </message>
+    <message>
+        <source>the connection to {0} was lost</source>
+        <translation>la liaison avec {0} a été perdue</translation>
+    </message>
+    <message>
+        <source>session {0} orders it</source>
+        <translation>la session {0} l&apos;ordonne</translation>
+    </message>
+    <message>
+        <source>labcal bench off, process {0}</source>
+        <translation>labcal bench off, processus {0}</translation>
+    </message>
+    <message>
+        <source>coil {0}: zero was ordered for all coils: {1}.</source>
+        <translation>bobine {0} : le zéro a été ordonné pour toutes les bobines : {1}.</translation>
+    </message>
+    <message>
+        <source>zero was ordered; what was being asked of this line was given up.</source>
+        <translation>le zéro a été ordonné ; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
+    </message>
+    <message>
+        <source>The work was ended by this window.</source>
+        <translation>Le travail a été terminé par cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>The work was killed (signal {0}).</source>
+        <translation>Le travail a été tué (signal {0}).</translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation>Le processus de travail n&apos;a pas pu démarrer.</translation>
+    </message>
+    <message>
+        <source>The work said what this window cannot read, and was ended by it.</source>
+        <translation>Le travail a dit ce que cette fenêtre ne peut lire, et a été terminé par elle.</translation>
+    </message>
+    <message>
+        <source>The work ended by itself (exit {0}).</source>
+        <translation>Le travail s&apos;est terminé de lui-même (sortie {0}).</translation>
+    </message>
+    <message>
+        <source>The work crashed (code {0}).</source>
+        <translation>Le travail a planté (code {0}).</translation>
+    </message>
+    <message>
+        <source>no run goes on here that could be come back to</source>
+        <translation>aucune mesure n&apos;est en cours ici, à laquelle revenir</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -5388,6 +5824,14 @@
     <message>
         <source>Whether the fit is good</source>
         <translation>Si l&apos;ajustement est bon</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Pourquoi</translation>
+    </message>
+    <message>
+        <source>What each of them says</source>
+        <translation>Ce que dit chacune</translation>
     </message>
     <message>
         <source>computing: {0}</source>
@@ -6145,6 +6589,10 @@ cette étape …</translation>
 <context>
     <name>NamedSerials</name>
     <message>
+        <source>{0}: is this the right sensor?</source>
+        <translation>{0} : est-ce le bon capteur ?</translation>
+    </message>
+    <message>
         <source>names itself {0}, not {1}</source>
         <translation>se nomme {0}, et non {1}</translation>
     </message>
@@ -6198,6 +6646,25 @@ cette étape …</translation>
     <message>
         <source>Certificate of {0}, for {1}.</source>
         <translation>Certificat de {0}, pour {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>NoFit</name>
+    <message>
+        <source>The other methods</source>
+        <translation>Les autres méthodes</translation>
+    </message>
+    <message>
+        <source>Estimate by every method that was not tried yet</source>
+        <translation>Estimer par chaque méthode pas encore essayée</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Mesurer de nouveau</translation>
+    </message>
+    <message>
+        <source>To the preflight of this DUT on the Run page</source>
+        <translation>Au preflight de ce DUT sur la page Mesure</translation>
     </message>
 </context>
 <context>
@@ -6333,16 +6800,8 @@ cette étape …</translation>
 <context>
     <name>PathViewModel</name>
     <message>
-        <source>failed: {0}</source>
-        <translation>échec : {0}</translation>
-    </message>
-    <message>
         <source>was stopped before its end</source>
         <translation>a été arrêtée avant sa fin</translation>
-    </message>
-    <message>
-        <source>was interrupted</source>
-        <translation>a été interrompue</translation>
     </message>
     <message>
         <source>still goes on</source>
@@ -6397,6 +6856,10 @@ cette étape …</translation>
         <translation>Continuer la mesure</translation>
     </message>
     <message>
+        <source>Try the other methods</source>
+        <translation>Essayer les autres méthodes</translation>
+    </message>
+    <message>
         <source>Mend {0}</source>
         <translation>Corriger {0}</translation>
     </message>
@@ -6409,6 +6872,14 @@ cette étape …</translation>
         <translation>Voir ce qui est trouvé</translation>
     </message>
     <message>
+        <source>was broken off: {0}</source>
+        <translation>a été interrompue : {0}</translation>
+    </message>
+    <message>
+        <source>was broken off</source>
+        <translation>a été interrompue</translation>
+    </message>
+    <message>
         <source>Fit the run</source>
         <translation>Ajuster la mesure</translation>
     </message>
@@ -6419,6 +6890,10 @@ cette étape …</translation>
     <message>
         <source>See what is not known</source>
         <translation>Voir ce qui reste inconnu</translation>
+    </message>
+    <message>
+        <source>Measure {0} again</source>
+        <translation>Mesurer {0} de nouveau</translation>
     </message>
     <message>
         <source>Approve and sign</source>
@@ -6989,8 +7464,8 @@ cette étape …</translation>
         <translation>La fenêtre s&apos;est interrompue et a été relancée. Ses derniers mots sont gardés dans {0}.</translation>
     </message>
     <message>
-        <source>A run that went on is interrupted by its own process, as by Stop: go on with it on Start.</source>
-        <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : continuez-la à l&apos;Accueil.</translation>
+        <source>A run that went on is broken off by its own process: go on with it on Start.</source>
+        <translation>Une mesure en cours est interrompue par son propre processus : la continuer à l&apos;Accueil.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
@@ -6999,10 +7474,6 @@ cette étape …</translation>
 </context>
 <context>
     <name>StartPage</name>
-    <message>
-        <source>▲ Interrupted: to be gone on with</source>
-        <translation>▲ Interrompues : à continuer</translation>
-    </message>
     <message>
         <source>Check the cage</source>
         <translation>Vérifier la cage</translation>
@@ -7068,10 +7539,6 @@ cette étape …</translation>
         <translation>Prêt. {0} sera mesuré sur {1}.</translation>
     </message>
     <message>
-        <source>▲ A run of {0} broke off: go on with it below, or measure anew.</source>
-        <translation>▲ Une mesure de {0} s&apos;est interrompue : la continuer ci-dessous, ou mesurer de nouveau.</translation>
-    </message>
-    <message>
         <source>✕ Not ready: see what is said of the coils.</source>
         <translation>✕ Pas prêt : voir ce qui est dit des bobines.</translation>
     </message>
@@ -7118,6 +7585,14 @@ cette étape …</translation>
     <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
+    </message>
+    <message>
+        <source>▲ To be gone on with</source>
+        <translation>▲ À continuer</translation>
+    </message>
+    <message>
+        <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
+        <translation>▲ Une mesure de {0} n&apos;est pas allée à son terme : la continuer ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
@@ -7591,10 +8066,6 @@ cette étape …</translation>
     <message>
         <source>■ Stopped</source>
         <translation>■ Arrêté</translation>
-    </message>
-    <message>
-        <source>▲ Interrupted</source>
-        <translation>▲ Interrompu</translation>
     </message>
     <message>
         <source>✕ This page cannot be shown</source>
@@ -8097,10 +8568,6 @@ cette étape …</translation>
         <translation>échec</translation>
     </message>
     <message>
-        <source>interrupted</source>
-        <translation>interrompue</translation>
-    </message>
-    <message>
         <source>imported</source>
         <translation>importée</translation>
     </message>
@@ -8241,8 +8708,16 @@ cette étape …</translation>
         <translation>✕ MAINS LOIN : les bobines sont peut-être alimentées</translation>
     </message>
     <message>
+        <source>▲ Broken off</source>
+        <translation>▲ Interrompue</translation>
+    </message>
+    <message>
         <source>calibration</source>
         <translation>étalonnage</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>interrompue</translation>
     </message>
     <message>
         <source>{0} has to sign. The operator may sign as well.</source>
@@ -8429,6 +8904,14 @@ cette étape …</translation>
         <translation>{0}, sans {1}</translation>
     </message>
     <message>
+        <source>NOT MEASURED</source>
+        <translation>NON MESURÉ</translation>
+    </message>
+    <message>
+        <source>Nothing was measured, so this says nothing of the DUT.</source>
+        <translation>Rien n&apos;a été mesuré : cela ne dit rien du DUT.</translation>
+    </message>
+    <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
     </message>
@@ -8569,6 +9052,38 @@ cette étape …</translation>
         <translation>Comme AMBIGU : pourquoi, c&apos;est dit plus haut.</translation>
     </message>
     <message>
+        <source>✕ No calibration from this run by {0}</source>
+        <translation>✕ Pas d&apos;étalonnage de cette mesure par {0}</translation>
+    </message>
+    <message>
+        <source>✕ No calibration from this run</source>
+        <translation>✕ Pas d&apos;étalonnage de cette mesure</translation>
+    </message>
+    <message>
+        <source>Offset and gains did not come out of these rows, so nothing can be traced or signed of this run. The DUT may still be good.</source>
+        <translation>Décalage et gains ne sont pas sortis de ces lignes : rien de cette mesure ne peut être expliqué ni signé. Le DUT peut être bon malgré tout.</translation>
+    </message>
+    <message>
+        <source>Why: {0}.</source>
+        <translation>Pourquoi : {0}.</translation>
+    </message>
+    <message>
+        <source>Next: the other methods. Some of them need less of a run.</source>
+        <translation>Ensuite : les autres méthodes. Certaines demandent moins d&apos;une mesure.</translation>
+    </message>
+    <message>
+        <source>Next: measure again, with turns about x, y and z and in more than one magnitude, as preflight does it. Look first at the pictures below: a turn that stands apart from the others is the one that went wrong.</source>
+        <translation>Ensuite : mesurer de nouveau, avec des rotations autour de x, y et z et à plus d&apos;une intensité, comme le fait preflight. Regarder d&apos;abord les figures ci-dessous : une rotation à l&apos;écart des autres est celle qui a mal tourné.</translation>
+    </message>
+    <message>
+        <source>Without a result: {0}. What is said above is of {1}, and does not rest on them.</source>
+        <translation>Sans résultat : {0}. Ce qui est dit plus haut est de {1}, et ne repose pas dessus.</translation>
+    </message>
+    <message>
+        <source>Without a result: {0}.</source>
+        <translation>Sans résultat : {0}.</translation>
+    </message>
+    <message>
         <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
         <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré de |b| d&apos;une lecture, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
     </message>
@@ -8669,12 +9184,12 @@ cette étape …</translation>
         <translation>{0} : pas de réponse de {1}</translation>
     </message>
     <message>
-        <source>▲ Interrupted once: {0}. Measured again: {1}.</source>
-        <translation>▲ Interrompue une fois : {0}. Mesuré de nouveau : {1}.</translation>
+        <source>▲ One interruption: {0}. Measured again: {1}.</source>
+        <translation>▲ Une interruption : {0}. Mesuré de nouveau : {1}.</translation>
     </message>
     <message>
-        <source>▲ Interrupted {0} times: {1}. Measured again: {2}.</source>
-        <translation>▲ Interrompue {0} fois : {1}. Mesuré de nouveau : {2}.</translation>
+        <source>▲ {0} interruptions: {1}. Measured again: {2}.</source>
+        <translation>▲ {0} interruptions : {1}. Mesuré de nouveau : {2}.</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -8723,6 +9238,10 @@ cette étape …</translation>
     <message>
         <source>The procedure noted {0} more, the last: {1}</source>
         <translation>La procédure en a noté {0} de plus, le dernier : {1}</translation>
+    </message>
+    <message>
+        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
+        <translation>La procédure a noté {0} autres estimations en chemin ; le verdict ne repose pas dessus.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>

@@ -15,6 +15,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 from labcal.gui.translations.experiments import EXPERIMENTS, NEXT
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.fits import BUDGET, FITS
+from labcal.gui.translations.lab_faults import LAB_FAULTS, OF_THE_WORK
 from labcal.gui.translations.loop import FINDINGS, PROGRESS, REASONS, SHAPES
 from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, SHORTFALLS, TITLES
 from labcal.gui.translations.steps import BENCH, EVENTS, MEASUREMENTS, PLAN, REFUSALS, STEPS
@@ -23,6 +24,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "coils at zero"),
     QT_TRANSLATE_NOOP("Data", "zero by the supply's word only: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero; {0}"),
+    QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero"),
     QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference: {0}. {1}"),
     QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference"),
@@ -84,7 +86,7 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "as it always stands"),
     QT_TRANSLATE_NOOP("Data", "turned by 180° about its own {0}"),
     QT_TRANSLATE_NOOP("Data", "turned by 180° about its {0}"),
-    QT_TRANSLATE_NOOP("Data", "Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?"),
+    QT_TRANSLATE_NOOP("Data", "Is the DUT still mounted with body {0} up, exactly as it was before the interruption?"),
     QT_TRANSLATE_NOOP("Data", "Why is axis {0} redone? What was measured stays in the record, marked as not used."),
     QT_TRANSLATE_NOOP("Data", "Why is {0} skipped?"),
     QT_TRANSLATE_NOOP("Data", "the disk is slow: rows wait {0} s in memory"),
@@ -175,7 +177,8 @@ MEASURED = re.compile(r"(?<![\w.:])-?\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
 FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
 OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *SHORTFALLS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
 OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *FITS
-FORMS = tuple(map(str, (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *OF_PROCEDURES, *OF_RUNS)))
+OF_LAB = *LAB_FAULTS, *OF_THE_WORK
+FORMS = tuple(map(str, (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *OF_PROCEDURES, *OF_RUNS, *OF_LAB)))
 NAME_FORMS = tuple(map(str, (*BUDGET, *MEASUREMENTS, *STEPS)))
 LISTS: dict[str, str] = {
     " and ": str(QT_TRANSLATE_NOOP("Words", "{0} and {1}")),
@@ -218,7 +221,11 @@ def in_words(sentence: str) -> str:
     for between in BREAKS:
         if len(parts := between.split(sentence, maxsplit=1)) == 2:
             return " ".join(map(in_words, parts))
-    return f"{in_words(sentence[:-1])}{sentence[-1]}" if sentence.endswith((".", ";")) else sentence
+    if sentence.endswith((".", ";")):
+        return f"{in_words(sentence[:-1])}{sentence[-1]}"
+    if found := form_of(f"{sentence}."):  # a whole sentence within another one has lost its end
+        return _filled_in(*found).removesuffix(".")
+    return sentence
 
 
 def name_in_words(name: str) -> str:

@@ -6,7 +6,7 @@ Not beside the noise of the method, which makes it of what is left over.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
@@ -18,6 +18,26 @@ from labcal.gui.viewmodels.number_format import decimals_for, format_number, sho
 from labcal.uncertainty.conformity import Judged
 
 STATES = ("", "good", "warning", "bad")
+NO_FIT = (  # what it means, why, and what is next: where other methods are left, and where none is
+    QT_TRANSLATE_NOOP("Words", "✕ No calibration from this run by {0}"),
+    QT_TRANSLATE_NOOP("Words", "✕ No calibration from this run"),
+    QT_TRANSLATE_NOOP(
+        "Words",
+        "Offset and gains did not come out of these rows, so nothing can be traced or signed of this run. "
+        "The DUT may still be good.",
+    ),
+    QT_TRANSLATE_NOOP("Words", "Why: {0}."),
+    QT_TRANSLATE_NOOP("Words", "Next: the other methods. Some of them need less of a run."),
+    QT_TRANSLATE_NOOP(
+        "Words",
+        "Next: measure again, with turns about x, y and z and in more than one magnitude, as preflight does it. "
+        "Look first at the pictures below: a turn that stands apart from the others is the one that went wrong.",
+    ),
+)
+SET_ASIDE = (
+    QT_TRANSLATE_NOOP("Words", "Without a result: {0}. What is said above is of {1}, and does not rest on them."),
+    QT_TRANSLATE_NOOP("Words", "Without a result: {0}."),
+)
 LISTED = 2  # lines of the specification that are not within their limits; the others are counted
 REACHED = 1.15  # of the noise: as the loop calls a run clean
 GOOD = QT_TRANSLATE_NOOP(
@@ -39,6 +59,27 @@ NO_NOISE = QT_TRANSLATE_NOOP(
     "Words", "{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with."
 )
 NO_LIMITS = QT_TRANSLATE_NOOP("Words", "This run states no specification to judge it by.")
+
+
+def no_fit_words(fits: Mapping[str, Fitted], *, others: bool) -> tuple[str, str, str, str]:
+    """Heading, what it means, why, and what is next of a run of which no method that was tried made a calibration."""
+    by, alone, means, why, to_others, again = (translated(str(words)) for words in NO_FIT)
+    heading = by.format(", ".join(fits)) if others else alone
+    reasons = " ".join(why.format(reason) for reason in reasons_of(fits))
+    return heading, means, reasons, to_others if others else again
+
+
+def reasons_of(fits: Mapping[str, Fitted], most: int = 2) -> list[str]:
+    """Why methods gave no calibration, each reason once."""
+    said = (in_words(one.fit.why_not or "").removesuffix(".") for one in fits.values() if not one.fit.ok)
+    return [why for why in dict.fromkeys(said) if why][:most]
+
+
+def set_aside_words(fits: Mapping[str, Fitted], method: str) -> str:
+    """Which methods have no part in what is said of `method`; "" where all came to a result."""
+    without = ", ".join(name for name, one in fits.items() if not one.fit.ok)
+    known, alone = (translated(str(words)) for words in SET_ASIDE)
+    return (known if method else alone).format(without, method) if without else ""
 
 
 def said_of(method: str, fitted: Fitted | None) -> tuple[str, str]:

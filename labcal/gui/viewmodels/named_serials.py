@@ -32,6 +32,13 @@ class NamedSerials(QObject):
         self._named.clear()
         self._say()
 
+    def asked(self) -> str:
+        """What whoever begins a run is asked, where the DUT names another serial than stands at the top; else ""."""
+        facts = self._facts()
+        duts = [] if facts is None else [name for name, one in facts.instruments.items() if one.role == "dut"]
+        said = [f"{name} {words}" for name, words in self._lab.state.other_serials if name in duts]
+        return self.tr("{0}: is this the right sensor?").format("; ".join(said)) if said else ""
+
     def _heard(self, item: object) -> None:
         """A run asks as well, and tells of those that name another."""
         if isinstance(item, Event) and item.kind == OTHER_SERIAL:

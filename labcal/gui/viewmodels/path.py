@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import mark_of
@@ -17,6 +18,7 @@ from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word, handed_out_as, handed_out_word
 from labcal.gui.viewmodels.study import StudyViewModel
 from labcal.gui.viewmodels.what_happens import kept_out
+from labcal.record.endings import ended_word
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
 SHAPES: dict[Mark, str] = {"done": "✓", "now": "●", "doubt": "▲", "broken": "✕", "open": "○"}
@@ -100,19 +102,20 @@ class PathViewModel(QObject):
 
     def why_no_fit(self, run_id: str) -> str:
         """Why a run gives no calibration; "" where it may, or is not known."""
-        status = next((one.status for one in self.runs if one.run_id == run_id), "finished")
-        if status in WHOLE:
+        listed = next((one for one in self.runs if one.run_id == run_id), None)
+        status = "finished" if listed is None else listed.status
+        if listed is None or status in WHOLE:
             return ""
-        failed = self.tr("failed: {0}").format(status.partition(": ")[2])
+        why = in_words(status.partition(": ")[2])
         known = {
             "stopped": self.tr("was stopped before its end"),
-            "interrupted": self.tr("was interrupted"),
+            "broken off": self.tr("was broken off: {0}").format(why) if why else self.tr("was broken off"),
             "running": self.tr("still goes on"),
         }
         remedy = self.tr("What it did not measure would be missing in the calibration. Measure again on the Run page.")
         if status == "interrupted":
             remedy = self.tr("What it has not measured yet would be missing: go on with it on the Start page.")
-        return self.tr("Run {0} {1}. {2}").format(run_id, known.get(status, failed), remedy)
+        return self.tr("Run {0} {1}. {2}").format(run_id, known[ended_word(status, stopped=listed.stopped)], remedy)
 
     def broken_off(self, simulated: bool) -> str:
         """The DUT of the newest run in such a lab, where that run is to be gone on with; else ""."""
@@ -170,6 +173,9 @@ class PathViewModel(QObject):
             return self._to_calibrate(state.dut_serial)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
             return Next("Loop" if marks["Loop"] == "now" else "Fit", self.tr("See what is found"), waits=True)
+        if marks["Fit"] == "broken":
+            others = Next("Fit", self.tr("Try the other methods"), presses=True)
+            return others if self._study.untried else self._to_calibrate(state.dut_serial, again=True)
         if marks["Fit"] == "open":
             return Next("Fit", self.tr("Fit the run"), last.run_id)
         if marks["Loop"] == "open":
@@ -186,11 +192,12 @@ class PathViewModel(QObject):
             return False
         return may_answer(prompt, wanted(prompt), lost=bool(now.failed), waits=kept_out(self._run, now)[2])
 
-    def _to_calibrate(self, serial: str) -> Next:
-        """By a preflight: where a setting of it is refused, that comes first."""
+    def _to_calibrate(self, serial: str, *, again: bool = False) -> Next:
+        """By a preflight, `again` where its run gave no fit: where a setting of it is refused, that comes first."""
         if self.refused:
             return Next("Run", self.tr("Mend {0}").format(self.refused))
-        return Next("Run", self.tr("Calibrate {0}").format(serial), ready=bool(self.begins))
+        words = self.tr("Measure {0} again") if again else self.tr("Calibrate {0}")
+        return Next("Run", words.format(serial), ready=bool(self.begins))
 
     def take_form(self, refused: str, begins: str) -> None:
         """How the form on the Run page stands: a preflight's first setting that is refused, and what may begin."""
@@ -236,7 +243,7 @@ class PathViewModel(QObject):
         if studied and self._study.busy and not self._study.traces:
             return "now"
         fitted = (studied and self._study.best() is not None) or self._file(last) is not None
-        return "done" if fitted else "open"
+        return "done" if fitted else "broken" if studied and self._study.no_fit else "open"
 
     def _of_the_loop(self, last: RunLine) -> Mark:
         if self._study.run == last.run_id and self._study.traces:

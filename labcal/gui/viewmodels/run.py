@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import Literal
 
 import numpy as np
@@ -41,6 +41,7 @@ from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
+from labcal.record.endings import ended_words
 from labcal.record.stream import (
     COVERAGE,
     FAULT,
@@ -97,7 +98,7 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self._turned = False  # in any segment
         self.covered = Covered()
-        self._goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
+        self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
         self.time = RunTime()
         self._dut_s: float | None = None  # stamp of its last reading
@@ -132,7 +133,7 @@ class RunViewModel(QObject):
         kept = {name: getattr(self, name) for name in STILL_SHOWN} | {"drawn": self.drawn.gone_on_with()}
         command = ResumeRun(run_id, order.bench, order.dut, *words)
         self._begin(order, command, run_id, kept.items() if run_id == self.run_id else ())
-        self._goes_on, self.anew = True, self.virtual_time
+        self.goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
         """Show the run that went on while there was no window; its order comes with it."""
@@ -295,14 +296,14 @@ class RunViewModel(QObject):
             case Prompt():
                 if item.key.startswith(FAILED):  # what was seen of this turn counts no more
                     self.covered.begin()
-                    self._forget_turn(item.key.removeprefix(FAILED))
+                    self._forget((item.key.removeprefix(FAILED),))
                 self.time.waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
                 self.segment = item.segment.id
                 self.covered.begin()
-                self._forget_turn(item.segment.id)  # as it was before, where it is begun again
+                self._forget((item.segment.id,))  # as it was before, where it is begun again
                 self.drawn.begin(item.segment.id)
                 self._turned = self._turned or item.segment.kind == "rotation"
                 self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
@@ -334,24 +335,20 @@ class RunViewModel(QObject):
             self.covered.missed(event)
             self.message = said_of(event, self.links)
         elif event.kind == NOT_USED:
-            self._not_used(list(event.data["segments"]))
+            gone = list(event.data["segments"])  # their axis is redone
+            looks = (f"{look} {axis}" for look in ("delay", "closure") for axis in {name[:1] for name in gone})
+            self._forget(gone, looks)
         elif event.kind not in SAID_ELSEWHERE:
-            self.time.fails(event.t_s) if event.kind == FAULT and "step" in event.data else None
+            if event.kind == FAULT and "step" in event.data:
+                self.time.fails(event.t_s)
             self.message = said_of(event, self.links)
 
-    def _forget_turn(self, segment: str) -> None:
-        """Nothing that was seen or measured of it counts any more."""
-        self.drawn.forget((segment,))
-        self.covered.forget((segment,))
-        self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(f"{segment}:")}
-
-    def _not_used(self, segments: list[str]) -> None:
-        """What was measured of these says nothing any more: their axis is redone."""
-        looks = [f"{look} {axis}" for look in ("delay", "closure") for axis in {segment[:1] for segment in segments}]
+    def _forget(self, segments: Collection[str], looks: Iterable[str] = ()) -> None:
+        """Nothing that was seen or measured of these counts any more."""
+        self.drawn.forget(segments)
         self.covered.forget(segments)
         gone = (*(f"{segment}:" for segment in segments), *looks)
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
-        self.drawn.forget(segments)
 
     def _samples(self, block: Block) -> None:
         if len(block) == 0:
@@ -360,7 +357,8 @@ class RunViewModel(QObject):
         if block.stream != "channel":
             self._sends_more.add(block.source)
         if block.stream != "channel" or block.source not in self._sends_more:
-            self.reading[block.source], self.read_s[block.source] = (block.columns, block.values[-1]), time.monotonic()
+            self.reading[block.source] = (block.columns, block.values[-1])  # what waited came late
+            self.read_s[block.source] = time.monotonic() - (self.time.seen_s - float(block.t_s[-1]))
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)
@@ -383,13 +381,13 @@ class RunViewModel(QObject):
         self._over()
 
     def _last_words(self) -> str:
-        said = in_words(named_links(self._ending or self.status, self.links))
+        said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
         said = self.tr("ended by COILS OFF") if self.by_off and self.status != "finished" else said
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)
-        left = fault.kind in BROKEN or (self._goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
+        left = fault.kind in BROKEN or (self.goes_on and fault.kind in MENDED_FIRST)  # its record says so, or said it
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 

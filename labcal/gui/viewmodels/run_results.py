@@ -11,7 +11,7 @@ from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.record_messages import RunResult, TellResults
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.viewmodels.run_verdict import ended_word, result_word
+from labcal.gui.viewmodels.run_verdict import end_result, result_word
 
 AT_ONCE = 25  # runs, of the newest: nobody else waits long for the worker
 
@@ -59,6 +59,6 @@ class RunResults(QObject):
     def word(self, one: RunLine) -> tuple[str, str]:
         """How a run came out, with its shape, and the colour of that."""
         if one.status != "finished":
-            return ended_word(one.status)
+            return end_result(one.status, stopped=one.stopped)
         said = self._known.get(one.run_id)
-        return ended_word(one.status) if said is None else result_word(said.verdict, said.left_out)
+        return end_result(one.status, stopped=one.stopped) if said is None else result_word(said.verdict, said.left_out)

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.loop_words import verdict_word
+from labcal.record.endings import ended_word
 
 HEADINGS = ("started", "DUT", "procedure", "operator", "result", "calibration", "run")
 OF_ARCHIVE = tuple(heading if heading != "calibration" else "site" for heading in HEADINGS)
@@ -46,7 +47,7 @@ def cells(one: RunLine, stands: str = "", result: str = "") -> tuple[str, ...]:
         one.dut_serial,
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
-        result or translated(one.status.partition(":")[0]),
+        result or translated(ended_word(one.status, stopped=one.stopped)),
         one.site or " · ".join(filter(None, (verdict_word(one.verdict), stands))),  # the archive knows no verdicts
         one.run_id,
     )

@@ -13,6 +13,7 @@ from labcal.gui.viewmodels.axis_checks import WORST
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.run_steps import name_a_turn
+from labcal.record.endings import ended_word
 from labcal.record.stream import Measurement
 
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
@@ -60,12 +61,13 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "DONE"),
     QT_TRANSLATE_NOOP("Words", "Not measured: {0}."),
     QT_TRANSLATE_NOOP("Words", "{0}, without {1}"),
+    QT_TRANSLATE_NOOP("Words", "NOT MEASURED"),
+    QT_TRANSLATE_NOOP("Words", "Nothing was measured, so this says nothing of the DUT."),
     QT_TRANSLATE_NOOP(
         "Words", "It cannot be gone on with: a result of {0} is worked out from one recording without a gap."
     ),
 )
-NOT_MEASURED, WITHOUT = 6, 7
-ABORTED = "failed: aborted by the operator"  # by COILS OFF: nothing failed
+NOT_MEASURED, WITHOUT, NOTHING, NOTHING_OF = 6, 7, 8, 9
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
 
@@ -100,7 +102,12 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
         if resumable and run.order is not None and run.order.procedure not in resumable:
             what = "stopped" if wanted else "mended" if mended else "failed"  # nothing offers what cannot be
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"
-        return RunVerdict(f"{shape} {translated(word).upper()}", state, rule, _next(what))
+        said = translated(ended_word(word)).upper()
+        if (
+            run.step is None and word == "failed" and not run.goes_on
+        ):  # below a serial in large letters it would be a verdict on that DUT
+            said, rule = translated(str(TEXTS[NOTHING])), translated(str(TEXTS[NOTHING_OF]))
+        return RunVerdict(f"{shape} {said}", state, rule, _next(what))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     missing = run.left_out()
     word, state = result_word(worst, missing)
@@ -125,10 +132,10 @@ def result_word(worst: str, missing: Collection[str] = ()) -> tuple[str, str]:
     return f"{shape} {translated(worst)}", state
 
 
-def ended_word(status: str) -> tuple[str, str]:
-    """How a run ended that did not finish, likewise: in the words of the card of its end."""
-    word = "stopped" if status == ABORTED else status.partition(":")[0]
-    shape, state = ENDS.get(word, ("", ""))
+def end_result(status: str, *, stopped: bool = False) -> tuple[str, str]:
+    """How a run ended that did not finish, likewise: in the words of the card of its end; `stopped` by a person."""
+    word = ended_word(status, stopped=stopped)
+    shape, state = ENDS.get(word) or ENDS.get(status.partition(":")[0], ("", ""))
     return (f"{shape} {translated(word).upper()}", state) if shape else (translated(word), "")
 
 

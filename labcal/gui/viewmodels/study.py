@@ -66,6 +66,16 @@ class StudyViewModel(QObject):
         """Whether it is the loop that is worked at."""
         return "loop" in self.waiting
 
+    @property
+    def no_fit(self) -> bool:
+        """Whether what was tried has come to nothing."""
+        return not self.busy and bool(self.fits or self.fault) and self.best() is None
+
+    @property
+    def untried(self) -> tuple[str, ...]:
+        """The methods that are left where others came to nothing; none where not even one could begin."""
+        return tuple(one for one in self.methods if one not in self.fits) if self.fits else ()
+
     def prepare(self) -> None:
         """Have the worker loaded before a run is opened: what it computes with takes a second to import."""
         self._worker.request(ListMethods(), self._methods_known, lambda _: None)  # opening a run asks again

@@ -11,8 +11,8 @@ from labcal.gui.viewmodels.run_verdict import listed
 from labcal.record.told import Interruption, Told
 
 TEXTS = (
-    QT_TRANSLATE_NOOP("Words", "▲ Interrupted once: {0}. Measured again: {1}."),
-    QT_TRANSLATE_NOOP("Words", "▲ Interrupted {0} times: {1}. Measured again: {2}."),
+    QT_TRANSLATE_NOOP("Words", "▲ One interruption: {0}. Measured again: {1}."),
+    QT_TRANSLATE_NOOP("Words", "▲ {0} interruptions: {1}. Measured again: {2}."),
     QT_TRANSLATE_NOOP("Words", "nothing"),
     QT_TRANSLATE_NOOP("Words", "at {0}, for {1}"),
     QT_TRANSLATE_NOOP("Words", "before its first step, for {0}"),
@@ -25,11 +25,15 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "Noted, in the run's record (History shows it): {0}"),
     QT_TRANSLATE_NOOP("Words", "Noted: {0}"),
     QT_TRANSLATE_NOOP("Words", "The procedure noted {0} more, the last: {1}"),
+    QT_TRANSLATE_NOOP(
+        "Words", "The procedure noted {0} more, estimates as it went; the verdict does not rest on them."
+    ),
     QT_TRANSLATE_NOOP("Words", "▲ Open in the run itself: {0}. An approval takes that as it is."),
     QT_TRANSLATE_NOOP("Words", "{0} not measured"),
 )
 ONCE, OFTEN, NOTHING, AT, BEFORE, AT_ALONE, BEFORE_ALONE, UNKNOWN, SECONDS, MINUTES, HOURS, *_NOTES = map(str, TEXTS)
-NOTED, NOTED_HERE, REMARKED, OPEN, MISSING = _NOTES
+NOTED, NOTED_HERE, REMARKED, ESTIMATED, OPEN, MISSING = _NOTES
+SO_FAR = "offsets so far"  # as a running estimate begins: it has no part in a verdict
 
 
 def interrupted_words(told: Told) -> str:
@@ -48,16 +52,26 @@ def noted_words(told: Told, *, here: bool = False) -> str:
     return translated(NOTED_HERE if here else NOTED).format(" · ".join(told.notes)) if told.notes else ""
 
 
+def serials_words(told: Told) -> str:
+    """Which instruments named another serial than was stated; "" where none did."""
+    return f"▲ {'; '.join(map(in_words, told.other_serials))}." if told.other_serials else ""
+
+
 def remarked_words(told: Told) -> str:
     """What the procedure noted itself, in one line: how often, and the last of it; "" where nothing was."""
-    return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1])) if told.remarks else ""
+    if not told.remarks:
+        return ""
+    if told.remarks[-1].startswith(SO_FAR):
+        return translated(ESTIMATED).format(len(told.remarks))
+    return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1]))
 
 
 def open_words(told: Told) -> str:
-    """Which of the run's checks are open, with value and limit; "" where all are passed."""
+    """Which of the run's checks are open, with value and limit, and whose serial is another; "" where all is well."""
+    others = list(map(in_words, told.other_serials))
     judged = [f"{translated(one.verdict)}: {listed((one,))}" for one in told.open]
     missing = [translated(MISSING).format(step_title(name)) for name in told.not_measured]
-    return translated(OPEN).format("; ".join((*judged, *missing))) if judged or missing else ""
+    return translated(OPEN).format("; ".join((*others, *judged, *missing))) if others or judged or missing else ""
 
 
 def _one(interruption: Interruption) -> str:

@@ -13,6 +13,7 @@ from labcal.gui.viewmodels.hands import READY
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.record.endings import STOPPED, ended_word
 
 COMES_BACK = QT_TRANSLATE_NOOP("Words", "A run goes on: the coils may be on. Hands off.")
 WORDS = {
@@ -92,8 +93,9 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
 
 
 def _how_it_ended(run: RunViewModel, now: LabNow) -> str:
-    shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
-    ended = f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
+    word = ended_word(run.status, stopped=run.fault is not None and run.fault.kind == "stopped")
+    shape = {"finished": "✓", STOPPED: "■"}.get(word, "✕")
+    ended = f"{shape} {translated(word).capitalize()}"
     if shape == "✕" and not now.driven and alarm_of(now.coil_words):  # graver than who did not answer
         return translated(str(KEEP_OFF)).format(still_live(now))
     lost = now.failed if shape == "✕" else []

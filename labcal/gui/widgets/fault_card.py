@@ -26,7 +26,7 @@ TITLES = {
     "platform": "✕ HANDS OFF: the platform may still turn",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
-    "left": "▲ Interrupted",
+    "left": "▲ Broken off",
     "page": "✕ This page cannot be shown",
     "crash": "✕ Something in labcal broke",
     "ended": "✕ The work broke off",

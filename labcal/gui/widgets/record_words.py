@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
 from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.told_words import interrupted_words, noted_words, remarked_words
+from labcal.gui.viewmodels.told_words import interrupted_words, noted_words, remarked_words, serials_words
 from labcal.gui.widgets.common import OneLine, button, label, set_state
 from labcal.record.told import Told
 
@@ -27,7 +27,9 @@ class RecordWords(QWidget):
         self._app_state, self._run, self._here = app_state, "", here
         self._told_of_it: Told | None = None
         self.interrupted, self.noted = label("", wrap=True), label("", wrap=True)
-        set_state(self.interrupted, "warning")
+        self.serials = label("", wrap=True)
+        for doubt in (self.interrupted, self.serials):
+            set_state(doubt, "warning")
         self.remarked, self.all = OneLine(), QPlainTextEdit()
         self.all.setReadOnly(True)
         self.all.setFixedHeight(DETAILS_PX)
@@ -42,7 +44,7 @@ class RecordWords(QWidget):
         row.addWidget(self.fold)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        for words in (self.noted, self.interrupted):
+        for words in (self.noted, self.interrupted, self.serials):
             if not here:
                 words.setAlignment(Qt.AlignmentFlag.AlignCenter)
             column.addWidget(words)
@@ -69,7 +71,8 @@ class RecordWords(QWidget):
             return  # a fold that is open stays open
         self._told_of_it = told
         noted = noted_words(told, here=self._here)
-        for shown, words in ((self.interrupted, interrupted_words(told)), (self.noted, noted)):
+        said = {self.interrupted: interrupted_words(told), self.noted: noted, self.serials: serials_words(told)}
+        for shown, words in said.items():
             shown.setText(words)
             shown.setVisible(bool(words))
         self.remarked.setText(remarked_words(told))

@@ -11,6 +11,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.common import button
+from labcal.record.endings import ended_word
 
 VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
 LISTED = ("finished", "imported", "stopped", "interrupted", "failed")
@@ -20,7 +21,7 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 def run_title(one: RunLine) -> str:
     """A run in one line: which DUT, when, what, whether SIMULATED, how it ended."""
-    return f"{run_name(one)} · {translated(one.status.partition(':')[0])}"
+    return f"{run_name(one)} · {translated(ended_word(one.status, stopped=one.stopped))}"
 
 
 def run_name(one: RunLine) -> str:
@@ -82,7 +83,8 @@ def run_label(one: RunLine) -> str:
     """A run's line, begun with how it ended where it did not come to its end; of a finished one nothing is said."""
     status = one.status.partition(":")[0]
     if status in BROKEN:
-        return f"{BROKEN[status]} {translated(status)} · {run_name(one)}"
+        word = ended_word(one.status, stopped=one.stopped)
+        return f"{BROKEN.get(word, BROKEN[status])} {translated(word)} · {run_name(one)}"
     return run_name(one) if status == "finished" else run_title(one)
 
 

@@ -13,6 +13,7 @@ from labcal.gui.viewmodels.lab_now import LabNow, alarm_of
 from labcal.gui.viewmodels.number_format import clock_time, format_duration, needed_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import label
+from labcal.record.endings import ended_word
 
 THOUSANDTHS = 1000
 UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
@@ -55,7 +56,7 @@ class TimeLeft(QWidget):
             return ""
         if left_s is None:
             stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
-            return translated("stopped" if stopped else run.status.partition(":")[0])
+            return translated(ended_word(run.status, stopped=stopped))
         at, total, left = min(run.steps_done() + 1, run.step.total), run.step.total, format_duration(left_s)
         if not run.virtual_time or run.order is None or SPEEDS.get(run.order.pace) == 1.0:
             return self.tr("step {0} of {1} · {2} left").format(at, total, left)
