@@ -29,6 +29,7 @@ from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_ch
 from labcal.loop.selection.final_fit import base_fit, final_fit
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.members import members_in_place
+from labcal.loop.selection.missed_pulses import missed_pulses
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
 from labcal.loop.selection.unseen_switching import switched_unseen
@@ -72,7 +73,7 @@ def _closed(run: Run, report: ProgressReport, *, empirical: bool) -> ClosedLoop:
         if (left_s := STILL * (time.monotonic() - started_s)) > LONG_s:
             report.step(f"this run takes about {left_s:.0f} s more and may be stopped")
         selection = select(pool, level)
-        unseen = switched_unseen(pool, selection)
+        unseen = switched_unseen(pool, selection) | missed_pulses(pool, selection.accepted)
         gaps = unresolved_gaps(run, _supporting_channels(selection)) | np.isin(run.t_s, problem.run.t_s[unseen])
         if not gaps.any():
             break
