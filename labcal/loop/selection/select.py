@@ -257,12 +257,28 @@ def _simplest(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate])
 def _simpler_candidates(pool: CandidateSet, chosen: Candidate, others: Sequence[Candidate]) -> Iterator[Candidate]:
     """The best candidate of the same cause of each smaller size, smallest first; none that fits far worse."""
     smaller = [c for c in pool.candidates if c.cause == chosen.cause and c.size < chosen.size]
+    smaller += _as_fitted(pool, chosen, others)
     null_model = pool.null_model(others)
     enough = pool.score(chosen, null_model).likelihood.rss * OUT_OF_REACH**2
     for size in sorted({c.size for c in smaller}):
         best = max(pool.score_each([c for c in smaller if c.size == size], null_model), key=lambda w: w.evidence)
         if best.likelihood.rss < enough:
             yield refined(pool, best.candidate, others)
+
+
+def _as_fitted(pool: CandidateSet, chosen: Candidate, others: Sequence[Candidate]) -> list[Candidate]:
+    """The smaller form that the fitted parameters come to: a grid may have no point near it."""
+    fitted = pool.coefficients([*others, chosen])[-len(chosen.term.parameters) :]
+    term = chosen.family.simpler(chosen.term, fitted)
+    if term is None:
+        return []
+    alike = [c for c in pool.candidates if c.cause == chosen.cause and c.term.parameters == term.parameters]
+    near = next((c for c in alike if len(c.term.shape) == len(term.shape)), None)
+    if near is None:
+        return []
+    grids = {shape.name: shape.grid for shape in near.term.shape}
+    shapes = tuple(replace(shape, grid=grids[shape.name]) for shape in term.shape)
+    return [replace(near, term=replace(term, shape=shapes))]
 
 
 def _goes_before(other: Candidate, one: Candidate) -> bool:

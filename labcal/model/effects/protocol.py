@@ -43,6 +43,11 @@ def of_one_family(chosen: Term, other: Term) -> bool:
     return True
 
 
+def no_simpler(term: Term, fitted: Array) -> Term | None:
+    """Every form stands for itself."""
+    return None
+
+
 def no_parameters(term: Term) -> Sequence[str]:
     """None of a term's parameters."""
     return ()
@@ -88,6 +93,7 @@ class Family:
     extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
     may_be_missed: Callable[[Term, Term], bool] = of_one_family  # whether the second is what the first may lack of it
+    simpler: Callable[[Term, Array], Term | None] = no_simpler  # the smaller form that fitted parameters come to
     sums_to_zero: Callable[[Term], Sequence[str]] = no_parameters  # linear parameters whose sum is, where no run tells
     time_constants: Callable[[Term], Sequence[float]] = memory.time_constants  # of its responses [s]: each settles
 

@@ -56,6 +56,22 @@ def candidates(run: Run) -> list[Term]:
     return [term for channel in room_temperatures(run) for term in _of(channel)]
 
 
+def simpler(term: Term, fitted: Array) -> Term | None:
+    """The form that is right at one temperature: where (c, o) come nearest to c (T − right_at)."""
+    names = [name for name, _ in term.parameters]
+    if "o_x" not in names or "g" not in names or term.shape:
+        return None
+    c, o = (np.array([fitted[names.index(f"{name}_{axis}")] for axis in "xyz"]) for name in "co")
+    [channel] = term.channels
+    right_at = term.reference_value[channel] - float(c @ o) / max(float(c @ c), 1e-300)
+    unit = dict(term.parameters)["g"]
+    return replace(
+        term,
+        parameters=tuple(one for one in term.parameters if not one[0].startswith("o_")),
+        shape=(replace(RIGHT, unit=unit.removeprefix("1/"), value=right_at, grid=(right_at,)),),
+    )
+
+
 def _of(channel: Channel) -> list[Term]:
     zero, unit = per_axis("c", f"nT/{channel.unit}"), f"1/{channel.unit}"
     elsewhere, common, each = per_axis("o", "nT"), (("g", unit),), per_axis("g", unit)
@@ -76,6 +92,7 @@ FAMILY = Family(
     shapes=(BEHIND, RIGHT),
     extends=("cage-field",),
     of_field=True,
+    simpler=simpler,
     experiment="warm the room with the device kept as it is, and compare the reference with a second one",
     responds={"bare platform": 1.0},
     confounded=(REFERENCE_OR_DEVICE,),
