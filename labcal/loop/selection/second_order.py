@@ -43,8 +43,13 @@ def _leaves_as_little(fitted: JointFit, found: Evidence) -> bool:
 
 
 def _larger(found: Evidence, chosen: Candidate) -> Iterator[Candidate]:
-    """The larger forms of a cause, each at its best nonlinear parameters, smallest first."""
+    """The larger forms of a cause, each at its best nonlinear parameters, smallest first.
+
+    Of no other shape: a delay or a temperature that the search did not find is no power of the field.
+    """
     others = [c for c in found.accepted if c is not chosen]
-    forms = {c.term.parameters: c for c in found.pool.candidates if c.cause == chosen.cause and c.size > chosen.size}
+    own = {shape.name for shape in chosen.term.shape}
+    larger = (c for c in found.pool.candidates if c.cause == chosen.cause and c.size > chosen.size)
+    forms = {c.term.parameters: c for c in larger if own.issuperset(shape.name for shape in c.term.shape)}
     for form in sorted(forms.values(), key=lambda c: c.size)[:MOST_FORMS]:
         yield refined(found.pool, form, others)
