@@ -46,6 +46,8 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: the coils are not being read"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: the platform is not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: a run of {0} was cut off; the coils are not known"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: another process drives a run of {0}; the coils may be on"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
@@ -79,6 +81,8 @@ class LabNow:
     field_old_s: int | None = None
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
+    left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
+    driven_elsewhere: bool = False  # that run goes on in another process
 
     @property
     def failed(self) -> list[str]:
@@ -211,8 +215,19 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
 
 
+def left_words(now: LabNow) -> str:
+    """Of a run that nobody has ended: it goes on elsewhere, or left coils that nobody has read since; "" else."""
+    if now.left_by and now.driven_elsewhere:
+        return translated("▲ Hands out: another process drives a run of {0}; the coils may be on").format(now.left_by)
+    if now.left_by and now.coil_words in ("", state.NOT_READ):
+        return translated("▲ Hands out: a run of {0} was cut off; the coils are not known").format(now.left_by)
+    return ""
+
+
 def hands_of(now: LabNow) -> tuple[str, str]:
     """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age."""
+    if left := left_words(now):
+        return left, "warning"
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")

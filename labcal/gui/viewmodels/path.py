@@ -157,6 +157,8 @@ class PathViewModel(QObject):
         if self._run.alive:
             asked = self.may_answer()
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
+        if state.now.driven_elsewhere:
+            return Next("Start", self.tr("Wait for the other process"), waits=True)
         if state.now.left_turning:
             return Next("Bench", self.tr("Stop the platform (COILS OFF)"), off=True)
         if mark_of(state.now.coil_words)[1] == "bad":

@@ -10,7 +10,7 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.hands import READY
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, left_words, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.record.endings import STOPPED, ended_word
@@ -54,7 +54,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
         return translated(str(OFF)), "bad"
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words  # another process may drive them
+    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or left_words(now)  # others may drive them
     return (translated(str(OUT)), "warning") if unread or (run.alive and hands_of(now)[1] != "good") else ("", "")
 
 
@@ -78,7 +78,7 @@ def at_hands(
     run: RunViewModel, now: LabNow, facts: Bench | None, known: state.LabState | None
 ) -> dict[str, tuple[str, str]]:
     """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
-    heard = facts is not None and not (facts.virtual_time and known is None)  # an emulated one is none before
+    heard = facts is not None and not (facts.virtual_time and known is None and not now.left_by)  # else it is none yet
     return {"keep_off": keep_off(run, now), "hands": _hands_at(run, now) if heard else ("", "")}
 
 
