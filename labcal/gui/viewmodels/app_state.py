@@ -183,11 +183,10 @@ class AppState(QObject):
             self.off.look_again()
 
     def _to_be_read(self) -> tuple[str, ...]:
-        """Who is wrong; after COILS OFF in a run, or where it sends hands to a plug, who tells how the lab is, too."""
-        run, wrong = self.run, lab_heard.wrong(self.known, self.facts)
-        lost = bool(wrong) and run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
-        tell = self.off.tellers() if run.by_off or lost else ()
-        return tuple(dict.fromkeys((*wrong, *tell)))
+        """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
+        read = self.known is not None and any(coil.read_s is not None for coil in self.known.coils)
+        wrong = lab_heard.wrong(self.known, self.facts)
+        return tuple(dict.fromkeys((*wrong, *(self.off.tellers() if read else ()))))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""

@@ -68,6 +68,7 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    reference_agreed: bool = False  # when it was looked at last
     silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
     as_set: bool = False  # every coil that is on was set so by whoever drives it, and is read
@@ -130,6 +131,7 @@ def lab_now(
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
+        reference_agreed=lab.reference.verdict == "agrees",
         driven=driven,
         as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
         platform_words=_platform_words(lab, now_s, driven=driven),
