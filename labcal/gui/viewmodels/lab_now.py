@@ -126,6 +126,7 @@ def lab_now(
         return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
     known = any(coil.current_A is not None for coil in lab.coils)
     at_zero = all(coil.zero for coil in lab.coils)
+    seen_nT, seen_s = _field_seen(lab)
     return LabNow(
         coil_A=tuple(coil.current_A for coil in lab.coils),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
@@ -138,11 +139,21 @@ def lab_now(
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
         platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
-        field_measured_nT=lab.field.seen_nT,
-        field_old_s=old_s(lab.field.read_s, now_s),
+        field_measured_nT=seen_nT,
+        field_old_s=old_s(seen_s, now_s),
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
+
+
+def _field_seen(lab: state.LabState) -> tuple[state.Vector | None, float | None]:
+    """What the reference saw last, and when: where nothing came since it agreed, the reading by which it did."""
+    field, agreed = lab.field, lab.reference
+    if agreed.verdict != "agrees" or agreed.seen_nT is None or agreed.read_s is None:
+        return field.seen_nT, field.read_s
+    if all(coil.current_A is not None for coil in lab.coils) and (field.read_s or agreed.read_s) <= agreed.read_s:
+        return agreed.seen_nT, agreed.read_s
+    return field.seen_nT, field.read_s
 
 
 def _platform_words(lab: state.LabState, now_s: float, *, driven: bool) -> str:
