@@ -10,6 +10,7 @@ from lab_states import told
 from labcal.bench.coils.state import LabState
 from labcal.files.home import home
 from labcal.gui.ipc.answers import CoilEnd, RunLine, SwitchedOff
+from labcal.gui.ipc.lab_messages import ReadLab
 from labcal.gui.ipc.messages import ListRuns, SwitchOff
 from labcal.gui.ipc.record_messages import LookForLeft
 from labcal.record import Dut, Reference
@@ -98,6 +99,8 @@ def test_nothing_begins_while_another_process_drives_the_run(cut_off, qtbot):
     assert not cut_off.page("Run").choose.start.isEnabled()
     told(cut_off)
     assert cut_off.side.hands.text() == ELSEWHERE  # whatever was read: it is not this window's to say
+    app_state.watch.look()
+    assert app_state.watch_worker.commands(ReadLab) == []  # nor is it read on from here
     assert app_state.left.timer.isActive()
     app_state.left.timer.timeout.emit()
     app_state.quick_worker.answer(LookForLeft, KILLED)

@@ -185,8 +185,8 @@ class AppState(QObject):
     def _to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
         read = self.known is not None and any(coil.read_s is not None for coil in self.known.coils)
-        wrong = lab_heard.wrong(self.known, self.facts)
-        return tuple(dict.fromkeys((*wrong, *(self.off.tellers() if read else ()))))
+        tell = self.off.tellers() if read and not self.left.objection() else ()  # another process drives it
+        return tuple(dict.fromkeys((*lab_heard.wrong(self.known, self.facts), *tell)))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""
