@@ -7,7 +7,6 @@ from dataclasses import replace
 import pytest
 from lab_states import told
 
-from labcal.bench.coils.state import LabState
 from labcal.files.home import home
 from labcal.gui.ipc.answers import CoilEnd, RunLine, SwitchedOff
 from labcal.gui.ipc.lab_messages import ReadLab
@@ -122,7 +121,6 @@ def test_start_looks_again_while_a_run_goes_on_elsewhere(still):
 
 
 def test_what_a_run_of_this_window_knows_goes_before(cut_off):
-    cut_off.app_state.take_lab(LabState(()))
     cut_off.app_state.run.state = "running"
     cut_off.app_state.grow_old()
     assert cut_off.app_state.lab.state.now.left_by == ""
