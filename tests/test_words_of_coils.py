@@ -52,6 +52,7 @@ NO_CLAIM = {
     "zero when a session ends, breaks off or no longer answers.": HELP,
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
+    "▲ Hands out: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
     "With the window closed the guardian keeps trying to bring every coil to zero; "
     "nobody sees whether it does.": NOT_KNOWN,
     "No guardian holds the supplies: COILS OFF is given once more on closing; "
@@ -78,8 +79,8 @@ NO_CLAIM = {
     "COILS OFF   F12": HELP,
     "COILS OFF done {0}: {1}": READ,
     "{0} COILS OFF: {1}": READ,
-    "ended by COILS OFF": HELP,
-    "■ Ended by COILS OFF (F12)": HELP,
+    "stopped by COILS OFF": HELP,
+    "■ Stopped by COILS OFF (F12)": HELP,
     "Take every coil to zero now (F12). Works in every state and asks nothing.": HELP,
     "coils off, at any moment": HELP,
     "Until somebody logs in; COILS OFF works all the same": HELP,

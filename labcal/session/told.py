@@ -31,6 +31,7 @@ def told(run_id: str) -> Told:
 def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) -> list[Interruption]:
     """One for each time that the run was gone on with, by its steps; how long each lasted, by its `statuses`.
 
+    A step that broke off again was not measured again by that.
     One that it has not been gone on with since is counted after others, without a length; alone its status says it.
     """
     stretches: list[list[str]] = [[]]
@@ -40,9 +41,11 @@ def interruptions(items: Iterable[Item], statuses: Sequence[tuple[str, str]]) ->
         elif isinstance(item, Step):
             stretches[-1].append(item.name)
     gone, found, before = _gone_s(statuses), list[Interruption](), set[str]()
+    whole = not statuses or statuses[-1][0] == "finished"
     for number, (broken, after) in enumerate(pairwise(stretches)):
         before |= set(broken)
-        again = tuple(dict.fromkeys(name for name in after if name in before))
+        measured = after if whole and number == len(stretches) - 2 else after[:-1]
+        again = tuple(dict.fromkeys(name for name in measured if name in before))
         found.append(Interruption(broken[-1] if broken else "", gone[number] if number < len(gone) else None, again))
     if found and statuses and statuses[-1][0] == "interrupted":
         found.append(Interruption(stretches[-1][-1] if stretches[-1] else "", None, (), timed=False))

@@ -3,13 +3,14 @@
 import time
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from test_hands_in_the_cage import MOUNT, READY, headline, lab, says, send, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
 
 from labcal.bench.coils.agreement import CHANGED
-from labcal.bench.coils.state import FRESH_S, LabState, PlatformReading, Witness, unread
+from labcal.bench.coils.state import FRESH_S, CoilReading, FieldReading, LabState, PlatformReading, Witness, unread
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
@@ -160,3 +161,27 @@ def test_it_stands_there_in_every_state_of_a_run_but_while_it_measures_or_hands_
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("left", "left")))
     assert running.side.hands.isVisible()
     assert not hands.isVisible()
+
+
+def test_the_reading_that_confirmed_the_zero_is_shown_in_the_panel_the_table_and_the_cage(still, later):
+    app_state, page = still.app_state, still.page("Bench")
+    still.open_page("Bench")
+    now = time.monotonic()
+    seen = (20_400.0, 1_150.0, -43_700.0)
+    app_state.run.reading["reference"] = ("x", "y", "z"), np.array([50_000.0, 0.0, 0.0])  # with the coils on
+    app_state.run.read_s["reference"] = now - 9.0
+    coils = tuple(CoilReading(axis, 0.0, 0.0, True, True, now) for axis in "xyz")
+    before = LabState(coils, Witness("agrees", "", seen, seen, 0.0, 2e3, now))
+    for field in (FieldReading(), FieldReading(None, (50_000.0, 0.0, 0.0), now - 9.0)):
+        app_state.take_lab(replace(before, field=field))
+        page.show_readings()
+        row = next(r for r in range(page.table.rowCount()) if page.table.text(r, 1) == "reference")
+        assert "43" in page.table.text(row, 4)
+        assert "50\N{NARROW NO-BREAK SPACE}0" not in page.table.text(row, 4)
+        assert page.cage.dashed == seen
+        assert still.side.field.values[1].text() not in ("–", "")
+    later(5.0)
+    assert still.side.field_age.text() == "5 s ago"
+    newer = FieldReading(None, (1.0, 2.0, 3.0), app_state.now_s())
+    app_state.take_lab(replace(before, field=newer))
+    assert app_state.lab.state.now.field_measured_nT == (1.0, 2.0, 3.0)

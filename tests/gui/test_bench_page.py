@@ -83,7 +83,8 @@ def test_what_the_reference_read_last_is_what_the_panel_at_the_right_says(still,
     told(still)
     lab = still.app_state.run.lab
     seen = FieldReading(None, (20_400.0, 1_150.0, -43_700.0), time.monotonic() - 30.0)  # at zero, after the last block
-    still.app_state.bench_worker.states.emit(replace(lab, field=seen))
+    agreed = replace(lab.reference, read_s=seen.read_s)
+    still.app_state.bench_worker.states.emit(replace(lab, field=seen, reference=agreed))
     bench.show_readings()
     last = {bench.table.text(row, 1): bench.table.text(row, 4) for row in range(bench.table.rowCount())}
     values, _, age = last["reference"].partition("   ")

@@ -1,6 +1,7 @@
 """HANDS OFF: in the same place on every page while it stands, the largest words there, by one rule of ages."""
 
 import time
+from dataclasses import replace
 
 import pytest
 from PySide6.QtWidgets import QLabel
@@ -78,13 +79,31 @@ def test_what_is_on_or_not_confirmed_keeps_hands_off_at_a_question(running, curr
 def test_a_run_that_was_told_hands_off_keeps_them_off_with_the_coils_at_zero(running):
     says(running, platform=stands())
     send(running, READY)
-    assert running.side.keep_off.text() == ""
+    assert running.side.keep_off.text() == "▲ Hands out"
     running.app_state.run.answer("done")
     assert running.side.keep_off.text() == "HANDS OFF"
     send(running, SegmentOpened(4.0, Segment("z", "static")))
     assert running.side.keep_off.text() == "HANDS OFF"
     send(running, SegmentClosed(5.0), MOUNT)
     assert running.side.keep_off.text() == ""
+
+
+def test_while_it_is_asked_whether_hands_are_off_nobody_tells_them_to_go_in(running):
+    says(running, platform=stands())
+    send(running, MOUNT)
+    assert running.side.hands.text().startswith("✓ Hands may go in")
+    for text, comes in (
+        ("The coils go to 50 µT. Hands off?", "The coils go to 50 µT"),
+        ("Next the platform looks for its zero and turns to 90°. Hands off?",
+         "Next the platform looks for its zero and turns to 90°"),
+        ("Is it as before? Hands off?", "Is it as before? Hands off?"),
+    ):  # fmt: skip
+        send(running, replace(READY, text=text))
+        assert running.side.hands.text() == f"▲ Hands out now: {comes}"
+        assert running.side.hands.property("state") == "warning"
+        assert running.side.keep_off.text() == running.top.keep_off.text() == "▲ Hands out"
+    says(running, platform=stands(), faulty=("dut",))  # whose plug is seen to first
+    assert running.side.hands.text().startswith("✓ Hands may go in")
 
 
 def test_coils_that_nobody_has_read_on_a_real_bench_are_no_leave_to_reach_in(real):

@@ -1,12 +1,13 @@
 """After a run that ended badly the lab is read on until it is at zero; one button reads all; both yield at once."""
 
 import time
+from dataclasses import replace
 
 import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
 
-from labcal.bench.coils.state import Heard, LabState, PlatformReading, unread
+from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness, unread
 from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
@@ -62,7 +63,7 @@ def test_after_a_lost_run_the_lab_is_read_until_it_is_at_zero(still):
     assert still.side.zero_words.text().startswith("■ zero by the supply's word only")
     assert not still.fault.isVisible()
     app_state.watch.look()
-    assert app_state.watch_worker.commands(ReadLab) == []  # nothing is wrong: the lines are left alone
+    assert read(still).names == SUPPLIES  # nothing is wrong: hands may go in now, and it is looked at on
     assert next(light for name, light, _ in app_state.lab.state.now.lights if name == "supply_z") == "ok"
 
 
@@ -132,3 +133,55 @@ def test_a_worker_that_broke_says_so_and_the_button_is_back(still):
     still.app_state.watch_worker.asked[-1].failed(Fault("ended", "The work was killed (signal 9, SIGKILL)."))
     assert still.side.read_all.isEnabled()
     assert still.message.text() == "The work was killed (signal 9, SIGKILL)."
+
+
+@pytest.mark.parametrize("over", ["finished", "stopped", "failed: aborted by the operator", "read all"])
+def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_lines(still, over, qtbot):
+    app_state, order = still.app_state, RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe")
+    app_state.watch.look()
+    assert app_state.watch_worker.commands(ReadLab) == [], "nobody has asked for anything here yet"
+    if over == "read all":
+        app_state.watch.read_all()
+        read(still)
+    else:
+        app_state.run.start(order)
+        told(still)
+        app_state.bench_worker.answer(RunProcedure, Ended("r1", over))
+    for _ in range(3):
+        app_state.watch.look()
+        assert read(still).names == SUPPLIES
+        assert still.side.hands.text().startswith("✓ Hands may go in")
+    app_state.watch.look()
+    app_state.coils_off()
+    assert app_state.watch_worker.killed == 1
+    app_state.watch_worker.asked = []
+    app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "zero", True, time.monotonic())
+                                                             for a in "xyz")))  # fmt: skip
+    app_state.watch.look()
+    read(still)
+    app_state.run.start(order)
+    app_state.watch.look()
+    assert app_state.watch_worker.commands(ReadLab) == []
+
+
+def test_the_headline_after_coils_off_stays_while_the_supplies_of_a_simulated_lab_are_watched(still, later):
+    app_state, live = still.app_state, still.page("Run").live
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    app_state.coils_off()
+    now = time.monotonic()
+    coils = tuple(CoilReading(axis, 0.0, 0.0, True, True, now) for axis in "xyz")
+    app_state.bench_worker.states.emit(
+        LabState(coils, Witness("agrees", "", read_s=now), platform=PlatformReading(223.0, False, now))
+    )
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "failed: aborted by the operator"))
+    said = set()
+    for seconds in (0.0, 3.0, 4.0, 8.0):
+        later(seconds)
+        live.draw()
+        said.add((live.verdict.word.text(), live.verdict.word.property("state")))
+        app_state.take_lab(replace(app_state.known, coils=tuple(
+            replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)))  # fmt: skip
+        live.draw()
+        said.add((live.verdict.word.text(), live.verdict.word.property("state")))
+    assert len(said) == 1, said
+    assert "coils at zero" in said.pop()[0].replace("\N{NO-BREAK SPACE}", " ")

@@ -246,8 +246,9 @@ def test_next_begins_what_it_says(still, path, qtbot):
     ("lights", "mark"),
     [
         (("ok", "old"), "✓"),
-        (("ok", "absent"), "○"),
-        (("ok", "waiting"), "○"),
+        (("ok", "absent"), "●"),
+        (("ok", "waiting"), "●"),
+        (("waiting", "absent"), "○"),
         (("absent", "fault"), "✕"),
         ((), "○"),
     ],
@@ -255,6 +256,14 @@ def test_next_begins_what_it_says(still, path, qtbot):
 def test_the_bench_is_done_where_every_instrument_has_answered(still, path, lights, mark):
     lab = still.app_state.lab
     lab.update(now=replace(lab.state.now, lights=tuple((f"supply_{n}", one, "") for n, one in enumerate(lights))))
+    assert f"{mark} Bench" in [button.text() for button in still.sidebar.findChildren(QAbstractButton)]
+
+
+@pytest.mark.parametrize(("ages", "mark"), [((3, 3), "✓"), ((3, 180), "●"), ((180, 180), "○")])
+def test_the_bench_has_a_tick_of_what_was_read_just_now_and_no_longer(still, path, ages, mark):
+    lab, names = still.app_state.lab, ("supply_x", "reference")
+    lights = tuple((name, "old", "") for name in names)
+    lab.update(now=replace(lab.state.now, lights=lights, heard_old_s=tuple(zip(names, ages, strict=True))))
     assert f"{mark} Bench" in [button.text() for button in still.sidebar.findChildren(QAbstractButton)]
 
 

@@ -92,7 +92,7 @@ def test_f12_ends_a_run_that_waits_for_an_answer_with_the_coils_at_zero(qtbot, w
     qtbot.keyClick(window, Qt.Key.Key_F12)
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
     assert window.app_state.run.status == "interrupted"  # it may be gone on with
-    assert window.app_state.run.message.endswith("ended by COILS OFF")
+    assert window.app_state.run.message.endswith("stopped by COILS OFF")
     qtbot.waitUntil(at_zero, timeout=LONG_MS)
 
 

@@ -237,7 +237,7 @@ def test_a_persons_own_coils_off_is_called_so_and_names_the_platform(still):
     says(still, platform=PlatformReading(220.0, True, time.monotonic() - 12))
     still.app_state.coils_off()
     still.app_state.bench_worker.asked[-1].failed(Fault("ended", "The work was ended by this window."))
-    assert live.fault.heading.text() == "■ Ended by COILS OFF (F12)"
+    assert live.fault.heading.text() == "■ Stopped by COILS OFF (F12)"
     assert still.app_state.run.status == "interrupted"
     ends = tuple(CoilEnd(a, 0.0, "0 A, open", True, time.monotonic()) for a in "xyz")
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends, ""))

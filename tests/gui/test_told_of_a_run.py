@@ -120,8 +120,24 @@ def test_interruptions_are_counted_from_the_record_with_their_length_and_what_wa
     at = "2026-11-29T0{}:00:00Z".format
     statuses = [("running", at(1)), ("interrupted", at(2)), ("running", at(4)), ("running", at(5)), ("finished", at(6))]
     first, second = interruptions(items, statuses)
-    assert (first.at, first.gone_s, first.again) == ("y", 7200.0, ("zero", "y"))
+    assert (first.at, first.gone_s, first.again) == ("y", 7200.0, ("zero", "y"))  # z broke off: not measured again
     assert (second.at, second.gone_s, second.again) == ("z", None, ("zero", "z"))  # it was killed: nobody wrote when
+
+
+def test_a_step_that_broke_off_again_was_not_measured_again_and_its_place_is_said_once():
+    def steps(*names):
+        return [Step(float(n), n + 1, 9, name, 0.0) for n, name in enumerate(names)]
+
+    again, at = Event(10.0, RESUMED, ""), "2026-11-29T0{}:00:00Z".format
+    items = [*steps("zero", "x+50uT-nominal"), again, *steps("zero", "x+50uT-nominal")]
+    for end in ("interrupted", "running", "failed: aborted by the operator"):
+        found = interruptions(items, [("running", at(1)), ("interrupted", at(2)), ("running", at(4)), (end, at(5))])
+        assert found[0].again == ("zero",)
+    found = interruptions(items, [("running", at(1)), ("interrupted", at(2)), ("running", at(4)), ("finished", at(5))])
+    assert found[0].again == ("zero", "x+50uT-nominal")
+    twice = Interruption("x+50uT-nominal", None, ("zero",), timed=False)
+    said = "▲ 2 interruptions: at x +50 µT nominal (2×). Measured again: offset and first position."
+    assert interrupted_words(Told((twice, twice))) == said
 
 
 def test_one_that_was_interrupted_again_and_not_gone_on_with_counts_that_as_well():

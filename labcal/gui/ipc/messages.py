@@ -23,6 +23,7 @@ from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.lab_messages import Identify as Identify
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
+from labcal.gui.ipc.record_messages import LookForLeft as LookForLeft
 from labcal.gui.ipc.record_messages import TellRecord as TellRecord
 from labcal.gui.ipc.record_messages import TellResults as TellResults
 from labcal.gui.ipc.record_messages import TellTurned as TellTurned

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
-from labcal.gui.ipc.record_messages import RunResult, TellRecord, TellResults, TellTurned
+from labcal.gui.ipc.record_messages import (
+    LookForLeft,
+    RunResult,
+    TellRecord,
+    TellResults,
+    TellTurned,
+)
+from labcal.record.left_running import LeftRunning
 from labcal.record.told import Told
 from labcal.record.turned import TurnBefore
 
@@ -38,4 +45,16 @@ def tell_results(channel: Channel, asked: TellResults) -> tuple[RunResult, ...]:
         return tuple(of(store, run) for run in asked.runs)
 
 
-HANDLERS = (handles(TellRecord, tell), handles(TellResults, tell_results), handles(TellTurned, tell_turned))
+def look_for_left(channel: Channel, asked: LookForLeft) -> LeftRunning | None:
+    """What a killed process or another one has to do with the coils."""
+    from labcal.session.left_running import left_running
+
+    return left_running(asked.bench)
+
+
+HANDLERS = (
+    handles(TellRecord, tell),
+    handles(TellResults, tell_results),
+    handles(TellTurned, tell_turned),
+    handles(LookForLeft, look_for_left),
+)

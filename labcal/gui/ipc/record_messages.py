@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from labcal.gui.ipc.kinds import Command
+from labcal.record.left_running import LeftRunning
 from labcal.record.told import Told
 from labcal.record.turned import TurnBefore
 
@@ -37,3 +38,10 @@ class TellTurned(Command[tuple[TurnBefore, ...]]):
     """Where the field was in the turns that this run has recorded."""
 
     run: str
+
+
+@dataclass(frozen=True, slots=True)
+class LookForLeft(Command[LeftRunning | None]):
+    """Whether the last run on the bench of this name goes on in another process, or was cut off."""
+
+    bench: str

@@ -15,7 +15,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
-from labcal.gui.viewmodels.off_headline import off_headline
+from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.viewmodels.what_happens import kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
@@ -270,7 +270,8 @@ class Live(QWidget):
             return self.verdict.word.set_text("")  # of the run before
         how = run_verdict(run, self._app_state.resumable, mended=bool(self._answer_again()))
         self.verdict.show_verdict(run.order.dut if run.order else "", how)
-        words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
+        now = self._app_state.lab.state.now
+        words, state = off_headline(as_left(now) if run.virtual_time else now) if run.by_off else ("", "")
         return self.verdict.say_off(words, state) if words else None
 
     def _show_details(self) -> None:

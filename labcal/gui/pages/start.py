@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection
 from datetime import UTC, date, datetime
 
-from PySide6.QtCore import QDate, QLocale, Qt
+from PySide6.QtCore import QDate, QLocale, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, CalibrationFile, Checked, RunLine
@@ -14,7 +14,8 @@ from labcal.gui.ipc.messages import LastCageCheck, LastClosingCheck, ListCalibra
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.lab_now import left_words, mark_of
+from labcal.gui.viewmodels.left_without_end import AGAIN_MS
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
 from labcal.gui.viewmodels.run_count import count_words
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
@@ -40,6 +41,8 @@ class StartPage(QWidget):
         self._app_state = app_state
         self._cage_check: Checked | None = None
         self._to_go_on_with: list[tuple[str, QPushButton]] = []  # serial, button
+        self.again = QTimer(self, interval=AGAIN_MS, singleShot=True)
+        self.again.timeout.connect(lambda: self.refresh() if self.isVisible() else None)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -66,6 +69,7 @@ class StartPage(QWidget):
         app_state.run.changed.connect(self._enable)
         app_state.scan_vm.changed.connect(self._enable)
         app_state.run.ended.connect(self.refresh)
+        app_state.left.changed.connect(self.refresh)
         self._bench_known()
 
     def showEvent(self, event: object) -> None:
@@ -74,6 +78,7 @@ class StartPage(QWidget):
 
     def refresh(self) -> None:
         """Ask again."""
+        self._app_state.left.look()
         self._app_state.request(ListRuns(), self._runs_known)
         self._app_state.request(LastClosingCheck(), self._closing_known)
         self._app_state.request(LastCageCheck(), self._cage_known)
@@ -136,7 +141,7 @@ class StartPage(QWidget):
         self.question.setText(
             (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
             or self._not_ready()
-            or self._broken_off()
+            or "\n".join(filter(None, (left_words(self._app_state.lab.state.now), self._broken_off())))
             or self.tr("Ready. {0} is to be measured on {1}.").format(
                 self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
             )
@@ -238,6 +243,8 @@ class StartPage(QWidget):
         self._app_state.path.take_runs(runs)
         self._app_state.propose_dut()
         self._say_runs(runs)
+        if any(one.status == "running" for one in runs) and not self._app_state.run.alive:  # in another process
+            self.again.start()
         here = QApplication.focusWidget()
         had_focus = here is not None and self.interrupted.isAncestorOf(here)
         while (old := self.interrupted.body.takeAt(0)) is not None:
@@ -295,7 +302,7 @@ class StartPage(QWidget):
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first and mended)
         to = self._app_state.path.next()
-        set_primary(self.calibrate, not any(mine) and to.page in ("Run", "Start"))
+        set_primary(self.calibrate, not any(mine) and not to.waits and to.page in ("Run", "Start"))
 
 
 def to_be_resumed(runs: tuple[RunLine, ...], resumable: Collection[str] = ()) -> list[RunLine]:

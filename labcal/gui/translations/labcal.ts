@@ -6255,6 +6255,13 @@
     </message>
 </context>
 <context>
+    <name>LeftWithoutEnd</name>
+    <message>
+        <source>Another process still drives a run of {0} on this bench: wait until it has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Live</name>
     <message>
         <source>Pause</source>
@@ -6831,6 +6838,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Wait for the other process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stop the platform (COILS OFF)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7199,6 +7210,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stopping …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7216,10 +7231,6 @@ after this step …</source>
     </message>
     <message>
         <source>Goes on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ended by COILS OFF</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8079,10 +8090,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>■ Ended by COILS OFF (F12)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>✓ CLEAN</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8615,6 +8622,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>■ Stopped by COILS OFF (F12)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>started</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8776,6 +8787,14 @@ after this step …</source>
     </message>
     <message>
         <source>✓ Hands may go in: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out: a run of {0} was cut off; the coils are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out: another process drives a run of {0}; the coils may be on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9176,6 +9195,10 @@ after this step …</source>
     </message>
     <message>
         <source>▲ Hands out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands out now: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -6255,6 +6255,13 @@
     </message>
 </context>
 <context>
+    <name>LeftWithoutEnd</name>
+    <message>
+        <source>Another process still drives a run of {0} on this bench: wait until it has ended.</source>
+        <translation>Ein anderer Prozess führt auf diesem Messplatz noch eine Messung von {0}: warten, bis sie zu Ende ist.</translation>
+    </message>
+</context>
+<context>
     <name>Live</name>
     <message>
         <source>Whose run this is</source>
@@ -6832,6 +6839,10 @@ diesem Schritt …</translation>
         <translation>Die Frage beantworten</translation>
     </message>
     <message>
+        <source>Wait for the other process</source>
+        <translation>Auf den anderen Prozess warten</translation>
+    </message>
+    <message>
         <source>Stop the platform (COILS OFF)</source>
         <translation>Tisch anhalten (SPULEN AUS)</translation>
     </message>
@@ -7200,6 +7211,10 @@ diesem Schritt …</translation>
         <translation>Pausiert am Beginn des nächsten Schritts.</translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation>durch SPULEN AUS gestoppt</translation>
+    </message>
+    <message>
         <source>Stopping …</source>
         <translation>Wird beendet …</translation>
     </message>
@@ -7218,10 +7233,6 @@ diesem Schritt …</translation>
     <message>
         <source>Goes on</source>
         <translation>Geht weiter</translation>
-    </message>
-    <message>
-        <source>ended by COILS OFF</source>
-        <translation>durch SPULEN AUS beendet</translation>
     </message>
     <message>
         <source>Run {0}: {1}</source>
@@ -8080,10 +8091,6 @@ diesem Schritt …</translation>
         <translation>✕ Die Arbeit brach ab</translation>
     </message>
     <message>
-        <source>■ Ended by COILS OFF (F12)</source>
-        <translation>■ Durch SPULEN AUS (F12) beendet</translation>
-    </message>
-    <message>
         <source>✓ CLEAN</source>
         <translation>✓ SAUBER</translation>
     </message>
@@ -8712,6 +8719,10 @@ diesem Schritt …</translation>
         <translation>▲ Unterbrochen</translation>
     </message>
     <message>
+        <source>■ Stopped by COILS OFF (F12)</source>
+        <translation>■ Durch SPULEN AUS (F12) gestoppt</translation>
+    </message>
+    <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
     </message>
@@ -8778,6 +8789,14 @@ diesem Schritt …</translation>
     <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Hände dürfen hinein: {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: a run of {0} was cut off; the coils are not known</source>
+        <translation>▲ Hände heraus: eine Messung von {0} wurde abgeschnitten; der Zustand der Spulen ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: another process drives a run of {0}; the coils may be on</source>
+        <translation>▲ Hände heraus: ein anderer Prozess führt eine Messung von {0}; die Spulen sind vielleicht an</translation>
     </message>
     <message>
         <source>COILS OFF done {0}: {1}</source>
@@ -9178,6 +9197,10 @@ diesem Schritt …</translation>
     <message>
         <source>▲ Hands out</source>
         <translation>▲ Hände heraus</translation>
+    </message>
+    <message>
+        <source>▲ Hands out now: {0}</source>
+        <translation>▲ Hände jetzt heraus: {0}</translation>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>

@@ -6255,6 +6255,13 @@
     </message>
 </context>
 <context>
+    <name>LeftWithoutEnd</name>
+    <message>
+        <source>Another process still drives a run of {0} on this bench: wait until it has ended.</source>
+        <translation>Un autre processus conduit encore une mesure de {0} sur ce banc : attendre qu&apos;elle soit terminée.</translation>
+    </message>
+</context>
+<context>
     <name>Live</name>
     <message>
         <source>Whose run this is</source>
@@ -6832,6 +6839,10 @@ cette étape …</translation>
         <translation>Répondre à la question</translation>
     </message>
     <message>
+        <source>Wait for the other process</source>
+        <translation>Attendre l&apos;autre processus</translation>
+    </message>
+    <message>
         <source>Stop the platform (COILS OFF)</source>
         <translation>Arrêter la plate-forme (BOBINES À ZÉRO)</translation>
     </message>
@@ -7200,6 +7211,10 @@ cette étape …</translation>
         <translation>Pause au début de l&apos;étape suivante.</translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation>arrêtée par BOBINES À ZÉRO</translation>
+    </message>
+    <message>
         <source>Stopping …</source>
         <translation>Arrêt …</translation>
     </message>
@@ -7218,10 +7233,6 @@ cette étape …</translation>
     <message>
         <source>Goes on</source>
         <translation>Continue</translation>
-    </message>
-    <message>
-        <source>ended by COILS OFF</source>
-        <translation>terminé par BOBINES À ZÉRO</translation>
     </message>
     <message>
         <source>Run {0}: {1}</source>
@@ -8080,10 +8091,6 @@ cette étape …</translation>
         <translation>✕ Le travail s&apos;est interrompu</translation>
     </message>
     <message>
-        <source>■ Ended by COILS OFF (F12)</source>
-        <translation>■ Terminé par BOBINES À ZÉRO (F12)</translation>
-    </message>
-    <message>
         <source>✓ CLEAN</source>
         <translation>✓ PROPRE</translation>
     </message>
@@ -8712,6 +8719,10 @@ cette étape …</translation>
         <translation>▲ Interrompue</translation>
     </message>
     <message>
+        <source>■ Stopped by COILS OFF (F12)</source>
+        <translation>■ Arrêtée par BOBINES À ZÉRO (F12)</translation>
+    </message>
+    <message>
         <source>calibration</source>
         <translation>étalonnage</translation>
     </message>
@@ -8778,6 +8789,14 @@ cette étape …</translation>
     <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Les mains peuvent entrer : {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: a run of {0} was cut off; the coils are not known</source>
+        <translation>▲ Mains dehors : une mesure de {0} a été coupée ; l&apos;état des bobines n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>▲ Hands out: another process drives a run of {0}; the coils may be on</source>
+        <translation>▲ Mains dehors : un autre processus conduit une mesure de {0} ; les bobines sont peut-être alimentées</translation>
     </message>
     <message>
         <source>COILS OFF done {0}: {1}</source>
@@ -9178,6 +9197,10 @@ cette étape …</translation>
     <message>
         <source>▲ Hands out</source>
         <translation>▲ Mains dehors</translation>
+    </message>
+    <message>
+        <source>▲ Hands out now: {0}</source>
+        <translation>▲ Mains dehors maintenant : {0}</translation>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>

@@ -65,7 +65,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "✕ This page cannot be shown"),
     QT_TRANSLATE_NOOP("Words", "✕ Something in labcal broke"),
     QT_TRANSLATE_NOOP("Words", "✕ The work broke off"),
-    QT_TRANSLATE_NOOP("Words", "■ Ended by COILS OFF (F12)"),
+    QT_TRANSLATE_NOOP("Words", "■ Stopped by COILS OFF (F12)"),
     QT_TRANSLATE_NOOP("Words", "✓ CLEAN"),
     QT_TRANSLATE_NOOP("Words", "✓ EXPLAINED"),
     QT_TRANSLATE_NOOP("Words", "▲ PARTLY EXPLAINED"),

@@ -30,8 +30,10 @@ from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, hands_of, reference_U
+from labcal.gui.viewmodels.lab_now import hands_of, reference_U
+from labcal.gui.viewmodels.lab_there import lab_there, platform_there
 from labcal.gui.viewmodels.lab_watch import LabWatch
+from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.named_serials import NamedSerials
 from labcal.gui.viewmodels.one_dut import OneDut
@@ -93,7 +95,8 @@ class AppState(QObject):
         self.age_timer = QTimer(self, interval=AGES_MS)
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
-        self.off = CoilsOff(self)
+        self.off, self.left = CoilsOff(self), LeftWithoutEnd(self)
+        self.left.changed.connect(lambda: self.grow_old())
         self.force_timer, self.coils_off = self.off.force_timer, lambda: self.off.order()
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
@@ -130,6 +133,7 @@ class AppState(QObject):
         self.lab.update(bench=facts.name, simulated=facts.simulated)
         self.propose_dut()
         self.grow_old()
+        self.left.look()
         self.off_worker.request(ReadBench(path), lambda _: None, lambda _: None)  # loaded before it is needed
         self.bench_changed.emit()
 
@@ -157,6 +161,7 @@ class AppState(QObject):
         """Know nothing of the lab: what was read on another bench says nothing of this."""
         self._taken = None
         self.off.forget()
+        self.left.forget()
         self.kept = KnownLab()
         self.named_serials.forget()
 
@@ -178,11 +183,10 @@ class AppState(QObject):
             self.off.look_again()
 
     def _to_be_read(self) -> tuple[str, ...]:
-        """Who is wrong; after COILS OFF in a run, or where it sends hands to a plug, who tells how the lab is, too."""
-        run, wrong = self.run, lab_heard.wrong(self.known, self.facts)
-        lost = bool(wrong) and run.state == "ended" and run.fault is not None and run.fault.kind == "instrument"
-        tell = self.off.tellers() if run.by_off or lost else ()
-        return tuple(dict.fromkeys((*wrong, *tell)))
+        """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
+        read = self.known is not None and any(coil.read_s is not None for coil in self.known.coils)
+        tell = self.off.tellers() if read and not self.left.objection() else ()  # another process drives it
+        return tuple(dict.fromkeys((*lab_heard.wrong(self.known, self.facts), *tell)))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""
@@ -256,6 +260,8 @@ class AppState(QObject):
             return self.tr("The bench is being opened …")
         if not self.facts:
             return self.tr("Open a bench first: yours, or the simulated lab.")
+        if said := self.left.objection():
+            return said
         if not state.dut_serial:
             return self.tr("Scan or type the DUT's serial at the top.")
         if said := self.serial_objection(state.dut_serial):
@@ -276,7 +282,7 @@ class AppState(QObject):
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
-        if said := self.login.objection():
+        if said := self.login.objection() or self.left.objection():
             return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
         self.run.resume(run_id, self._order(procedure, {}))
@@ -301,6 +307,7 @@ class AppState(QObject):
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
         self.off.run_ended()
+        self.left.look()
         fault = self.run.fault
         if fault is not None and (blamed := lab_heard.blamed(self.known, fault, self.facts)) is not None:
             self.take_lab(blamed)
@@ -329,22 +336,15 @@ class AppState(QObject):
         return self.lab.state.now.coil_words or state.NOT_READ
 
     def platform_words(self) -> str:
-        """What may be said of the platform now; of a motor that nobody has heard of, that it may turn."""
-        instruments = {} if self.facts is None else self.facts.instruments
-        motor = any(one.role == "platform" and not one.link.startswith("manual://") for one in instruments.values())
-        return self.lab.state.now.platform_words or (state.MAY_TURN if motor else "")
+        """What may be said of the platform now."""
+        return platform_there(self.lab.state.now, self.facts)
 
     def hands(self) -> tuple[str, str]:
         """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
-        return hands_of(self._there())
+        return hands_of(lab_there(self.lab.state.now, self.facts))
 
-    def _there(self) -> LabNow:
-        """The lab as it is to hands: an emulated one is no more once its run is over, whatever turned in it."""
-        now = self.lab.state.now
-        if self.facts is None or not self.facts.virtual_time or now.driven:
-            return now
-        read = now.coil_words != state.NOT_READ
-        return replace(now, coil_words=now.coil_words if read else "", platform_words="", platform_old_s=None)
+    def _at_hands(self) -> dict[str, tuple[str, str]]:
+        return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts, self.known)
 
     @property
     def known(self) -> state.LabState | None:
@@ -358,9 +358,9 @@ class AppState(QObject):
 
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
-        now = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
+        now = self.left.seen_in(self.kept.now(self.facts, time.monotonic(), driven=self.run.alive))
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
-        self.lab.update(**at_hands(self.run, self._there(), self.facts, self.known))
+        self.lab.update(**self._at_hands())
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:
             self.kept.warned = True
             self.off.say_what_is_missed()
@@ -382,7 +382,7 @@ class AppState(QObject):
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
-        self.lab.update(message=run.message, waiting=waits, **at_hands(self.run, self._there(), self.facts, self.known))
+        self.lab.update(message=run.message, waiting=waits, **self._at_hands())
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
@@ -392,7 +392,7 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self.age_timer, self.watch.timer):
+        for timer in (self.force_timer, self.age_timer, self.watch.timer, self.left.timer):
             timer.stop()
         self.bench_worker.close(8000)
         self.watch.stop()

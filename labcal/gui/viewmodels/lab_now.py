@@ -46,6 +46,8 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: the coils are not being read"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands out: the platform is not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: a run of {0} was cut off; the coils are not known"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands out: another process drives a run of {0}; the coils may be on"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
@@ -66,6 +68,7 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    reference_agreed: bool = False  # when it was looked at last
     silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
     as_set: bool = False  # every coil that is on was set so by whoever drives it, and is read
@@ -79,6 +82,8 @@ class LabNow:
     field_old_s: int | None = None
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
+    left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
+    driven_elsewhere: bool = False  # that run goes on in another process
 
     @property
     def failed(self) -> list[str]:
@@ -121,22 +126,34 @@ def lab_now(
         return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
     known = any(coil.current_A is not None for coil in lab.coils)
     at_zero = all(coil.zero for coil in lab.coils)
+    seen_nT, seen_s = _field_seen(lab)
     return LabNow(
         coil_A=tuple(coil.current_A for coil in lab.coils),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
+        reference_agreed=lab.reference.verdict == "agrees",
         driven=driven,
         as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
         platform_words=_platform_words(lab, now_s, driven=driven),
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
         platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
-        field_measured_nT=lab.field.seen_nT,
-        field_old_s=old_s(lab.field.read_s, now_s),
+        field_measured_nT=seen_nT,
+        field_old_s=old_s(seen_s, now_s),
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
     )
+
+
+def _field_seen(lab: state.LabState) -> tuple[state.Vector | None, float | None]:
+    """What the reference saw last, and when: where nothing came since it agreed, the reading by which it did."""
+    field, agreed = lab.field, lab.reference
+    if agreed.verdict != "agrees" or agreed.seen_nT is None or agreed.read_s is None:
+        return field.seen_nT, field.read_s
+    if all(coil.current_A is not None for coil in lab.coils) and (field.read_s or agreed.read_s) <= agreed.read_s:
+        return agreed.seen_nT, agreed.read_s
+    return field.seen_nT, field.read_s
 
 
 def _platform_words(lab: state.LabState, now_s: float, *, driven: bool) -> str:
@@ -211,8 +228,19 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
 
 
+def left_words(now: LabNow) -> str:
+    """Of a run that nobody has ended: it goes on elsewhere, or left coils that nobody has read since; "" else."""
+    if now.left_by and now.driven_elsewhere:
+        return translated("▲ Hands out: another process drives a run of {0}; the coils may be on").format(now.left_by)
+    if now.left_by and now.coil_words in ("", state.NOT_READ):
+        return translated("▲ Hands out: a run of {0} was cut off; the coils are not known").format(now.left_by)
+    return ""
+
+
 def hands_of(now: LabNow) -> tuple[str, str]:
     """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age."""
+    if left := left_words(now):
+        return left, "warning"
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")

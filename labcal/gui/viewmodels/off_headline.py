@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
@@ -14,14 +16,25 @@ STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
 
 
 def off_headline(now: LabNow) -> tuple[str, str]:
-    """The words and their state; "" where the coils are not at zero, which a card above says."""
-    now = as_watched(now)  # one sentence that stays between two looks: the side panel has the age
-    shape, mark = mark_of(now.coil_words)
+    """The words and their state; "" where the coils are not at zero, which a card above says.
+
+    One sentence that stays for as long as the supplies are watched: when the reference was looked at last, and how old
+    the rest is, the side panel says.
+    """
+    now = as_watched(now)
     if now.coils_at_zero is False or not now.coil_words:
         return "", ""
     coils = in_words(state.AT_ZERO if now.coils_at_zero else now.coil_words.partition(";")[0])
+    agreed = now.reference_agreed and now.coil_words.startswith(state.BY_WORD)  # and the supplies read zero since
+    shape, mark = mark_of(state.AT_ZERO if agreed else now.coil_words)
     turns = platform_mark(now.platform_words)[1]
     stands = translated(str(STANDS)) if turns == "good" else in_words(now.platform_words)
     if turns not in ("", "good"):
         shape, mark = "▲", "warning"
     return translated(str(OFF)).format(shape, ", ".join(filter(None, (coils, stands)))), mark
+
+
+def as_left(now: LabNow) -> LabNow:
+    """An emulated platform is no more once its run is over, and is read no more: it stands as it did then."""
+    stood = platform_mark(now.platform_words)[1] == "old"
+    return replace(now, platform_words=now.platform_words.partition(",")[0], platform_old_s=None) if stood else now

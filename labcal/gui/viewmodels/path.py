@@ -11,7 +11,7 @@ from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.lab_now import WATCHED_S, mark_of
 from labcal.gui.viewmodels.may_answer import may_answer, wanted
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.run import RunViewModel
@@ -157,6 +157,8 @@ class PathViewModel(QObject):
         if self._run.alive:
             asked = self.may_answer()
             return Next("Run", self.tr("Answer the question") if asked else self.tr("See the run"), waits=not asked)
+        if state.now.driven_elsewhere:
+            return Next("Start", self.tr("Wait for the other process"), waits=True)
         if state.now.left_turning:
             return Next("Bench", self.tr("Stop the platform (COILS OFF)"), off=True)
         if mark_of(state.now.coil_words)[1] == "bad":
@@ -224,11 +226,14 @@ class PathViewModel(QObject):
         return Next("Certificate", words.format(as_what) if as_what else self.tr("Hand it out"))
 
     def _of_the_bench(self) -> Mark:
-        """It is done where every instrument has answered."""
-        lights = {light for _, light, _ in self._lab.state.now.lights}
-        if "fault" in lights:
+        """It is done where every instrument has answered just now, by the age that lets hands in; begun where some."""
+        now = self._lab.state.now
+        if any(light == "fault" for _, light, _ in now.lights):
             return "broken"
-        return "done" if lights and not lights & {"absent", "waiting"} else "open"
+        ages = dict(now.heard_old_s)  # of contacts, which nobody asks, that of the coils
+        read = [one == "ok" or (one == "old" and (ages.get(name, now.coil_old_s) or 0) <= WATCHED_S)
+                for name, one, _ in now.lights]  # fmt: skip
+        return "done" if read and all(read) else "now" if any(read) else "open"
 
     def _of_the_run(self, last: RunLine | None) -> Mark:
         if self._run.alive:

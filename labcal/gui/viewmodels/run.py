@@ -382,7 +382,7 @@ class RunViewModel(QObject):
 
     def _last_words(self) -> str:
         said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
-        said = self.tr("ended by COILS OFF") if self.by_off and self.status != "finished" else said
+        said = self.tr("stopped by COILS OFF") if self.by_off and self.status != "finished" else said
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.sentences import in_words
@@ -40,7 +42,8 @@ def interrupted_words(told: Told) -> str:
     """How often, where, for how long, and what was measured again; "" where nothing was interrupted."""
     if not told.interruptions:
         return ""
-    where = "; ".join(map(_one, told.interruptions))
+    places = Counter(map(_one, told.interruptions))
+    where = "; ".join(place if often == 1 else f"{place} ({often}×)" for place, often in places.items())
     names = dict.fromkeys(step_title(name) for one in told.interruptions for name in one.again)
     again = ", ".join(names) or translated(NOTHING)
     often = len(told.interruptions)

@@ -7,10 +7,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.bench.coils import state
 from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.hands import READY
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, left_words, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.record.endings import STOPPED, ended_word
@@ -25,6 +26,7 @@ HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands out")
+OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands out now: {0}")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
@@ -54,8 +56,20 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
         return translated(str(OFF)), "bad"
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words  # another process may drive them
-    return (translated(str(OUT)), "warning") if unread or (run.alive and hands_of(now)[1] != "good") else ("", "")
+    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or left_words(now)  # others may drive them
+    out = unread or asked_out(run, now) or (run.alive and hands_of(now)[1] != "good")
+    return (translated(str(OUT)), "warning") if out else ("", "")
+
+
+def asked_out(run: RunViewModel, now: LabNow) -> str:
+    """While it is asked whether all hands are off, they are not told to go in: they go out now, and for what; else "".
+
+    Who does not answer is seen to first.
+    """
+    if run.state != "asking" or run.prompt is None or run.prompt.key != READY or now.failed:
+        return ""
+    asked = in_words(run.prompt.text)
+    return translated(str(OUT_NOW)).format(asked.rpartition(". ")[0] or asked)  # what comes, without "Hands off?"
 
 
 def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
@@ -78,7 +92,7 @@ def at_hands(
     run: RunViewModel, now: LabNow, facts: Bench | None, known: state.LabState | None
 ) -> dict[str, tuple[str, str]]:
     """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
-    heard = facts is not None and not (facts.virtual_time and known is None)  # an emulated one is none before
+    heard = facts is not None and not (facts.virtual_time and known is None and not now.left_by)  # else it is none yet
     return {"keep_off": keep_off(run, now), "hands": _hands_at(run, now) if heard else ("", "")}
 
 
@@ -88,6 +102,8 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     if run.alive and (promised or run.segment is not None):
         return "", ""
     words, mark = hands_of(now)
+    if mark == "good" and (out := asked_out(run, now)):
+        return out, "warning"
     unread = mark == "bad" and not still_live(now)  # nothing is wrong where nobody has looked yet
     return words, "warning" if unread else mark
 

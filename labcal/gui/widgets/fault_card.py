@@ -30,7 +30,7 @@ TITLES = {
     "page": "✕ This page cannot be shown",
     "crash": "✕ Something in labcal broke",
     "ended": "✕ The work broke off",
-    "off": "■ Ended by COILS OFF (F12)",
+    "off": "■ Stopped by COILS OFF (F12)",
 }
 KEEP_OFF = ("coils", "platform")  # whose heading says that hands have to be off
 

@@ -57,7 +57,8 @@ class TimeLeft(QWidget):
         if left_s is None:
             stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
             return translated(ended_word(run.status, stopped=stopped))
-        at, total, left = min(run.steps_done() + 1, run.step.total), run.step.total, format_duration(left_s)
+        marks, total, left = [mark for _, mark in run.steps()], run.step.total, format_duration(left_s)
+        at = min(marks.index("now") if "now" in marks else run.steps_done(), total - 1) + 1  # that which is marked
         if not run.virtual_time or run.order is None or SPEEDS.get(run.order.pace) == 1.0:
             return self.tr("step {0} of {1} · {2} left").format(at, total, left)
         return self.tr("step {0} of {1} · {2} of simulated time left").format(at, total, left)
