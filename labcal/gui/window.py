@@ -30,6 +30,7 @@ from labcal.gui.leaving import Leaving
 from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_here
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
+from labcal.gui.problem_report import save_problem
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.chosen import chosen_theme, system_theme
 from labcal.gui.theming.palette import palette
@@ -45,6 +46,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
+from labcal.gui.widgets.shown_bar import ShownBar
 from labcal.gui.widgets.sounds import is_on, switch
 from labcal.system.run_door import goes_on_at
 
@@ -94,10 +96,9 @@ class Window(Frame):
         self.imports = Thread(target=import_pages, daemon=True, name="imports")
         self._before_wall: QSize | None = None
         self.fault = FaultCard(hands=app_state.hands)
-        self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
-        self.scan_card = ScanCard(app_state.scan_vm)
-        self.scan_card.setContentsMargins(0, 2 * GRID, 0, 0)
-        for card in (self.fault, self.scan_card):
+        self.scan_card, self.shown_bar = ScanCard(app_state.scan_vm), ShownBar(app_state)
+        for card in (self.fault, self.scan_card, self.shown_bar):
+            card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
@@ -246,7 +247,8 @@ class Window(Frame):
         QApplication.setPalette(palette(self.theme))
         sheet = self.sheet()
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
-        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card, self.lock_screen):
+        above = self.fault, self.scan_card, self.shown_bar
+        for part in (self.top, self.side, self.sidebar, self.bottom, *above, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()
@@ -291,6 +293,7 @@ class Window(Frame):
     def _page_turned(self) -> None:
         self.app_state.put_away_said()
         self.app_state.one_dut.settle()
+        self.shown_bar.show_page(self.page_shown())
         self._show_next()
 
     def _go_on(self) -> None:
@@ -324,7 +327,7 @@ class Window(Frame):
         login = self.app_state.login
         self.lock_switch.setVisible(login.wanted)
         self.stack.setVisible(not login.locked)
-        for part in (self.sidebar, self.next, self.top.dut, self.scan_card):
+        for part in (self.sidebar, self.next, self.top.dut, self.scan_card, self.shown_bar):
             part.setDisabled(login.locked)
         for shortcut in self.findChildren(QShortcut):
             shortcut.setEnabled(not login.locked)
@@ -361,8 +364,6 @@ class Window(Frame):
         self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:
-        from labcal.gui.problem_report import save_problem
-
         start = str(Path.home() / "labcal-problem.zip")
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
         if out:

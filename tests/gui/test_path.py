@@ -387,7 +387,7 @@ def test_a_run_that_measured_nothing_puts_no_failed_below_the_serial(still):
 ])  # fmt: skip
 def test_until_somebody_says_which_the_dut_is_that_of_the_run_to_be_gone_on_with(new_window, status, simulated, dut):
     app_state = new_window.app_state
-    app_state.one_dut.stated = False
+    app_state.one_dut.stated = app_state.one_dut.proposed = False
     app_state.path.take_runs((replace(RUN, dut_serial="EM-21", status=status, simulated=simulated),))
     app_state.propose_dut()
     assert new_window.top.dut.text() == dut

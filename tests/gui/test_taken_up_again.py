@@ -48,6 +48,8 @@ def test_the_page_and_its_mark_are_of_one_dut(new_window):
     assert page.empty.text().startswith("Choose a calibration")
     page.list.setCurrentIndex(0)
     page.list.activated.emit(0)
+    assert (new_window.shown_bar.isVisible(), app_state.lab.state.dut_serial) == (True, "")
+    new_window.shown_bar.take.click()
     assert app_state.lab.state.dut_serial == "EM-07"
     assert app_state.path.marks()["Certificate"] == "done"
 

@@ -18,7 +18,6 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
-from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, handed_out_as, state_of, steps
 from labcal.gui.viewmodels.stages import stages, to_be_done
 from labcal.gui.viewmodels.told_words import open_words
@@ -59,7 +58,6 @@ class CertificatePage(QWidget):
         self.list = combo_box(self.tr("Calibrations, the newest first"))
         self.list.setPlaceholderText(self.tr("Choose a calibration"))
         self.list.currentIndexChanged.connect(self._show)
-        self.list.activated.connect(self._picked)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
         self.drop = Drop(self.list)
         self.drop.dropped.connect(self.verify)
@@ -71,7 +69,7 @@ class CertificatePage(QWidget):
         column.addWidget(self.figures, 1)
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
-        app_state.lab.changed.connect(self._other_dut)
+        app_state.one_dut.changed.connect(self._other_dut)
         app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
         self._show()
 
@@ -96,10 +94,14 @@ class CertificatePage(QWidget):
         self._wanted = path
         self.refresh()
 
-    def _other_dut(self, state: LabState) -> None:
-        """What is of another DUT than the one at the top does not stay in sight."""
-        if self.isVisible() and state.dut_serial not in (self._for, self._asked_for):
-            self._asked_for = state.dut_serial
+    def _other_dut(self) -> None:
+        """What is of another DUT than the one that is looked at does not stay in sight, unless it was chosen here."""
+        one_dut = self._app_state.one_dut
+        gone_back = one_dut.calibration is None and self.chosen() is not None
+        if self.isVisible() and (gone_back or one_dut.looked_at() not in (self._for, self._asked_for)):
+            self._asked_for = one_dut.looked_at()
+            if gone_back:
+                self.list.setCurrentIndex(-1)
             self.refresh()
 
     def _empty_card(self) -> Card:
@@ -142,9 +144,9 @@ class CertificatePage(QWidget):
     def _known(self, files: tuple[CalibrationFile, ...]) -> None:
         self._app_state.path.take_calibrations(files)
         before = self.chosen()
-        here = self._app_state.lab.state.dut_serial
+        here = self._app_state.one_dut.looked_at()
         mine = [one.path for one in files if one.dut.serial == here]
-        stays = before is not None and here == self._for
+        stays = before is not None and here in (self._for, before.dut.serial)
         self._files = {one.path: one for one in files}
         kept = before.path if before is not None and stays else next(iter(mine), "")
         kept = self._wanted if self._wanted in self._files else kept
@@ -167,14 +169,9 @@ class CertificatePage(QWidget):
     def _say_empty(self) -> None:
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
         words = self.tr("No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.")
-        here = self._app_state.lab.state.dut_serial
+        here = self._app_state.one_dut.looked_at()
         which = words.format(here) if here else self.tr("Choose a calibration, or say at the top which DUT.")
         self.empty.setText(which if self._files else none)
-
-    def _picked(self) -> None:
-        """Whose calibration is looked at stands at the top."""
-        if (one := self.chosen()) is not None:
-            self._app_state.one_dut.take(one.dut.serial)
 
     def _keys_known(self, names: tuple[str, ...]) -> None:
         self.steps.take_keys(names)
@@ -182,6 +179,7 @@ class CertificatePage(QWidget):
 
     def _show(self) -> None:
         one = self.chosen()
+        self._app_state.one_dut.take_calibration(one)
         self.empty_card.setVisible(one is None)
         self.list.setVisible(bool(self._files))
         self._say_empty()

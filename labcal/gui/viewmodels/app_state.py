@@ -76,7 +76,7 @@ class AppState(QObject):
         looks = self.watch_worker = Client(self)
         self.watch = LabWatch(looks, self.lab, self._may_be_read, self._to_be_read, self._take_read)
         views = self.study_vm, self.path, self.scan_vm
-        self.one_dut = OneDut(self.settings, self.lab, self.run, views, lambda dut: self.set_identity(dut=dut))
+        self.one_dut = OneDut(self.settings, self.lab, self.run, views)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
@@ -134,11 +134,10 @@ class AppState(QObject):
         self.bench_changed.emit()
 
     def propose_dut(self) -> None:
-        """Until somebody says which: the DUT of the run that is to be gone on with, else the one of the bench file."""
+        """Once, until somebody says which: the DUT of the run to be gone on with, else the one of the bench file."""
         if self.facts is None:
             return
-        state, of_run = self.lab.state, self.path.broken_off(self.facts.simulated)
-        serial = state.dut_serial if self.one_dut.stated else of_run or self.facts.dut.serial
+        serial = self.one_dut.propose(self.path.broken_off(self.facts.simulated) or self.facts.dut.serial)
         self.lab.update(dut_serial=serial, dut_objection=self.serial_objection(serial))
 
     def come_back(self, worker: int) -> None:
@@ -157,7 +156,7 @@ class AppState(QObject):
         """Know nothing of the lab: what was read on another bench says nothing of this."""
         self._taken = None
         self.off.forget()
-        self.kept = KnownLab()
+        self.kept, self.one_dut.proposed = KnownLab(), False
         self.named_serials.forget()
 
     def take_identified(self, said: Identified) -> None:
@@ -200,7 +199,7 @@ class AppState(QObject):
         return wanted
 
     def open_study(self, run: str) -> None:
-        """Show `run` on the Fit page, with its DUT at the top."""
+        """Show `run` on the Fit page; the DUT at the top stays."""
         self.page_requested.emit("Fit")
         self.one_dut.open(run)
 
@@ -270,7 +269,7 @@ class AppState(QObject):
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
         """Run a procedure for the DUT and the operator above."""
-        study = self.study_vm
+        study, self.one_dut.stated = self.study_vm, True
         after = study.run if procedure == study.wanted else ""
         self.run.start(replace(self._order(procedure, given), after=after))
 

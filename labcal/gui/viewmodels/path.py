@@ -62,6 +62,7 @@ class PathViewModel(QObject):
         super().__init__()
         self._lab, self._run, self._study, self.handed_out = lab, run, study, handed_out
         self.runs: tuple[RunLine, ...] = ()
+        self.listed = False  # whether the store has been read
         self.files: tuple[CalibrationFile, ...] = ()
         self.refused = ""  # of the form on the Run page, where it is that of the preflight
         self.begins = ""  # the procedure that Begin there begins, whichever it is
@@ -70,7 +71,7 @@ class PathViewModel(QObject):
 
     def take_runs(self, runs: tuple[RunLine, ...]) -> None:
         """The runs of the store, the newest first."""
-        self.runs = runs
+        self.runs, self.listed = runs, True
         self.changed.emit()
 
     def take_calibrations(self, files: tuple[CalibrationFile, ...]) -> None:
