@@ -12,9 +12,9 @@ from test_path import DONE, RUN, calibration
 
 from labcal.gui.ipc.answers import Checked, FitFigures, Fitted
 from labcal.gui.ipc.messages import CloseLoop, Identify, LastCageCheck, ListRuns, LookAt, ResumeRun
-from labcal.gui.pages.loop import candidates
 from labcal.gui.reopened import Shown
 from labcal.gui.translations import translate
+from labcal.gui.viewmodels.loop_causes import candidates
 from labcal.gui.viewmodels.loop_words import as_a_drop
 
 

@@ -26,7 +26,7 @@ from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
-OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
+OFFSETS = ("offset k x  nT", "offset k y  nT", "offset k z  nT")
 GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
 LEAST_ROWS = 8  # of the table are always seen: how good, and where zero is
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
@@ -218,7 +218,7 @@ class FitPage(QWidget):
             header.setSectionResizeMode(0, wanted)
 
     def _colour(self, name: str) -> str:
-        axis = name[2] if name in OFFSETS else ""
+        axis = name.split()[2] if name in OFFSETS else ""
         return getattr(self._theme, f"axis_{axis}") if axis else ""
 
     def _show_pictures(self) -> None:

@@ -7262,10 +7262,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The DUT is {0}, in place of {1}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7279,6 +7275,37 @@ after this step …</source>
     </message>
     <message>
         <source>Leave {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ShownBar</name>
+    <message>
+        <source>This page shows the DUT to be measured again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From here on this is the DUT to be measured: the one that is mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To be measured: {0}; the marks at the left and Next are of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which DUT is to be measured is not said yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown: {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8483,6 +8510,30 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>zero reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k x  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k y  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k z  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gain</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8644,10 +8695,6 @@ after this step …</source>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9139,7 +9186,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>offsets {0} nT</source>
+        <source>offset k {0} nT by {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9416,6 +9463,18 @@ after this step …</source>
     </message>
     <message>
         <source>Next: hand it out (4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the declared mounting ({0})</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

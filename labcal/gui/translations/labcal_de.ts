@@ -3182,7 +3182,7 @@
     </message>
     <message>
         <source>zero reading {0}</source>
-        <translation>Anzeige bei null {0}</translation>
+        <translation>Nullpunkt {0}</translation>
     </message>
     <message>
         <source>off 90° {0}</source>
@@ -7263,10 +7263,6 @@ diesem Schritt …</translation>
         <translation>{0} gescannt. Ist das ab hier der Prüfling? Bisher: {1}.</translation>
     </message>
     <message>
-        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
-        <translation>Die Messung ist von {0}. Ist das ab hier der Prüfling? Getippt und noch nicht gemessen: {1}.</translation>
-    </message>
-    <message>
         <source>The DUT is {0}, in place of {1}.</source>
         <translation>Der Prüfling ist {0}, statt {1}.</translation>
     </message>
@@ -7281,6 +7277,37 @@ diesem Schritt …</translation>
     <message>
         <source>Leave {0}</source>
         <translation>{0} lassen</translation>
+    </message>
+</context>
+<context>
+    <name>ShownBar</name>
+    <message>
+        <source>This page shows the DUT to be measured again</source>
+        <translation>Diese Seite zeigt wieder den Prüfling, der zu messen ist</translation>
+    </message>
+    <message>
+        <source>From here on this is the DUT to be measured: the one that is mounted</source>
+        <translation>Ab jetzt ist dies der Prüfling, der zu messen ist: der montierte</translation>
+    </message>
+    <message>
+        <source>To be measured: {0}; the marks at the left and Next are of it.</source>
+        <translation>Zu messen: {0}; die Zeichen links und Weiter gelten ihm.</translation>
+    </message>
+    <message>
+        <source>Which DUT is to be measured is not said yet.</source>
+        <translation>Welcher Prüfling zu messen ist, ist noch nicht gesagt.</translation>
+    </message>
+    <message>
+        <source>Shown: {0}. {1}</source>
+        <translation>Gezeigt: {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation>Zurück zu {0}</translation>
+    </message>
+    <message>
+        <source>Measure {0}</source>
+        <translation>{0} messen</translation>
     </message>
 </context>
 <context>
@@ -8512,10 +8539,6 @@ diesem Schritt …</translation>
         <translation>sofort</translation>
     </message>
     <message>
-        <source>offset</source>
-        <translation>Nullpunkt</translation>
-    </message>
-    <message>
         <source>scale</source>
         <translation>Skalenfaktor</translation>
     </message>
@@ -8714,6 +8737,30 @@ diesem Schritt …</translation>
     <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>zero reading</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>offset k</source>
+        <translation>Offset k</translation>
+    </message>
+    <message>
+        <source>offset k x  nT</source>
+        <translation>Offset k x  nT</translation>
+    </message>
+    <message>
+        <source>offset k y  nT</source>
+        <translation>Offset k y  nT</translation>
+    </message>
+    <message>
+        <source>offset k z  nT</source>
+        <translation>Offset k z  nT</translation>
+    </message>
+    <message>
+        <source>closed loop</source>
+        <translation>geschlossener Kreis</translation>
     </message>
     <message>
         <source>broken off</source>
@@ -9140,8 +9187,8 @@ diesem Schritt …</translation>
         <translation>{0} → {1} nT, Rauschen allein {2} nT</translation>
     </message>
     <message>
-        <source>offsets {0} nT</source>
-        <translation>Nullpunkte {0} nT</translation>
+        <source>offset k {0} nT by {1}</source>
+        <translation>Offset k {0} nT nach {1}</translation>
     </message>
     <message>
         <source>A run goes on: the coils may be on. Hands off.</source>
@@ -9418,6 +9465,18 @@ diesem Schritt …</translation>
     <message>
         <source>Next: hand it out (4)</source>
         <translation>Weiter: ausgeben (4)</translation>
+    </message>
+    <message>
+        <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
+        <translation>Nach der Methode {0}. Nullpunkt: was der Sensor ohne Feld anzeigt; der Offset k von b = K m − k steht unter Abbildung.</translation>
+    </message>
+    <message>
+        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation>U einer Komponente des Feldes ist bis zu {0} nT (k = 2), davon {1} % durch: {2} (docs/certificate.md)</translation>
+    </message>
+    <message>
+        <source>the declared mounting ({0})</source>
+        <translation>die angegebene Montage ({0})</translation>
     </message>
 </context>
 <context>

@@ -7263,10 +7263,6 @@ cette étape …</translation>
         <translation>{0} lu. Est-ce désormais le DUT ? Jusqu&apos;ici : {1}.</translation>
     </message>
     <message>
-        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
-        <translation>La mesure est de {0}. Est-ce désormais l’appareil ? Tapé, et pas encore mesuré : {1}.</translation>
-    </message>
-    <message>
         <source>The DUT is {0}, in place of {1}.</source>
         <translation>Le DUT est {0}, au lieu de {1}.</translation>
     </message>
@@ -7281,6 +7277,37 @@ cette étape …</translation>
     <message>
         <source>Leave {0}</source>
         <translation>Laisser {0}</translation>
+    </message>
+</context>
+<context>
+    <name>ShownBar</name>
+    <message>
+        <source>This page shows the DUT to be measured again</source>
+        <translation>Cette page montre de nouveau l’objet à mesurer</translation>
+    </message>
+    <message>
+        <source>From here on this is the DUT to be measured: the one that is mounted</source>
+        <translation>Dès maintenant c’est l’objet à mesurer : celui qui est monté</translation>
+    </message>
+    <message>
+        <source>To be measured: {0}; the marks at the left and Next are of it.</source>
+        <translation>À mesurer : {0} ; les marques à gauche et Suite le concernent.</translation>
+    </message>
+    <message>
+        <source>Which DUT is to be measured is not said yet.</source>
+        <translation>L’objet à mesurer n’est pas encore indiqué.</translation>
+    </message>
+    <message>
+        <source>Shown: {0}. {1}</source>
+        <translation>Affiché : {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation>Retour à {0}</translation>
+    </message>
+    <message>
+        <source>Measure {0}</source>
+        <translation>Mesurer {0}</translation>
     </message>
 </context>
 <context>
@@ -8512,10 +8539,6 @@ cette étape …</translation>
         <translation>immédiat</translation>
     </message>
     <message>
-        <source>offset</source>
-        <translation>décalage</translation>
-    </message>
-    <message>
         <source>scale</source>
         <translation>échelle</translation>
     </message>
@@ -8714,6 +8737,30 @@ cette étape …</translation>
     <message>
         <source>calibration</source>
         <translation>étalonnage</translation>
+    </message>
+    <message>
+        <source>zero reading</source>
+        <translation>lecture à zéro</translation>
+    </message>
+    <message>
+        <source>offset k</source>
+        <translation>décalage k</translation>
+    </message>
+    <message>
+        <source>offset k x  nT</source>
+        <translation>décalage k x  nT</translation>
+    </message>
+    <message>
+        <source>offset k y  nT</source>
+        <translation>décalage k y  nT</translation>
+    </message>
+    <message>
+        <source>offset k z  nT</source>
+        <translation>décalage k z  nT</translation>
+    </message>
+    <message>
+        <source>closed loop</source>
+        <translation>boucle fermée</translation>
     </message>
     <message>
         <source>broken off</source>
@@ -9140,8 +9187,8 @@ cette étape …</translation>
         <translation>{0} → {1} nT, bruit seul {2} nT</translation>
     </message>
     <message>
-        <source>offsets {0} nT</source>
-        <translation>décalages {0} nT</translation>
+        <source>offset k {0} nT by {1}</source>
+        <translation>décalage k {0} nT par {1}</translation>
     </message>
     <message>
         <source>A run goes on: the coils may be on. Hands off.</source>
@@ -9418,6 +9465,18 @@ cette étape …</translation>
     <message>
         <source>Next: hand it out (4)</source>
         <translation>Suite : remettre (4)</translation>
+    </message>
+    <message>
+        <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
+        <translation>Par la méthode {0}. Lecture à zéro : ce que le capteur indique sans champ ; le décalage k de b = K m − k est sous Transformation.</translation>
+    </message>
+    <message>
+        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation>U d’une composante du champ va jusqu’à {0} nT (k = 2), dont {1} % par : {2} (docs/certificate.md)</translation>
+    </message>
+    <message>
+        <source>the declared mounting ({0})</source>
+        <translation>le montage déclaré ({0})</translation>
     </message>
 </context>
 <context>

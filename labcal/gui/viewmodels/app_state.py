@@ -20,7 +20,7 @@ from labcal.files.atomic import absolute
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.lab_messages import InstrumentRead
-from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure
+from labcal.gui.ipc.messages import Command, GoesOn, ListCalibrations, ReadBench, RunProcedure
 from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import BenchFile, in_words
@@ -79,6 +79,7 @@ class AppState(QObject):
         self.one_dut = OneDut(self.settings, self.lab, self.run, views)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
+        self.study_vm.drafted.connect(lambda _: self.request(ListCalibrations(), self.path.take_calibrations))
         self.facts: Bench | None = None
         self.named_serials = NamedSerials(self.lab, self.run, lambda: self.facts)
         self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
