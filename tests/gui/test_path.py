@@ -18,7 +18,7 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
 )
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.pages.start import to_be_resumed
+from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record import Dut
 from labcal.record.stream import Measurement, Prompt, Step
@@ -47,7 +47,7 @@ HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, 
     "measured": ((RUN, ANOTHER), (), "✓○○○", "Fit the run", "Fit"),
     "stopped": ((replace(RUN, status="stopped"),), (), "▲○○○", "Calibrate EM-07", "Run"),
     "failed": ((replace(RUN, status="failed: dut is silent"),), (), "✕○○○", "Calibrate EM-07", "Run"),
-    "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with the run", "Start"),
+    "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with EM-07", "Run"),
     "drafted": ((RUN,), UNSIGNED, "✓✓○○", "Trace the residual", "Loop"),
     "traced": ((DONE,), UNSIGNED, "✓✓✓○", "Approve and sign", "Certificate"),
     "approved": ((DONE,), (replace(calibration(signed=False), approvers=("a.smith",)),), "✓✓✓○", "Sign", "Certificate"),

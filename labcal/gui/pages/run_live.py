@@ -238,7 +238,7 @@ class Live(QWidget):
             and bool(run.run_id)
             and run.status == "interrupted"
             and run.order is not None
-            and run.order.procedure in self._app_state.resumable
+            and run.order.procedure in self._app_state.path.resumable
         )
         with deferred_layout(self, *self._holders):
             for widget, shown in (
@@ -268,7 +268,7 @@ class Live(QWidget):
         run = self._run
         if run.state != "ended":
             return self.verdict.word.set_text("")  # of the run before
-        how = run_verdict(run, self._app_state.resumable, mended=bool(self._answer_again()))
+        how = run_verdict(run, self._app_state.path.resumable, mended=bool(self._answer_again()))
         self.verdict.show_verdict(run.order.dut if run.order else "", how)
         words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
         return self.verdict.say_off(words, state) if words else None
@@ -293,7 +293,7 @@ class Live(QWidget):
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
-        next_words = run_verdict(self._run, self._app_state.resumable).next
+        next_words = run_verdict(self._run, self._app_state.path.resumable).next
         goes_on = self.tr("{0} Or Close, and begin anew.").format(next_words)
         return self.fault.text.setText(goes_on if self._goes_on else kept)
 

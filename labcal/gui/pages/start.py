@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
 from datetime import UTC, date, datetime
 
 from PySide6.QtCore import QDate, QLocale, Qt
@@ -16,6 +15,7 @@ from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translate
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
+from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_count import count_words
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
@@ -44,7 +44,7 @@ class StartPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addWidget(flat(self._hello_card()))
-        self.interrupted = flat(Card(self.tr("▲ To be gone on with")))
+        self.interrupted = flat(Card(self.tr("▲ Unfinished run")))
         self.interrupted.hide()
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
@@ -244,7 +244,7 @@ class StartPage(QWidget):
             if (widget := old.widget()) is not None:
                 widget.hide()
                 widget.deleteLater()
-        broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.resumable), []
+        broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.path.resumable), []
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
         self._enable()
@@ -296,18 +296,6 @@ class StartPage(QWidget):
             set_primary(again, first and mended)
         to = self._app_state.path.next()
         set_primary(self.calibrate, not any(mine) and to.page in ("Run", "Start"))
-
-
-def to_be_resumed(runs: tuple[RunLine, ...], resumable: Collection[str] = ()) -> list[RunLine]:
-    """Of `runs`, the newest first, the interrupted ones after which nobody began the same of the same DUT anew.
-
-    Of procedures that can be gone on with, `resumable`, once these are known.
-    """
-    newest = dict[tuple[str, str], RunLine]()
-    for one in runs:
-        newest.setdefault((one.procedure, one.dut_serial), one)
-    may = (one for one in newest.values() if one.procedure in resumable or not resumable)
-    return [one for one in may if one.status == "interrupted"]
 
 
 def days_since(utc: str) -> int:

@@ -511,6 +511,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6851,10 +6863,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go on with the run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6876,6 +6884,10 @@ after this step …</source>
     </message>
     <message>
         <source>was broken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7581,7 +7593,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ To be gone on with</source>
+        <source>▲ Unfinished run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -511,6 +511,18 @@
         <translation>Die Probe beenden; es wurde nichts begonnen</translation>
     </message>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Unvollendete Messung</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation type="unfinished">Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation>Probe am simulierten Labor …</translation>
     </message>
@@ -6852,10 +6864,6 @@ diesem Schritt …</translation>
         <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
-        <source>Go on with the run</source>
-        <translation>Weiter mit der Messung</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Die anderen Verfahren versuchen</translation>
     </message>
@@ -6878,6 +6886,10 @@ diesem Schritt …</translation>
     <message>
         <source>was broken off</source>
         <translation>wurde unterbrochen</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -7502,6 +7514,10 @@ diesem Schritt …</translation>
 <context>
     <name>StartPage</name>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Unvollendete Messung</translation>
+    </message>
+    <message>
         <source>Check the cage</source>
         <translation>Käfig prüfen</translation>
     </message>
@@ -7612,10 +7628,6 @@ diesem Schritt …</translation>
     <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
-    </message>
-    <message>
-        <source>▲ To be gone on with</source>
-        <translation>▲ Fortzusetzen</translation>
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>

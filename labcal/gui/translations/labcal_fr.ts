@@ -511,6 +511,18 @@
         <translation>Arrêter la répétition ; rien n&apos;a commencé</translation>
     </message>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Mesure inachevée</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation type="unfinished">Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation>Répétition sur le laboratoire simulé …</translation>
     </message>
@@ -6852,10 +6864,6 @@ cette étape …</translation>
         <translation>Dire qui travaille</translation>
     </message>
     <message>
-        <source>Go on with the run</source>
-        <translation>Continuer la mesure</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Essayer les autres méthodes</translation>
     </message>
@@ -6878,6 +6886,10 @@ cette étape …</translation>
     <message>
         <source>was broken off</source>
         <translation>a été interrompue</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -7283,19 +7295,19 @@ cette étape …</translation>
     <name>ShownBar</name>
     <message>
         <source>This page shows the DUT to be measured again</source>
-        <translation>Cette page montre de nouveau l’objet à mesurer</translation>
+        <translation>Cette page montre de nouveau le DUT à mesurer</translation>
     </message>
     <message>
         <source>From here on this is the DUT to be measured: the one that is mounted</source>
-        <translation>Dès maintenant c’est l’objet à mesurer : celui qui est monté</translation>
+        <translation>Dès maintenant c’est le DUT à mesurer : celui qui est monté</translation>
     </message>
     <message>
         <source>To be measured: {0}; the marks at the left and Next are of it.</source>
-        <translation>À mesurer : {0} ; les marques à gauche et Suite le concernent.</translation>
+        <translation>À mesurer : {0} ; les marques à gauche et Suite concernent celui-ci.</translation>
     </message>
     <message>
         <source>Which DUT is to be measured is not said yet.</source>
-        <translation>L’objet à mesurer n’est pas encore indiqué.</translation>
+        <translation>Le DUT à mesurer n’est pas encore indiqué.</translation>
     </message>
     <message>
         <source>Shown: {0}. {1}</source>
@@ -7502,6 +7514,10 @@ cette étape …</translation>
 <context>
     <name>StartPage</name>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Mesure inachevée</translation>
+    </message>
+    <message>
         <source>Check the cage</source>
         <translation>Vérifier la cage</translation>
     </message>
@@ -7612,10 +7628,6 @@ cette étape …</translation>
     <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
-    </message>
-    <message>
-        <source>▲ To be gone on with</source>
-        <translation>▲ À continuer</translation>
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>

@@ -39,6 +39,7 @@ from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.run_order import run_order
 from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
@@ -84,7 +85,6 @@ class AppState(QObject):
         self.named_serials = NamedSerials(self.lab, self.run, lambda: self.facts)
         self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
         self.bench = ""
-        self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
         self._said_of_dut, self._said_no_more = SaidOfDut(self.lab), SaidNoMore(self.lab, self.run)
         self.put_away_said = self._said_of_dut.put_away
@@ -206,6 +206,8 @@ class AppState(QObject):
 
     def go(self, to: Next) -> None:
         """Open the page of what is next, with its run, and begin it; Calibrate shows the preflight."""
+        if (broken := to.resumes) is not None:
+            return self.resume(broken.run_id, broken.procedure, broken.dut_serial)
         if to.run:
             self.study_vm.open(to.run)
             self.study_vm.fit("ml") if to.page == "Fit" else self.study_vm.close_loop()
@@ -215,7 +217,7 @@ class AppState(QObject):
             self.path.close(to.closes)
             self.set_identity(dut="")
             self.lab.update(message="")
-        self.page_requested.emit(to.page)
+        return self.page_requested.emit(to.page)
 
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
@@ -285,11 +287,7 @@ class AppState(QObject):
         return self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:
-        state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))
-        seed = self.settings.value("seed")
-        return RunProcedure(
-            procedure, self.bench, given, state.dut_serial, state.operator, pace, int(str(seed)) if seed else None
-        )
+        return run_order(procedure, given, self.bench, self.lab.state, self.settings)
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
