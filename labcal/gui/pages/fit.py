@@ -22,7 +22,7 @@ from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.no_fit import NoFit
-from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
+from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
@@ -175,17 +175,15 @@ class FitPage(QWidget):
 
     def _say_empty(self) -> None:
         """What to do where there is no fit yet."""
-        study, none = self._study, self.chooser.none and not self._study.run
+        study, none = self._study, "" if self._study.run else self.chooser.why_none()
         refused = self._app_state.path.why_no_fit(study.run)
         kept = kept_words(self._app_state.path, study.run)
         if kept and not refused:
             kept += "\n" + self.tr("Fit works it out again: figures and pictures side by side.")
         ready = refused or kept or self.tr("Fit estimates K and k; All methods compares eleven ways.")
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
-        self.empty.setText(
-            translated(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit.")
-        )
-        self.to_run.setVisible(none)
+        self.empty.setText(none or (waits if study.run else self.tr("Choose a run above, then Fit.")))
+        self.to_run.setVisible(bool(none))
         self.views.setVisible(bool(study.run))
 
     def _show_fits(self) -> None:

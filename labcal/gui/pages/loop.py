@@ -25,7 +25,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
+from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 from labcal.gui.widgets.whole_card import WholeCard
 from labcal.gui.widgets.whole_text import WholeText
@@ -202,7 +202,7 @@ class LoopPage(QWidget):
 
     def _show(self) -> None:
         study = self._study
-        if study.run and self.chooser.currentData() != study.run:
+        if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
         self._show_progress()
@@ -224,15 +224,15 @@ class LoopPage(QWidget):
 
     def _say_empty(self) -> None:
         """What to do where nothing is traced yet."""
-        study, none = self._study, self.chooser.none and not self._study.run
+        study, none = self._study, "" if self._study.run else self.chooser.why_none()
         words = self.tr("Choose a run above, then let its residual be traced to a cause.")
         if "loop" in study.waiting:
             words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
         elif study.run:
             refused = self._app_state.path.why_no_fit(study.run)
             words = refused or self._kept() or self.tr("Trace the residual of this run to its cause.")
-        self.empty.setText(translated(NO_RUNS) if none else words)
-        self.to_run.setVisible(none)
+        self.empty.setText(none or words)
+        self.to_run.setVisible(bool(none))
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
         self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
 

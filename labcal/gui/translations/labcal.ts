@@ -7156,6 +7156,14 @@ after this step …</source>
         <source>Choose a run</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{0} is being measured: its run can be looked at once it has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RunNotes</name>

@@ -516,7 +516,7 @@
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation type="unfinished">Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
+        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
     </message>
     <message>
         <source>Go on with {0}</source>
@@ -7156,6 +7156,14 @@ diesem Schritt …</translation>
     <message>
         <source>Choose a run</source>
         <translation>Messung wählen</translation>
+    </message>
+    <message>
+        <source>{0} is being measured: its run can be looked at once it has ended.</source>
+        <translation>{0} wird gemessen: ansehen lässt sich die Messung, sobald sie zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation>Die Messung im Speicher ist noch nicht zu Ende: danach lässt sie sich ansehen.</translation>
     </message>
 </context>
 <context>

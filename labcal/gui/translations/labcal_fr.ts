@@ -516,7 +516,7 @@
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation type="unfinished">Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
     </message>
     <message>
         <source>Go on with {0}</source>
@@ -7156,6 +7156,14 @@ cette étape …</translation>
     <message>
         <source>Choose a run</source>
         <translation>Choisir une mesure</translation>
+    </message>
+    <message>
+        <source>{0} is being measured: its run can be looked at once it has ended.</source>
+        <translation>{0} est en cours de mesure : la mesure pourra être regardée une fois finie.</translation>
+    </message>
+    <message>
+        <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation>La mesure conservée n’est pas encore finie : elle pourra être regardée ensuite.</translation>
     </message>
 </context>
 <context>
