@@ -99,7 +99,7 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     for field, words in zip(page.names.laboratory, ("A lab", "Bern", "CH"), strict=True):
         field.setText(words)
     qtbot.mouseClick(page.names.keep, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not page.names.isVisible(), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: not page.names.lacks(), timeout=LONG_MS)
     assert page.named.text() == "Certificate of A lab, Bern (CH), for Holm AS, Oslo (NO)."
     qtbot.mouseClick(steps.sign, Qt.MouseButton.LeftButton)
     assert steps.passphrase.text() == ""
@@ -148,7 +148,7 @@ def test_a_calibration_is_handed_out_and_applied(qtbot, signed, tmp_path):
     assert [line.partition(": ")[0] for line in said] == sorted(one.name for one in tmp_path.iterdir())
     assert handed.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
     assert page.drop.words.text().startswith(f"▲ {handed.name}: VALID")
-    assert page.stage.text().endswith("✓ handed out  →  ✓ verified")
+    assert page.stage.text().endswith("✓ Hand out  →  ✓ Verify")
     assert handed.read_bytes() == Path(page.chosen().path).read_bytes()
     assert handed.with_name(f"{handed.name}.sshsig").is_file()
     effects = {c for effect in page.chosen().effects for c in effect.channels}

@@ -68,7 +68,7 @@ def test_who_waits_for_a_bench_that_is_being_opened_is_not_told_to_open_one(new_
 
 @pytest.mark.parametrize("page", ["Fit", "Loop"])
 def test_in_a_run_it_is_said_that_it_can_be_looked_at_later_and_no_other_one_is_chosen(still, page):
-    """It said that there was no run yet, Start "1 in the store"; then another DUT had its run chosen, and Trace was grey."""
+    """No run yet, it said, and Start "1 in the store"; then another DUT had its run chosen, and Trace was grey."""
     still.app_state.set_identity(dut="EM-08")
     still.app_state.path.take_runs((RUN,))
     still.app_state.open_study("r1")

@@ -51,7 +51,7 @@ class CertificatePage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         self.names = NamesCard(app_state, self.fault, self._names_known)
-        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks_at_a_signature)
+        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks)
         self.paper = Paper(app_state, self.chosen, self.fault)
         self.said = self.paper.said
         self.paper.handed_out.connect(self._handed_out)
@@ -234,23 +234,12 @@ class CertificatePage(QWidget):
             stands = self.stands(one)
             self.steps.show_steps(stands)
             self.paper.show_step(stands[-1])
-            self.names.want(stands[0].mark != "now" or not self.steps.signature.asked.isHidden())
-            self._place_paper(stands[-1].mark in ("now", "done"))
             kept = self._app_state.path.handed_out
             self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))
             self.to_do.setText(to_be_done(tuple(step.mark for step in stands)))
             self.to_do.setVisible(bool(self.to_do.text()))
             self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
-
-    def _place_paper(self, first: bool) -> None:
-        """What is to be done now stands above the steps that are done."""
-        column = self.layout()
-        assert isinstance(column, QVBoxLayout)
-        at = column.indexOf(self.steps)
-        if first is not (column.indexOf(self.paper) < at):
-            column.removeWidget(self.paper)
-            column.insertWidget(column.indexOf(self.steps) + (not first), self.paper)
 
     def _names_known(self) -> None:
         self.steps.names_known()

@@ -6611,6 +6611,10 @@ after this step …</source>
 <context>
     <name>NamesCard</name>
     <message>
+        <source>Named on the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Laboratory on the certificate</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6635,11 +6639,27 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Change …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State the laboratory, or the customer, anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>City</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Country, as DE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laboratory: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Customer: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6656,6 +6676,10 @@ after this step …</source>
     </message>
     <message>
         <source>Certificate of {0}, for {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7704,7 +7728,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Until 2027-11-21</source>
+        <source>Last day of use, or empty</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9454,19 +9478,23 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>draft</source>
+        <source>Approve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>signed</source>
+        <source>Sign</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>released</source>
+        <source>Release</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>verified</source>
+        <source>Hand out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -6612,6 +6612,10 @@ diesem Schritt …</translation>
 <context>
     <name>NamesCard</name>
     <message>
+        <source>Named on the certificate</source>
+        <translation>Genannt auf dem Zertifikat</translation>
+    </message>
+    <message>
         <source>Laboratory on the certificate</source>
         <translation>Labor auf dem Zertifikat</translation>
     </message>
@@ -6636,12 +6640,28 @@ diesem Schritt …</translation>
         <translation>Das Labor wird für jedes Zertifikat gemerkt</translation>
     </message>
     <message>
+        <source>Change …</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>State the laboratory, or the customer, anew</source>
+        <translation>Labor oder Kunden neu angeben</translation>
+    </message>
+    <message>
         <source>City</source>
         <translation>Ort</translation>
     </message>
     <message>
         <source>Country, as DE</source>
         <translation>Land, wie DE</translation>
+    </message>
+    <message>
+        <source>Laboratory: {0}</source>
+        <translation>Labor: {0}</translation>
+    </message>
+    <message>
+        <source>Customer: {0}</source>
+        <translation>Kunde: {0}</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>
@@ -6658,6 +6678,10 @@ diesem Schritt …</translation>
     <message>
         <source>Certificate of {0}, for {1}.</source>
         <translation>Zertifikat von {0}, für {1}.</translation>
+    </message>
+    <message>
+        <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
+        <translation>✕ „{0}“ ist kein Land: zwei Buchstaben, wie DE, oder sein Name.</translation>
     </message>
 </context>
 <context>
@@ -7697,8 +7721,8 @@ diesem Schritt …</translation>
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Until 2027-11-21</source>
-        <translation>Bis 2027-11-21</translation>
+        <source>Last day of use, or empty</source>
+        <translation>Letzter Tag, oder leer</translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
@@ -9455,20 +9479,24 @@ diesem Schritt …</translation>
         <translation>{0} von {1} im Speicher</translation>
     </message>
     <message>
-        <source>draft</source>
-        <translation>Entwurf</translation>
+        <source>Approve</source>
+        <translation>Genehmigen</translation>
     </message>
     <message>
-        <source>signed</source>
-        <translation>signiert</translation>
+        <source>Sign</source>
+        <translation>Signieren</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>freigegeben</translation>
+        <source>Release</source>
+        <translation>Freigeben</translation>
     </message>
     <message>
-        <source>verified</source>
-        <translation>geprüft</translation>
+        <source>Hand out</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Next: a key (1)</source>

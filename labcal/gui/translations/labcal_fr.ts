@@ -6612,6 +6612,10 @@ cette étape …</translation>
 <context>
     <name>NamesCard</name>
     <message>
+        <source>Named on the certificate</source>
+        <translation>Nommés sur le certificat</translation>
+    </message>
+    <message>
         <source>Laboratory on the certificate</source>
         <translation>Laboratoire sur le certificat</translation>
     </message>
@@ -6636,12 +6640,28 @@ cette étape …</translation>
         <translation>Le laboratoire est retenu pour chaque certificat</translation>
     </message>
     <message>
+        <source>Change …</source>
+        <translation>Modifier …</translation>
+    </message>
+    <message>
+        <source>State the laboratory, or the customer, anew</source>
+        <translation>Indiquer de nouveau le laboratoire ou le client</translation>
+    </message>
+    <message>
         <source>City</source>
         <translation>Ville</translation>
     </message>
     <message>
         <source>Country, as DE</source>
         <translation>Pays, comme DE</translation>
+    </message>
+    <message>
+        <source>Laboratory: {0}</source>
+        <translation>Laboratoire : {0}</translation>
+    </message>
+    <message>
+        <source>Customer: {0}</source>
+        <translation>Client : {0}</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>
@@ -6658,6 +6678,10 @@ cette étape …</translation>
     <message>
         <source>Certificate of {0}, for {1}.</source>
         <translation>Certificat de {0}, pour {1}.</translation>
+    </message>
+    <message>
+        <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
+        <translation>✕ « {0} » n’est pas un pays : deux lettres, comme DE, ou son nom.</translation>
     </message>
 </context>
 <context>
@@ -7697,8 +7721,8 @@ cette étape …</translation>
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Until 2027-11-21</source>
-        <translation>Jusqu&apos;au 2027-11-21</translation>
+        <source>Last day of use, or empty</source>
+        <translation>Dernier jour, ou vide</translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
@@ -9455,20 +9479,24 @@ cette étape …</translation>
         <translation>{0} sur {1} dans le dépôt</translation>
     </message>
     <message>
-        <source>draft</source>
-        <translation>projet</translation>
+        <source>Approve</source>
+        <translation>Approuver</translation>
     </message>
     <message>
-        <source>signed</source>
-        <translation>signé</translation>
+        <source>Sign</source>
+        <translation>Signer</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>délivré</translation>
+        <source>Release</source>
+        <translation>Délivrer</translation>
     </message>
     <message>
-        <source>verified</source>
-        <translation>vérifié</translation>
+        <source>Hand out</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Vérifier</translation>
     </message>
     <message>
         <source>Next: a key (1)</source>
