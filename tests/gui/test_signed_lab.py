@@ -147,7 +147,7 @@ def test_a_calibration_is_handed_out_and_applied(qtbot, signed, tmp_path):
     said = page.said.text().splitlines()[1:]
     assert [line.partition(": ")[0] for line in said] == sorted(one.name for one in tmp_path.iterdir())
     assert handed.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
-    assert page.drop.words.text().startswith(f"▲ {handed.name}: VALID")
+    assert page.drop.words.text().startswith(f"▲ {handed.name} · verified at ")
     assert page.stage.text().endswith("✓ Hand out  →  ✓ Verify")
     assert handed.read_bytes() == Path(page.chosen().path).read_bytes()
     assert handed.with_name(f"{handed.name}.sshsig").is_file()
@@ -177,7 +177,7 @@ def test_a_changed_file_that_is_dropped_is_not_valid(qtbot, signed, tmp_path):
             )
             event.ignore()
             QApplication.sendEvent(page.drop, event)
-        qtbot.waitUntil(lambda: page.drop.words.text().startswith(f"✕ {copy.name}: "), timeout=LONG_MS)
+        qtbot.waitUntil(lambda: page.drop.words.text().startswith(f"✕ {copy.name} · verified at "), timeout=LONG_MS)
 
 
 def test_a_wrong_passphrase_is_said_at_its_field(qtbot, signed):

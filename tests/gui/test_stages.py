@@ -1,14 +1,16 @@
 """Where a calibration file is on its way, and the one thing to do; what stands first on its page."""
 
+import re
 from dataclasses import replace
 
 import pytest
+from PySide6.QtWidgets import QFileDialog
 from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, settle, told
 from test_certificate_steps import page as page
 from test_path import calibration
 
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
-from labcal.gui.ipc.messages import Sign
+from labcal.gui.ipc.messages import Sign, VerifyFile
 from labcal.gui.viewmodels.stages import stages
 
 ALONE = calibration(provisional=True)
@@ -141,3 +143,18 @@ def test_steps_below_each_other_are_folded_but_the_one_to_do_now(page):
     assert folded == [True, True, False]
     page.steps.key.unfold.click()
     assert page.steps.key_name.isVisible()
+
+
+def test_what_was_verified_is_said_with_file_and_time_until_another_dut_comes(page, monkeypatch, tmp_path):
+    told(page, RELEASED, "a.smith")
+    page.verify("c.json")
+    page._app_state.quick_worker.answer(VerifyFile, RELEASED.standing)
+    assert re.match(r"✓ c\.json · verified at \d\d:\d\d:\d\d: ", page.drop.words.text())
+    page._app_state.set_identity(dut="EM-99")
+    told(page, RELEASED, "a.smith")
+    assert not page.drop.words.isVisible()
+    opened = []
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *said: opened.append(said[2]) or ("", ""))
+    page._handed_out(RELEASED, str(tmp_path / "EM-07.json"))
+    page.drop.choose.click()
+    assert opened == [str(tmp_path)]

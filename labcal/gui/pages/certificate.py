@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 
@@ -61,6 +62,7 @@ class CertificatePage(QWidget):
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
         self.drop = Drop(self.list)
         self.drop.dropped.connect(self.verify)
+        self.drop.open_at(app_state.path.handed_out.folder())
         column.addWidget(self.drop)
         column.addWidget(self.empty_card)
         column.addWidget(flat(self._chosen_card()))
@@ -150,6 +152,8 @@ class CertificatePage(QWidget):
         self._files = {one.path: one for one in files}
         kept = before.path if before is not None and stays else next(iter(mine), "")
         kept = self._wanted if self._wanted in self._files else kept
+        if here != self._for:
+            self.drop.put_away()
         self._for = self._asked_for = here
         with QSignalBlocker(self.list):
             self.list.clear()
@@ -272,7 +276,9 @@ class CertificatePage(QWidget):
 
     def _handed_out(self, one: CalibrationFile, copy: str) -> None:
         """What has left is checked as it lies there."""
-        self._copies[copy] = one.path
+        self._copies[copy], folder = one.path, str(Path(copy).parent)
+        self._app_state.path.handed_out.take_folder(folder)
+        self.drop.open_at(folder)
         self._app_state.path.take_handed_out(one)
         self._app_state.lab.update(message=self.tr("{0} is handed out.").format(one.dut.serial))
         self._show_steps()
@@ -288,7 +294,8 @@ class CertificatePage(QWidget):
         shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         words = " ".join([*map(in_words, said.sentences), *faults])
-        self.drop.say(f"{shape} {Path(said.path).name}: {words}", state_of(said))
+        verified = self.tr("verified at {0}").format(f"{datetime.now():%H:%M:%S}")
+        self.drop.say(f"{shape} {Path(said.path).name} · {verified}: {words}", state_of(said))
         if (one := self._files.get(self._copies.get(said.path, said.path))) is not None and said.valid:
             self._app_state.path.handed_out.verify(one)
             self._show_steps()

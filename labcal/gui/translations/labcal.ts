@@ -444,6 +444,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>verified at {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>U: k=2</source>
         <translation type="unfinished"></translation>
     </message>

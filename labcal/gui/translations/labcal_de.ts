@@ -440,6 +440,10 @@
         <translation>{0} ist ausgegeben.</translation>
     </message>
     <message>
+        <source>verified at {0}</source>
+        <translation>geprüft um {0}</translation>
+    </message>
+    <message>
         <source>U: k=2</source>
         <translation>U: k=2</translation>
     </message>
