@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from threading import Thread
@@ -21,8 +20,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from labcal import plugin_loading
-from labcal.errors import InputError
 from labcal.gui.frame import Frame
 from labcal.gui.ipc.messages import ListPeople
 from labcal.gui.ipc.wire import Fault
@@ -30,6 +27,7 @@ from labcal.gui.leaving import Leaving
 from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_here
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
+from labcal.gui.prebuilding import import_pages, preallocate_plot
 from labcal.gui.problem_report import save_problem
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.chosen import chosen_theme, system_theme
@@ -43,7 +41,7 @@ from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
-from labcal.gui.widgets.key_sheet import described
+from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
@@ -52,29 +50,11 @@ from labcal.system.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
-SPARE_PLOTS = 4  # of a page, at most, when it is built
 
 
 def signed_file(path: str) -> str:
     """Of a signature the calibration that it is of; any other file itself."""
     return path.removesuffix(".sshsig").removesuffix(".2") if path.lower().endswith(".sshsig") else path
-
-
-def import_pages() -> None:
-    """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
-    from labcal.store.items import prepare
-
-    for entry in pages().values():
-        with suppress(InputError):  # its card says so
-            plugin_loading.load(entry)
-    prepare()
-
-
-def preallocate_plot() -> bool:
-    """Make one more plot for the next page, unless there are enough; says whether there are."""
-    from labcal.gui.widgets.plots import preallocate_plots
-
-    return preallocate_plots(SPARE_PLOTS)
 
 
 class Window(Frame):
@@ -202,6 +182,8 @@ class Window(Frame):
         if self.wall:
             self._before_wall = self.size()
         self._restyle()
+        if self.wall and self._scale == 1.0:
+            self.app_state.lab.update(message=self.tr("The window has no room for larger letters: make it larger."))
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
 
@@ -246,6 +228,9 @@ class Window(Frame):
         self._say_switches()
         QApplication.setPalette(palette(self.theme))
         sheet = self.sheet()
+        for keys in self.findChildren(KeySheet):
+            keys.setStyleSheet(sheet)
+            keys.fit_into(self.size())
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
         above = self.fault, self.scan_card, self.shown_bar
         for part in (self.top, self.side, self.sidebar, self.bottom, *above, self.lock_screen):

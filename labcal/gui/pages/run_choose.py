@@ -23,6 +23,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -133,12 +134,7 @@ class Choose(QWidget):
         self.give_up.clicked.connect(self._give_up)
         self.give_up.hide()
         self.work = WorkBar()
-        row = QHBoxLayout()
-        for widget in (self.pace_label, self.pace):
-            row.addWidget(widget)
-        row.addStretch()
-        for act in (self.give_up, self.show_plan, self.start):
-            row.addWidget(act)
+        row = Flow(self.pace_label, self.pace, self.give_up, self.show_plan, self.start)
         for part in (self.work, self.objection, self._unfinished()):
             card.body.addWidget(part)
         card.body.addLayout(row)

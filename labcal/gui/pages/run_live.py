@@ -250,7 +250,7 @@ class Live(QWidget):
                 (self.lights, run.looks_at_axes() and not decided),
                 (self.turn, bool(run.axis) and run.turns() and not ended),
                 (self.steps, bool(run.names)),
-                (self.loci, turned),
+                (self.loci, turned and self._something_turns()),
             ):
                 widget.setVisible(shown)
         set_primary(self.close_run, not again and not (turned and run.status == "finished"))
@@ -263,6 +263,11 @@ class Live(QWidget):
         self._show_fault(run.fault)
         self._ask()
         self.frame_timer.start() if run.alive else self._draw_last()
+
+    def _something_turns(self) -> bool:
+        """Whether there is anything on the circles, or is to be now: empty ones say nothing while nothing turns."""
+        drawn = self._run.drawn
+        return bool(self._run.axis) or bool(drawn.now) or bool(drawn.earlier)
 
     def _show_verdict(self) -> None:
         run = self._run

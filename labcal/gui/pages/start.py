@@ -17,6 +17,7 @@ from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
 from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_count import count_words
+from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
@@ -103,8 +104,10 @@ class StartPage(QWidget):
         words.addWidget(self.date)
         words.addWidget(self.question)
         row.addLayout(words, 1)
+        acts = QVBoxLayout()  # below each other: beside each other they are wider than a small window
         for widget in (self.simulated, self.open, self.calibrate, self.morning):
-            row.addWidget(widget)
+            acts.addWidget(widget)
+        row.addLayout(acts)
         card.body.addLayout(row)
         return card
 
@@ -277,10 +280,11 @@ class StartPage(QWidget):
         more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
         bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")
         self.interrupted.body.addWidget(label(" ".join(filter(None, (lost, bench, more))), wrap=True))
+        tip = self.tr("What is missing of it; you are asked whether the mounting stands")
         for one in broken[:LISTED]:
             again = button(
-                self.tr("Go on with  {0}").format(run_title(one)),
-                self.tr("What is missing of it; you are asked whether the mounting stands"),
+                self.tr("Go on with {0}").format(f"{one.dut_serial} · {local_time(one.started_utc):%Y-%m-%d %H:%M}"),
+                f"{run_title(one)}\n{tip}",
             )
             again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
             again.setEnabled(self._app_state.facts is not None)

@@ -7713,7 +7713,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go on with  {0}</source>
+        <source>Go on with {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7916,6 +7916,10 @@ after this step …</source>
     </message>
     <message>
         <source>Drop one at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window has no room for larger letters: make it larger.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7662,6 +7662,10 @@ diesem Schritt …</translation>
         <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
     </message>
@@ -7712,10 +7716,6 @@ diesem Schritt …</translation>
     <message>
         <source>Open a bench first.</source>
         <translation>Zuerst einen Messplatz öffnen.</translation>
-    </message>
-    <message>
-        <source>Go on with  {0}</source>
-        <translation>Weiter mit:  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -7918,6 +7918,10 @@ diesem Schritt …</translation>
     <message>
         <source>Drop one at a time.</source>
         <translation>Eine nach der anderen fallen lassen.</translation>
+    </message>
+    <message>
+        <source>The window has no room for larger letters: make it larger.</source>
+        <translation>Das Fenster hat keinen Platz für größere Buchstaben: vergrößern Sie es.</translation>
     </message>
     <message>
         <source>Go dark</source>

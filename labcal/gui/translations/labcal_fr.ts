@@ -7662,6 +7662,10 @@ cette étape …</translation>
         <translation>Le fichier du banc indique une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
+    </message>
+    <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
     </message>
@@ -7712,10 +7716,6 @@ cette étape …</translation>
     <message>
         <source>Open a bench first.</source>
         <translation>Ouvrez d&apos;abord un banc.</translation>
-    </message>
-    <message>
-        <source>Go on with  {0}</source>
-        <translation>Continuer  {0}</translation>
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
@@ -7918,6 +7918,10 @@ cette étape …</translation>
     <message>
         <source>Drop one at a time.</source>
         <translation>En déposer un à la fois.</translation>
+    </message>
+    <message>
+        <source>The window has no room for larger letters: make it larger.</source>
+        <translation>La fenêtre n’a pas de place pour des lettres plus grandes : agrandissez-la.</translation>
     </message>
     <message>
         <source>Go dark</source>

@@ -131,7 +131,7 @@ class PromptCard(Card):
         self._buttons = Flow(left=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addWidget(Rolled(words), WORDED)
+        row.addWidget(Rolled(words, self.hands), WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
