@@ -110,10 +110,12 @@ def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
     assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "x+20uT-nominal", "closing"), 20.0))
-    assert all(part.isVisible() for part in (live.steps, live.lights, live.loci))
+    assert all(part.isVisible() for part in (live.steps, live.lights))
+    assert not live.loci.isVisible()  # three empty circles: nothing turns yet
     assert not live.coverage.isVisible()  # of which axis?
     send(still, Step(20.0, 2, 3, "x+20uT-nominal", 40.0, (), 20.0))
     assert live.coverage.isVisible()
+    assert live.loci.isVisible()
 
 
 def test_what_stands_still_at_many_angles_has_no_lights_of_turns(still):
