@@ -9262,6 +9262,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} s of simulated time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
         <translation type="unfinished"></translation>
     </message>

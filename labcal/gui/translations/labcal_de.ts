@@ -9263,6 +9263,10 @@ diesem Schritt …</translation>
         <translation>Hände weg</translation>
     </message>
     <message>
+        <source>{0} s of simulated time</source>
+        <translation>{0} s simulierter Zeit</translation>
+    </message>
+    <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
         <translation>HÄNDE WEG – keine Antwort von {0}; {1}</translation>
     </message>

@@ -9263,6 +9263,10 @@ cette étape …</translation>
         <translation>Mains loin</translation>
     </message>
     <message>
+        <source>{0} s of simulated time</source>
+        <translation>{0} s de temps simulé</translation>
+    </message>
+    <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
         <translation>MAINS LOIN – pas de réponse de {0} ; {1}</translation>
     </message>
