@@ -114,7 +114,8 @@ def test_what_is_no_serial_is_not_taken_and_says_why(still, keys):
     still.app_state.set_identity(dut="EM 07/!?<b>")
     assert still.top.dut.property("state") == "bad"
     choose = still.page("Run").choose
-    assert "is no serial number" in choose.objection.text()
+    assert "is no serial number" in still.top.reason.text()
+    assert choose.objection.text() == "Correct what is red at the top."
     assert not choose.start.isEnabled()
     still.app_state.set_identity(dut="EM-07")
     assert (still.top.dut.property("state"), choose.start.isEnabled(), still.message.text()) == ("", True, "")

@@ -320,9 +320,9 @@ def test_next_leads_to_the_setting_that_is_refused_else_to_begin(still, path, qt
     choose = still.page("Run").choose
     assert (still.next.text(), choose.start.isEnabled()) == ("Next: Begin preflight", True)
     choose.form.set_text("inclination_deg", "80")
-    assert (still.next.text(), choose.start.isEnabled()) == ("Next: Mend Inclination", False)
+    assert (still.next.text(), choose.start.isEnabled()) == ("Next: Correct Inclination", False)
     still.open_page("Start")
-    assert still.next.text() == "Next: Mend Inclination"
+    assert still.next.text() == "Next: Correct Inclination"
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert (still.page_shown(), choose.form.fields["inclination_deg"].hasFocus()) == ("Run", True)
     choose.form.set_text("inclination_deg", "50")

@@ -257,7 +257,7 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
 def test_a_name_that_no_record_takes_is_refused_before_a_run(still):
     still.app_state.set_identity(operator="J" * 101)
     choose = still.page("Run").choose
-    assert "at most 100 letters" in choose.objection.text()
+    assert choose.objection.text() == "Correct what is red at the top."
     assert not choose.start.isEnabled()
     still.app_state.set_identity(operator="J. Doe")
     assert choose.start.isEnabled()

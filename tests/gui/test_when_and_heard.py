@@ -198,7 +198,10 @@ def test_the_pace_is_learnt_as_a_run_goes_on_and_a_person_counts_for_nothing():
 
 
 def test_a_bench_that_is_faster_than_life_says_that_its_seconds_are_simulated(deaf):
-    for pace, said in (("100 times", "Hands off · 20 s of simulated time · zero"), ("true", "Hands off · 20 s · zero")):
+    for pace, said in (
+        ("100 times", "Hands off · 20 s simulated · offset and first position"),
+        ("true", "Hands off · 20 s · offset and first position"),
+    ):
         run = RunViewModel(deaf())
         run.virtual_time = True
         run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe", pace))

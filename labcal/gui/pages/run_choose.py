@@ -323,6 +323,9 @@ class Choose(QWidget):
             widget.setVisible(virtual)
         objection = self._app_state.objection()
         refused = self.form.refused() if self.form is not None else None
+        state = self._app_state.lab.state
+        if objection and objection in (state.dut_objection, state.operator_objection):
+            objection = self.tr("Correct what is red at the top.")  # where it is said why
         if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
         if not objection and self._cannot_be:

@@ -539,6 +539,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Correct what is red at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6895,10 +6899,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mend {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Calibrate {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6928,6 +6928,10 @@ after this step …</source>
     </message>
     <message>
         <source>See what is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9262,7 +9266,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} s of simulated time</source>
+        <source>{0} s simulated</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

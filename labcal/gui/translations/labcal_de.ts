@@ -539,6 +539,10 @@
         <translation>Was dies misst, kommt zur Messung {0}; danach wird die Ursache von selbst neu entschieden.</translation>
     </message>
     <message>
+        <source>Correct what is red at the top.</source>
+        <translation>Berichtigen Sie, was oben rot ist.</translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation>Eine Einstellung wird nicht angenommen: siehe oben.</translation>
     </message>
@@ -6896,10 +6900,6 @@ diesem Schritt …</translation>
         <translation>Die anderen Verfahren versuchen</translation>
     </message>
     <message>
-        <source>Mend {0}</source>
-        <translation>{0} berichtigen</translation>
-    </message>
-    <message>
         <source>Calibrate {0}</source>
         <translation>{0} kalibrieren</translation>
     </message>
@@ -6930,6 +6930,10 @@ diesem Schritt …</translation>
     <message>
         <source>See what is not known</source>
         <translation>Sehen, was offen ist</translation>
+    </message>
+    <message>
+        <source>Correct {0}</source>
+        <translation>{0} berichtigen</translation>
     </message>
     <message>
         <source>Measure {0} again</source>
@@ -9263,8 +9267,8 @@ diesem Schritt …</translation>
         <translation>Hände weg</translation>
     </message>
     <message>
-        <source>{0} s of simulated time</source>
-        <translation>{0} s simulierter Zeit</translation>
+        <source>{0} s simulated</source>
+        <translation>{0} s simuliert</translation>
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>

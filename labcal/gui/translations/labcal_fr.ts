@@ -539,6 +539,10 @@
         <translation>Ce que cela mesure s&apos;ajoute à la mesure {0} ; puis la cause est de nouveau décidée, d&apos;elle-même.</translation>
     </message>
     <message>
+        <source>Correct what is red at the top.</source>
+        <translation>Corrigez ce qui est rouge en haut.</translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation>Un réglage n&apos;est pas accepté : voir plus haut.</translation>
     </message>
@@ -6896,10 +6900,6 @@ cette étape …</translation>
         <translation>Essayer les autres méthodes</translation>
     </message>
     <message>
-        <source>Mend {0}</source>
-        <translation>Corriger {0}</translation>
-    </message>
-    <message>
         <source>Calibrate {0}</source>
         <translation>Étalonner {0}</translation>
     </message>
@@ -6930,6 +6930,10 @@ cette étape …</translation>
     <message>
         <source>See what is not known</source>
         <translation>Voir ce qui reste inconnu</translation>
+    </message>
+    <message>
+        <source>Correct {0}</source>
+        <translation>Corriger {0}</translation>
     </message>
     <message>
         <source>Measure {0} again</source>
@@ -9263,8 +9267,8 @@ cette étape …</translation>
         <translation>Mains loin</translation>
     </message>
     <message>
-        <source>{0} s of simulated time</source>
-        <translation>{0} s de temps simulé</translation>
+        <source>{0} s simulated</source>
+        <translation>{0} s simulées</translation>
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>

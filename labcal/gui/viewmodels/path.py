@@ -210,7 +210,7 @@ class PathViewModel(QObject):
     def _to_calibrate(self, serial: str, *, again: bool = False) -> Next:
         """By a preflight, `again` where its run gave no fit: where a setting of it is refused, that comes first."""
         if self.refused:
-            return Next("Run", self.tr("Mend {0}").format(self.refused))
+            return Next("Run", self.tr("Correct {0}").format(self.refused))
         words = self.tr("Measure {0} again") if again else self.tr("Calibrate {0}")
         return Next("Run", words.format(serial), ready=bool(self.begins))
 

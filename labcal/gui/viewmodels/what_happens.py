@@ -23,7 +23,7 @@ WORDS = {
     "paused": QT_TRANSLATE_NOOP("Words", "Paused"),
 }
 HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
-SIMULATED_S = QT_TRANSLATE_NOOP("Words", "{0} s of simulated time")
+SIMULATED_S = QT_TRANSLATE_NOOP("Words", "{0} s simulated")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands out")

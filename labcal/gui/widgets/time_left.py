@@ -7,13 +7,11 @@ from datetime import datetime
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, alarm_of
 from labcal.gui.viewmodels.number_format import clock_time, format_duration, needed_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import label
-from labcal.record.endings import ended_word
 
 THOUSANDTHS = 1000
 UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
@@ -55,8 +53,7 @@ class TimeLeft(QWidget):
         if run.step is None:
             return ""
         if left_s is None:
-            stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
-            return translated(ended_word(run.status, stopped=stopped))
+            return ""  # it has ended: the verdict says how
         at, total, left = min(run.steps_done() + 1, run.step.total), run.step.total, format_duration(left_s)
         if not faster_than_life(run.order, run.virtual_time):
             return self.tr("step {0} of {1} · {2} left").format(at, total, left)
