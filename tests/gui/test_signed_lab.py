@@ -100,7 +100,7 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
         field.setText(words)
     qtbot.mouseClick(page.names.keep, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not page.names.lacks(), timeout=LONG_MS)
-    assert page.named.text() == "Certificate of A lab, Bern (CH), for Holm AS, Oslo (NO)."
+    assert page.names.stated.text() == "Laboratory: A lab, Bern (CH)   Customer: Holm AS, Oslo (NO)"
     qtbot.mouseClick(steps.sign, Qt.MouseButton.LeftButton)
     assert steps.passphrase.text() == ""
     qtbot.waitUntil(lambda: "VALID: signed by a.smith" in page.standing.text(), timeout=LONG_MS)
