@@ -42,8 +42,9 @@ def test_looking_at_a_run_changes_nothing_of_the_dut_to_be_measured(listed, qtbo
     assert (listed.page_shown(), app_state.study_vm.run) == ("Fit", "r21")
     assert (listed.top.dut.text(), marks(listed)) == ("EM-22", before)
     assert app_state.path.next() == Next("Fit", "Fit the run", "r22")
-    app_state.run.state = "idle"
-    assert app_state._order("preflight", {}).dut == "EM-22"
+    app_state.start("preflight", {})
+    assert app_state.run.order.dut == "EM-22"
+    app_state.run.forget()
     for page in ("Fit", "Loop"):
         listed.open_page(page)
         assert listed.shown_bar.isVisible()

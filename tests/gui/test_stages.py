@@ -155,6 +155,6 @@ def test_what_was_verified_is_said_with_file_and_time_until_another_dut_comes(pa
     assert not page.drop.words.isVisible()
     opened = []
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *said: opened.append(said[2]) or ("", ""))
-    page._handed_out(RELEASED, str(tmp_path / "EM-07.json"))
+    page.paper.handed_out.emit(RELEASED, str(tmp_path / "EM-07.json"))
     page.drop.choose.click()
     assert opened == [str(tmp_path)]
