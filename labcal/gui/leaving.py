@@ -123,7 +123,7 @@ class Leaving(QObject):
             return
         order = self._app_state.run.order
         words = f"{order.procedure}, {order.dut}" if order is not None else ""
-        resumable = order is not None and order.procedure in self._app_state.resumable
+        resumable = order is not None and order.procedure in self._app_state.path.resumable
         self.question = CloseQuestion(self._window, words, resumable=resumable)
         self.question.setStyleSheet(self._window.sheet())
         self.question.chosen.connect(self.take)

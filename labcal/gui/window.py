@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from threading import Thread
@@ -21,8 +20,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from labcal import plugin_loading
-from labcal.errors import InputError
 from labcal.gui.frame import Frame
 from labcal.gui.ipc.messages import ListPeople
 from labcal.gui.ipc.wire import Fault
@@ -30,6 +27,8 @@ from labcal.gui.leaving import Leaving
 from labcal.gui.next_step import begins_at, one_is_blue, pressed_by_next, said_here
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
+from labcal.gui.prebuilding import import_pages, preallocate_plot
+from labcal.gui.problem_report import save_problem
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.chosen import chosen_theme, system_theme
 from labcal.gui.theming.palette import palette
@@ -42,37 +41,20 @@ from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
-from labcal.gui.widgets.key_sheet import described
+from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
+from labcal.gui.widgets.shown_bar import ShownBar
 from labcal.gui.widgets.sounds import is_on, switch
 from labcal.system.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
-SPARE_PLOTS = 4  # of a page, at most, when it is built
 
 
 def signed_file(path: str) -> str:
     """Of a signature the calibration that it is of; any other file itself."""
     return path.removesuffix(".sshsig").removesuffix(".2") if path.lower().endswith(".sshsig") else path
-
-
-def import_pages() -> None:
-    """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
-    from labcal.store.items import prepare
-
-    for entry in pages().values():
-        with suppress(InputError):  # its card says so
-            plugin_loading.load(entry)
-    prepare()
-
-
-def preallocate_plot() -> bool:
-    """Make one more plot for the next page, unless there are enough; says whether there are."""
-    from labcal.gui.widgets.plots import preallocate_plots
-
-    return preallocate_plots(SPARE_PLOTS)
 
 
 class Window(Frame):
@@ -94,10 +76,9 @@ class Window(Frame):
         self.imports = Thread(target=import_pages, daemon=True, name="imports")
         self._before_wall: QSize | None = None
         self.fault = FaultCard(hands=app_state.hands)
-        self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
-        self.scan_card = ScanCard(app_state.scan_vm)
-        self.scan_card.setContentsMargins(0, 2 * GRID, 0, 0)
-        for card in (self.fault, self.scan_card):
+        self.scan_card, self.shown_bar = ScanCard(app_state.scan_vm), ShownBar(app_state)
+        for card in (self.fault, self.scan_card, self.shown_bar):
+            card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
@@ -201,6 +182,8 @@ class Window(Frame):
         if self.wall:
             self._before_wall = self.size()
         self._restyle()
+        if self.wall and self._scale == 1.0:
+            self.app_state.lab.update(message=self.tr("The window has no room for larger letters: make it larger."))
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
 
@@ -245,8 +228,12 @@ class Window(Frame):
         self._say_switches()
         QApplication.setPalette(palette(self.theme))
         sheet = self.sheet()
+        for keys in self.findChildren(KeySheet):
+            keys.setStyleSheet(sheet)
+            keys.fit_into(self.size())
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
-        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card, self.lock_screen):
+        above = self.fault, self.scan_card, self.shown_bar
+        for part in (self.top, self.side, self.sidebar, self.bottom, *above, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()
@@ -291,6 +278,7 @@ class Window(Frame):
     def _page_turned(self) -> None:
         self.app_state.put_away_said()
         self.app_state.one_dut.settle()
+        self.shown_bar.show_page(self.page_shown())
         self._show_next()
 
     def _go_on(self) -> None:
@@ -324,7 +312,7 @@ class Window(Frame):
         login = self.app_state.login
         self.lock_switch.setVisible(login.wanted)
         self.stack.setVisible(not login.locked)
-        for part in (self.sidebar, self.next, self.top.dut, self.scan_card):
+        for part in (self.sidebar, self.next, self.top.dut, self.scan_card, self.shown_bar):
             part.setDisabled(login.locked)
         for shortcut in self.findChildren(QShortcut):
             shortcut.setEnabled(not login.locked)
@@ -361,8 +349,6 @@ class Window(Frame):
         self.app_state.warning_shown = said and not self.fault.isHidden()
 
     def _save_problem(self, fault: Fault | None) -> None:
-        from labcal.gui.problem_report import save_problem
-
         start = str(Path.home() / "labcal-problem.zip")
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
         if out:

@@ -50,7 +50,7 @@ def spoken(request, qapp, new_window):
     translate.install_translator(qapp, QLocale("en"))
 
 
-@pytest.mark.parametrize("size", [(1024, 700), (1440, 900)], ids=str)
+@pytest.mark.parametrize("size", [(984, 660), (1024, 700), (1440, 900)], ids=str)
 @pytest.mark.parametrize("prompt", [MOUNT, FAILED, READY], ids=lambda one: one.key)
 def test_the_buttons_stay_where_they_are_in_sight_and_every_word_is_whole(spoken, prompt, size):
     card, places = asking(spoken, prompt, size), set()

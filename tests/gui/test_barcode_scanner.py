@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QPushButton
 
 
 class Clock:
@@ -114,7 +114,8 @@ def test_what_is_no_serial_is_not_taken_and_says_why(still, keys):
     still.app_state.set_identity(dut="EM 07/!?<b>")
     assert still.top.dut.property("state") == "bad"
     choose = still.page("Run").choose
-    assert "is no serial number" in choose.objection.text()
+    assert "is no serial number" in still.top.reason.text()
+    assert choose.objection.text() == "Correct what is red at the top."
     assert not choose.start.isEnabled()
     still.app_state.set_identity(dut="EM-07")
     assert (still.top.dut.property("state"), choose.start.isEnabled(), still.message.text()) == ("", True, "")
@@ -256,3 +257,16 @@ def test_what_came_as_a_scan_is_given_back_to_the_field_where_it_was_typed(still
     assert (field.text(), field.hasFocus(), shown(still)) == ("1000x20abc", True, None)
     keys(still.sidebar, "EM-19", 0.01)
     assert not still.scan_card.typed.isVisible()
+
+
+def test_a_path_that_is_typed_quickly_into_a_dialog_of_files_is_taken(still, keys, tmp_path):
+    """It was held for a scan: the dialog had nothing of it."""
+    dialog = QFileDialog(still, "", str(tmp_path))
+    dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+    dialog.show()
+    field = dialog.findChild(QLineEdit, "fileNameEdit")
+    keys(field, str(tmp_path / "made.json"), 0.002)
+    assert field.text() == str(tmp_path / "made.json")
+    assert shown(still) is None
+    dialog.close()
+    dialog.deleteLater()

@@ -11,6 +11,7 @@ from labcal.gui.ipc.messages import ListCalibrations
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS, cause_rows, map_rows, short_rows
 from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION, change_rows, specification_rows, verdict
+from labcal.gui.viewmodels.largest_of_U import largest_of_U
 from labcal.gui.widgets.calibration_views import BUDGET, CAUSES, CHANGED, MAP, SPECIFIED, CalibrationViews
 from labcal.gui.widgets.measurement_table import Table
 from labcal.record import Dut
@@ -65,7 +66,7 @@ def test_each_result_has_its_word_shape_and_colour(views):
     assert views.tabs.tabText(SPECIFIED) == "✕ Not in specification"
     views.tabs.setCurrentIndex(SPECIFIED)
     rows = text(views.table)
-    assert rows[0] == ["offset x", "−1\u202f250", "40", "1500", "nT", "✓ PASS", "< 0.01 %", "37.5"]
+    assert rows[0] == ["zero reading x", "−1\u202f250", "40", "1500", "nT", "✓ PASS", "< 0.01 %", "37.5"]
     assert [row[5] for row in rows] == ["✓ PASS", "▲ conditional pass", "▼ conditional fail", "✕ FAIL"]
     assert rows[2][7] == "–"
     colours = [views.table.item(row, 5).foreground().color().name() for row in range(4)]
@@ -97,7 +98,7 @@ def test_what_changed_comes_later_and_belongs_to_the_calibration_that_is_shown(v
     views.tabs.setCurrentIndex(SPECIFIED)
     views.tabs.setCurrentIndex(CHANGED)
     rows = text(views.table)
-    assert rows[0] == ["offset x", "+100", "+160", "20", "nT", "+3.00", "▲ changed"]
+    assert rows[0] == ["zero reading x", "+100", "+160", "20", "nT", "+3.00", "▲ changed"]
     assert rows[1][5:] == ["−0.11", ""]
     assert rows[2][3:] == ["–", "ppm", "–", ""]
     assert "1 of 2 figures changed" in views.remark.text()
@@ -126,10 +127,10 @@ def test_rows_are_as_wide_as_their_headings():
 
 def test_a_few_figures_stand_first_and_the_map_behind_a_tab_of_its_own(views):
     views.show_calibration(SHORT)
-    assert text(views.table) == [["offset x", "−1\u202f250", "40", "nT"]]
+    assert text(views.table) == [["zero reading x", "−1\u202f250", "40", "nT"]]
     assert [views.tabs.isTabVisible(at) for at in (MAP, CAUSES, BUDGET)] == [True, False, False]
     views.tabs.setCurrentIndex(MAP)
-    assert [row[0] for row in text(views.table)][:4] == ["k x", "k y", "k z", "K xx"]
+    assert [row[0] for row in text(views.table)][:4] == ["offset k x", "offset k y", "offset k z", "K xx"]
 
 
 def test_what_makes_most_of_each_uncertainty_stands_behind_a_tab_and_all_of_it_in_the_tip(views):
@@ -163,3 +164,35 @@ def test_a_draft_of_a_simulated_run_says_so_and_its_list_leaves_the_focus_alone(
     page.refresh()
     still.app_state.quick_worker.answer(ListCalibrations, (draft,))
     assert page.steps.signer.hasFocus()
+
+
+MOUNTED = BudgetLine("b y", "50 µT along +x", 873.6, 2.0, "nT", (("rotation axes in the body about z", 0.97),))
+NOISY = BudgetLine("b x", "50 µT along +x", 31.9, 2.0, "nT", (("noise of one reading", 0.88),))
+
+
+def test_one_line_says_what_makes_most_of_U():
+    """27 nT on the Loop page, and U = 870 nT on the certificate, said nothing of each other."""
+    words = largest_of_U(replace(SHORT, budget=(NOISY, MOUNTED)))
+    assert words == (
+        "U of one component of the field is up to 874 nT (k = 2), 97 % of it from the declared mounting "
+        "(rotation axes in the body about z): docs/certificate.md"
+    )
+    assert largest_of_U(replace(SHORT, budget=())) == largest_of_U(None) == ""
+
+
+def test_the_figures_in_short_say_by_which_method_they_are_and_what_they_are_not(views):
+    views.show_calibration(replace(SHORT, budget=(MOUNTED,), method="closed-loop"))
+    most, said = views.remark.text().split("\n")
+    assert "mounting" in most
+    assert said.startswith(
+        "By the method closed loop. Zero reading: what the sensor indicates in no field; the offset k"
+    )
+
+
+def test_the_loop_page_says_it_too(still):
+    page, app_state = still.page("Loop"), still.app_state
+    app_state.study_vm.forget("r1")
+    app_state.path.take_calibrations((replace(SHORT, run_id="r1", budget=(MOUNTED,)),))
+    assert page.most_of_U.text() == largest_of_U(replace(SHORT, budget=(MOUNTED,)))
+    app_state.path.take_calibrations(())
+    assert page.most_of_U.isHidden()

@@ -126,7 +126,7 @@ def test_the_question_is_whole_and_says_how_the_platform_is(qtbot, running):
 
 def test_a_procedure_that_cannot_be_gone_on_with_offers_no_later(running):
     running.leaving.question.close()
-    running.app_state.resumable = frozenset()
+    running.app_state.path.resumable = frozenset()
     running.close()
     assert set(running.leaving.question.buttons) == {"stop", "behind"}
 

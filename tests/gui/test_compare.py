@@ -66,7 +66,7 @@ def test_two_chosen_runs_are_compared_the_older_one_first_and_back_again(still, 
         "Earlier: run r1, calibration r1.json", "Later: run r2, fitted now (it has no calibration)"
     ]  # fmt: skip
     row = [view.table.text(0, column) for column in range(view.table.columnCount())]
-    assert (row[0], row[5], row[6]) == ("offset x", "+3.00", "▲ changed")
+    assert (row[0], row[5], row[6]) == ("zero reading x", "+3.00", "▲ changed")
     means = [cloud.getData()[1].mean() for cloud in view.residuals.clouds]
     assert means == [30.0, -30.0]
     view.view.setCurrentIndex(1)
@@ -198,7 +198,7 @@ def test_the_trend_draws_the_limits_of_the_specification(qtbot):
     figures = [Figure("offset", f"offset {axis}", 100.0, 8.0, "nT", 500.0) for axis in "xyz"]
     figures += [Figure("scale", f"scale {axis}", 4.0, None, "ppm") for axis in "xyz"]
     files = [replace(calibration(), figures=tuple(figures))] * 2
-    assert [one.limit for one in courses(files, "offset")] == [500.0] * 3
+    assert [one.limit for one in courses(files, "zero reading")] == [500.0] * 3
     trend = Trend(LIGHT)
     qtbot.addWidget(trend)
     trend.show_files("S1", files, [0.0, 86_400.0 * 9])

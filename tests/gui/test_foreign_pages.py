@@ -116,8 +116,9 @@ def test_a_job_that_breaks_holds_up_none_of_the_others(qtbot, patience):
 def test_the_window_lives_with_a_page_that_breaks_beside_ours(foreign, monkeypatch, tmp_path, deaf, windows, qapp):
     from PySide6.QtCore import QSettings
 
+    from labcal.gui.prebuilding import import_pages
     from labcal.gui.viewmodels import app_state
-    from labcal.gui.window import Window, import_pages
+    from labcal.gui.window import Window
 
     monkeypatch.setattr(app_state, "Client", lambda parent: deaf())
     monkeypatch.setattr(registry, "entry_points", lambda group: [foreign("missing", "Lost"), foreign("Good")])

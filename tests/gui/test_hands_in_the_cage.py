@@ -302,7 +302,7 @@ def test_a_run_that_does_not_go_on_says_why_where_it_ended_though_the_coils_have
     says(running, (0.0, 0.0, None))
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
     app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "lost", False))))
-    app_state.resumable = frozenset({"preflight"})
+    app_state.path.resumable = frozenset({"preflight"})
     live.go_on.click()
     text = "supply_z (tcp://10.0.0.7:5025): the link was lost (Connection refused)."
     still_off = Fault("instrument", text, "It is tried again and again.")

@@ -2,9 +2,10 @@
 
 import pytest
 from geometry import faults
-from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtWidgets import QApplication, QLabel
 from test_nothing_is_cut import LARGE, SIZES, settle
+from test_sixth_walk import asked
 
 from labcal.gui.translations import translate
 from labcal.gui.widgets.key_sheet import KeySheet
@@ -37,3 +38,23 @@ def test_the_sheet_of_keys_is_within_the_window(window, words):
     assert last - sheet.area.verticalScrollBar().value() <= sheet.area.viewport().height()
     sheet.close()
     QApplication.processEvents()
+
+
+def test_the_sheet_has_its_title_grows_with_the_letters_and_answers_no_question_that_it_covers(new_window, qtbot):
+    card = asked(new_window)
+    qtbot.waitUntil(lambda: card.choices["yes"].isEnabled())
+    new_window.resize(1920, 1080)
+    new_window.show_keys()
+    settle(new_window)
+    (sheet,) = new_window.findChildren(KeySheet)
+    title = sheet.findChild(QLabel, "large")
+    assert title.text() == "Keys"
+    before = title.height()
+    new_window.toggle_wall()
+    settle(new_window)
+    assert title.height() > before
+    qtbot.keyPress(new_window, Qt.Key.Key_F8)
+    assert not card.choices["yes"].held.isActive()
+    qtbot.keyRelease(new_window, Qt.Key.Key_F8)
+    sheet.close()
+    new_window.toggle_wall()

@@ -151,7 +151,7 @@ def test_what_a_page_asked_before_the_language_changed_twice_reaches_the_page_th
             worker.answer(kind, answer)
         for one in worker.asked:
             one.failed(Fault("input", "refused"))
-    assert app_state.path.runs == (() if name in ("Run", "Bench", "Certificate") else ANSWERS[ListRuns])
+    assert app_state.path.runs == (() if name in ("Bench", "Certificate") else ANSWERS[ListRuns])
     if name == "History":
         assert shown.window.page(name).table.rowCount() == 1
 

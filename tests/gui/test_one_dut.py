@@ -1,16 +1,17 @@
-"""The top, the page and the sidebar are of one DUT: that of the run that was opened, or the one that was said since."""
+"""The top, the sidebar and Next are of the DUT to be measured; a page that shows another one's run says so."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from test_path import calibration
+from test_path import calibration, marks
 
 from labcal.gui.ipc.answers import Look, RunLine
 from labcal.gui.ipc.messages import ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
 from labcal.gui.standing import come_back
 from labcal.gui.viewmodels.one_dut import KEPT
+from labcal.gui.viewmodels.path import Next
 from labcal.gui.widgets.run_chooser import run_name
 
 OF_21 = RunLine("r21", "2026-11-22T01:00:00Z", "finished", "EM-21", "J. Doe", "preflight", verdict="explained")
@@ -34,34 +35,67 @@ def open_from_history(window, run_id):
     history.open.click()
 
 
-def test_a_run_that_is_opened_brings_its_dut_to_the_top(listed):
+def test_looking_at_a_run_changes_nothing_of_the_dut_to_be_measured(listed, qtbot):
+    """Begin measured the DUT that was mounted under the serial of a run that was looked at."""
+    app_state, before = listed.app_state, marks(listed)
     open_from_history(listed, "r21")
-    assert (listed.page_shown(), listed.top.dut.text()) == ("Fit", "EM-21")
+    assert (listed.page_shown(), app_state.study_vm.run) == ("Fit", "r21")
+    assert (listed.top.dut.text(), marks(listed)) == ("EM-22", before)
+    assert app_state.path.next() == Next("Fit", "Fit the run", "r22")
+    app_state.start("preflight", {})
+    assert app_state.run.order.dut == "EM-22"
+    app_state.run.forget()
+    for page in ("Fit", "Loop"):
+        listed.open_page(page)
+        assert listed.shown_bar.isVisible()
+        assert app_state.study_vm.run == "r21"
+    words = listed.shown_bar.words.text()
+    assert words == f"Shown: {run_name(OF_21)}. To be measured: EM-22; the marks at the left and Next are of it."
+    listed.open_page("History")
+    assert not listed.shown_bar.isVisible()
+    listed.open_page("Fit")
+    qtbot.mouseClick(listed.shown_bar.back, Qt.MouseButton.LeftButton)
+    assert (listed.top.dut.text(), app_state.study_vm.run) == ("EM-22", "r22")
+    assert not listed.shown_bar.isVisible()
+
+
+def test_the_dut_that_is_shown_is_measured_only_where_that_is_said(listed, qtbot):
+    open_from_history(listed, "r21")
+    assert listed.shown_bar.take.text() == "Measure EM-21"
+    qtbot.mouseClick(listed.shown_bar.take, Qt.MouseButton.LeftButton)
+    assert (listed.top.dut.text(), listed.app_state.study_vm.run) == ("EM-21", "r21")
     assert listed.app_state.path.last() == OF_21
-    assert listed.app_state.study_vm.run == "r21"
-    listed.page("Fit").chooser.chosen.emit("r22")
-    assert (listed.top.dut.text(), listed.app_state.study_vm.run) == ("EM-22", "r22")
+    assert not listed.shown_bar.isVisible()
 
 
 def test_whose_run_it_is_may_be_known_later(listed):
     listed.app_state.path.take_runs(())
     listed.app_state.open_study("r21")
-    assert listed.top.dut.text() == "EM-22"
-    listed.app_state.path.take_runs((OF_22,))
+    assert not listed.shown_bar.isVisible()
     listed.app_state.fit_worker.answer(LookAt, Look("r21", "EM-21", 1, np.zeros((1, 3)), {}))
-    assert listed.top.dut.text() == "EM-21"
+    assert (listed.shown_bar.isVisible(), listed.top.dut.text()) == (True, "EM-22")
 
 
-def test_a_serial_that_was_typed_and_not_measured_is_not_written_over_unasked(listed, qtbot):
-    listed.app_state.set_identity(dut="EM-99")
-    for answer, then in (("leave", ("EM-99", "")), ("take", ("EM-21", "r21"))):
-        open_from_history(listed, "r21")
-        assert listed.scan_card.words.text().startswith("The run is of EM-21.")
-        assert "EM-99" in listed.scan_card.words.text()
-        assert listed.top.dut.text() == "EM-99"
-        qtbot.mouseClick(getattr(listed.scan_card, answer), Qt.MouseButton.LeftButton)
-        assert (listed.top.dut.text(), listed.app_state.study_vm.run) == then
-        listed.open_page("History")
+def test_what_is_learned_of_the_store_later_switches_no_dut(new_window):
+    """After a start the DUT of an interrupted run is proposed; one that another window leaves later is not."""
+    app_state = new_window.app_state
+    app_state.one_dut.stated = app_state.one_dut.proposed = False
+    app_state.path.take_runs(())
+    app_state.propose_dut()
+    proposed = new_window.top.dut.text()
+    app_state.path.take_runs((replace(OF_21, status="interrupted", simulated=True),))
+    app_state.propose_dut()
+    assert new_window.top.dut.text() == proposed
+
+
+def test_a_dut_that_was_scanned_is_said(new_window):
+    app_state = new_window.app_state
+    app_state.one_dut.stated = app_state.one_dut.proposed = False
+    app_state.scan("EM-55")
+    app_state.scan_vm.take()
+    assert app_state.settings.value(KEPT) == "EM-55"
+    app_state.propose_dut()
+    assert new_window.top.dut.text() == "EM-55"
 
 
 def test_another_serial_at_the_top_lets_go_of_the_run_of_the_one_before(listed):
@@ -124,10 +158,33 @@ def test_the_certificate_is_of_the_dut_at_the_top(listed):
     page, worker = listed.page("Certificate"), listed.app_state.quick_worker
     worker.answer(ListCalibrations, (mine, other))
     assert page.chosen() == other
+    page.list.setCurrentIndex(0)  # looked at: it stays, and the bar says whose it is
+    assert (listed.shown_bar.isVisible(), listed.top.dut.text()) == (True, "EM-22")
+    page.refresh()
+    worker.answer(ListCalibrations, (mine, other))
+    assert page.chosen() == mine
+    listed.shown_bar.back.click()
+    worker.answer(ListCalibrations, (mine, other))
+    assert (page.chosen(), listed.shown_bar.isVisible()) == (other, False)
     listed.app_state.set_identity(dut="EM-23")
     page.refresh()
     worker.answer(ListCalibrations, (mine, other))
     assert (page.chosen(), page.list.isVisible(), "EM-23" in page.empty.text()) == (None, True, True)
+
+
+def test_the_certificate_is_that_of_the_run_that_is_shown(listed):
+    mine = replace(
+        calibration(signed=False), path="mine.json", run_id="r22", dut=replace(calibration().dut, serial="EM-22")
+    )
+    other = replace(calibration(), run_id="r21", dut=replace(calibration().dut, serial="EM-21"))
+    open_from_history(listed, "r21")
+    listed.open_page("Certificate")
+    page, worker = listed.page("Certificate"), listed.app_state.quick_worker
+    worker.answer(ListCalibrations, (mine, other))
+    assert (page.chosen(), listed.shown_bar.isVisible(), marks(listed)[3]) == (other, True, "○")
+    listed.shown_bar.back.click()
+    worker.answer(ListCalibrations, (mine, other))
+    assert (page.chosen(), listed.shown_bar.isVisible()) == (mine, False)
 
 
 def test_the_count_and_the_run_are_said_alike_on_every_page(listed):
@@ -152,3 +209,19 @@ def test_the_count_and_the_run_are_said_alike_on_every_page(listed):
         listed.open_page(page)
         worker.answer(ListRuns, (OF_22, OF_21))
         assert listed.page(page).chooser.itemText(1).endswith(name)
+
+
+@pytest.mark.parametrize(("status", "simulated", "dut"), [
+    ("interrupted", True, "EM-21"),
+    pytest.param("finished", True, "SIM-0001", marks=pytest.mark.slow),
+    pytest.param("interrupted", False, "SIM-0001", marks=pytest.mark.slow),
+])  # fmt: skip
+def test_until_somebody_says_which_the_dut_is_that_of_the_run_to_be_gone_on_with(new_window, status, simulated, dut):
+    app_state = new_window.app_state
+    app_state.one_dut.stated = app_state.one_dut.proposed = False
+    app_state.path.take_runs((replace(OF_21, status=status, simulated=simulated),))
+    app_state.propose_dut()
+    assert new_window.top.dut.text() == dut
+    app_state.set_identity(dut="EM-44")
+    app_state.propose_dut()
+    assert new_window.top.dut.text() == "EM-44"

@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QPushButton
 from test_choose import looked_at, told_by_the_loop
 from test_path import DONE, RUN, calibration
 
-from labcal.gui.ipc.answers import Checked, FitFigures, Fitted
+from labcal.gui.ipc.answers import Checked, Ended, FitFigures, Fitted
 from labcal.gui.ipc.messages import CloseLoop, Identify, LastCageCheck, ListRuns, LookAt, ResumeRun
-from labcal.gui.pages.loop import candidates
 from labcal.gui.reopened import Shown
 from labcal.gui.translations import translate
+from labcal.gui.viewmodels.loop_causes import candidates
 from labcal.gui.viewmodels.loop_words import as_a_drop
 
 
@@ -50,12 +50,35 @@ def test_next_on_the_start_page_goes_on_with_the_run(still, qtbot, patience):
     broken = replace(RUN, status="interrupted")
     still.page("Start").refresh()
     still.app_state.quick_worker.answer(ListRuns, (broken,))
-    assert still.next.text() == "Next: Go on with the run"
+    assert still.next.text() == "Next: Go on with EM-07"
     goes_on = still.page("Start").interrupted.body.itemAt(1).widget()
     qtbot.waitUntil(goes_on.isVisible, timeout=patience)
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert [one.run for one in still.app_state.bench_worker.commands(ResumeRun)] == ["r1"]
     still.app_state.path.take_runs(())
+
+
+def test_the_run_page_offers_to_go_on_and_next_begins_it_from_any_page(still, qtbot):
+    """After a restart the Run page showed a blue Begin alone; Next led to Start and put the focus there."""
+    still.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    choose = still.page("Run").choose
+    for page in ("History", "Run"):
+        still.open_page(page)
+    still.app_state.quick_worker.answer(
+        ListRuns, (replace(RUN, status="interrupted"), replace(RUN, dut_serial="EM-08"))
+    )
+    assert choose.unfinished.isVisible()
+    assert blue(still) == [choose.go_on.text()] == ["Go on with EM-07"]
+    qtbot.mouseClick(choose.go_on, Qt.MouseButton.LeftButton)
+    asked = still.app_state.bench_worker
+    assert [one.run for one in asked.commands(ResumeRun)] == ["r1"]
+    asked.answer(ResumeRun, Ended("r1", "interrupted"))
+    still.open_page("History")
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert ([one.run for one in asked.commands(ResumeRun)], still.page_shown()) == (["r1"], "Run")
+    asked.answer(ResumeRun, Ended("r1", "finished"))
+    still.app_state.path.take_runs(())
+    assert choose.unfinished.isHidden()
 
 
 def blue(window):

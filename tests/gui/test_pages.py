@@ -62,7 +62,7 @@ def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
     assert page.table.horizontalHeaderItem(1).text() == "ml"
     rows = {page.table.text(row, 0): page.table.text(row, 1) for row in range(page.table.rowCount())}
     assert rows["frame"] == "known"
-    assert " ± " in rows["k x  nT"]
+    assert " ± " in rows["offset k x  nT"]
     assert " ± " in rows["K xy"]
     assert page.views.against.count() > 5
 

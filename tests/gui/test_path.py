@@ -18,7 +18,7 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
 )
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.pages.start import to_be_resumed
+from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.record import Dut
 from labcal.record.stream import Measurement, Prompt, Step
@@ -47,7 +47,7 @@ HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, 
     "measured": ((RUN, ANOTHER), (), "✓○○○", "Fit the run", "Fit"),
     "stopped": ((replace(RUN, status="stopped"),), (), "▲○○○", "Calibrate EM-07", "Run"),
     "failed": ((replace(RUN, status="failed: dut is silent"),), (), "✕○○○", "Calibrate EM-07", "Run"),
-    "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with the run", "Start"),
+    "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with EM-07", "Run"),
     "drafted": ((RUN,), UNSIGNED, "✓✓○○", "Trace the residual", "Loop"),
     "traced": ((DONE,), UNSIGNED, "✓✓✓○", "Approve and sign", "Certificate"),
     "approved": ((DONE,), (replace(calibration(signed=False), approvers=("a.smith",)),), "✓✓✓○", "Sign", "Certificate"),
@@ -329,9 +329,9 @@ def test_next_leads_to_the_setting_that_is_refused_else_to_begin(still, path, qt
     choose = still.page("Run").choose
     assert (still.next.text(), choose.start.isEnabled()) == ("Next: Begin preflight", True)
     choose.form.set_text("inclination_deg", "80")
-    assert (still.next.text(), choose.start.isEnabled()) == ("Next: Mend Inclination", False)
+    assert (still.next.text(), choose.start.isEnabled()) == ("Next: Correct Inclination", False)
     still.open_page("Start")
-    assert still.next.text() == "Next: Mend Inclination"
+    assert still.next.text() == "Next: Correct Inclination"
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert (still.page_shown(), choose.form.fields["inclination_deg"].hasFocus()) == ("Run", True)
     choose.form.set_text("inclination_deg", "50")
@@ -387,19 +387,3 @@ def test_a_run_that_measured_nothing_puts_no_failed_below_the_serial(still):
     asked.failed(Fault("input", "no such supply"))
     assert run_verdict(run).word == "✕ NOT MEASURED"
     assert live.verdict.rule.text() == "Nothing was measured, so this says nothing of the DUT."
-
-
-@pytest.mark.parametrize(("status", "simulated", "dut"), [
-    ("interrupted", True, "EM-21"),
-    pytest.param("finished", True, "SIM-0001", marks=pytest.mark.slow),
-    pytest.param("interrupted", False, "SIM-0001", marks=pytest.mark.slow),
-])  # fmt: skip
-def test_until_somebody_says_which_the_dut_is_that_of_the_run_to_be_gone_on_with(new_window, status, simulated, dut):
-    app_state = new_window.app_state
-    app_state.one_dut.stated = False
-    app_state.path.take_runs((replace(RUN, dut_serial="EM-21", status=status, simulated=simulated),))
-    app_state.propose_dut()
-    assert new_window.top.dut.text() == dut
-    app_state.set_identity(dut="EM-44")
-    app_state.propose_dut()
-    assert new_window.top.dut.text() == "EM-44"

@@ -110,10 +110,12 @@ def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
     assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "x+20uT-nominal", "closing"), 20.0))
-    assert all(part.isVisible() for part in (live.steps, live.lights, live.loci))
+    assert all(part.isVisible() for part in (live.steps, live.lights))
+    assert not live.loci.isVisible()  # three empty circles: nothing turns yet
     assert not live.coverage.isVisible()  # of which axis?
     send(still, Step(20.0, 2, 3, "x+20uT-nominal", 40.0, (), 20.0))
     assert live.coverage.isVisible()
+    assert live.loci.isVisible()
 
 
 def test_what_stands_still_at_many_angles_has_no_lights_of_turns(still):
@@ -124,7 +126,7 @@ def test_what_stands_still_at_many_angles_has_no_lights_of_turns(still):
     live = still.page("Run").live
     live.draw()
     assert (live.loci.isVisible(), live.lights.isVisible(), live.coverage.isVisible()) == (True, False, False)
-    assert live.headline.text() == "Hands off · 39 s · position 1"
+    assert live.headline.text() == "Hands off · 39 s simulated · position 1"
 
 
 def test_a_dut_at_rest_has_no_circle_and_no_lights_of_turns(still):
@@ -205,3 +207,13 @@ def test_a_plot_has_its_two_axes_and_no_more(qapp):
     item = plot(LIGHT, "time  s", "residual  nT").getPlotItem()
     shown = {side for side in ("left", "bottom", "right", "top") if item.getAxis(side).isVisible()}
     assert shown == {"left", "bottom"}
+
+
+def test_how_a_run_ended_and_how_the_coils_are_is_said_once(still):
+    """The verdict, the bar and the line below said "stopped", each in its place."""
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "x+20uT-nominal"), 20.0))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped"))
+    live = still.page("Run").live
+    live.draw()
+    assert live.time_left.left.text() == ""

@@ -123,7 +123,7 @@ def test_next_takes_no_press_that_was_meant_for_what_it_said_before(still, qtbot
 def lost(still):
     """The Run page after a run that an instrument ended, which may be gone on with."""
     app_state = still.app_state
-    app_state.resumable = frozenset({"preflight"})
+    app_state.path.resumable = frozenset({"preflight"})
     app_state.facts = replace(app_state.facts, virtual_time=False)
     still.open_page("Run")
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))

@@ -99,8 +99,8 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     for field, words in zip(page.names.laboratory, ("A lab", "Bern", "CH"), strict=True):
         field.setText(words)
     qtbot.mouseClick(page.names.keep, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not page.names.isVisible(), timeout=LONG_MS)
-    assert page.named.text() == "Certificate of A lab, Bern (CH), for Holm AS, Oslo (NO)."
+    qtbot.waitUntil(lambda: not page.names.lacks(), timeout=LONG_MS)
+    assert page.names.stated.text() == "Laboratory: A lab, Bern (CH)   Customer: Holm AS, Oslo (NO)"
     qtbot.mouseClick(steps.sign, Qt.MouseButton.LeftButton)
     assert steps.passphrase.text() == ""
     qtbot.waitUntil(lambda: "VALID: signed by a.smith" in page.standing.text(), timeout=LONG_MS)
@@ -147,8 +147,8 @@ def test_a_calibration_is_handed_out_and_applied(qtbot, signed, tmp_path):
     said = page.said.text().splitlines()[1:]
     assert [line.partition(": ")[0] for line in said] == sorted(one.name for one in tmp_path.iterdir())
     assert handed.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
-    assert page.drop.words.text().startswith(f"▲ {handed.name}: VALID")
-    assert page.stage.text().endswith("✓ handed out  →  ✓ verified")
+    assert page.drop.words.text().startswith(f"▲ {handed.name} · verified at ")
+    assert page.stage.text().endswith("✓ Hand out  →  ✓ Verify")
     assert handed.read_bytes() == Path(page.chosen().path).read_bytes()
     assert handed.with_name(f"{handed.name}.sshsig").is_file()
     effects = {c for effect in page.chosen().effects for c in effect.channels}
@@ -177,7 +177,7 @@ def test_a_changed_file_that_is_dropped_is_not_valid(qtbot, signed, tmp_path):
             )
             event.ignore()
             QApplication.sendEvent(page.drop, event)
-        qtbot.waitUntil(lambda: page.drop.words.text().startswith(f"✕ {copy.name}: "), timeout=LONG_MS)
+        qtbot.waitUntil(lambda: page.drop.words.text().startswith(f"✕ {copy.name} · verified at "), timeout=LONG_MS)
 
 
 def test_a_wrong_passphrase_is_said_at_its_field(qtbot, signed):

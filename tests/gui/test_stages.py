@@ -1,14 +1,16 @@
 """Where a calibration file is on its way, and the one thing to do; what stands first on its page."""
 
+import re
 from dataclasses import replace
 
 import pytest
+from PySide6.QtWidgets import QFileDialog
 from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, settle, told
 from test_certificate_steps import page as page
 from test_path import calibration
 
-from labcal.gui.ipc.customer_messages import Named, WhoIsNamed
-from labcal.gui.ipc.messages import Sign
+from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
+from labcal.gui.ipc.messages import Sign, VerifyFile
 from labcal.gui.viewmodels.stages import stages
 
 ALONE = calibration(provisional=True)
@@ -18,17 +20,17 @@ NOBODY, BOTH = Named("", ""), Named("A lab, Bern (CH)", "Holm AS, Oslo (NO)")
 @pytest.mark.parametrize(
     ("one", "handed_out", "verified", "said"),
     [
-        (DRAFT, False, False, "✓ draft  →  ● signed  →  ○ released  →  ○ handed out  →  ○ verified"),
-        (RELEASED, False, False, "✓ draft  →  ✓ signed  →  ✓ released  →  ● handed out  →  ○ verified"),
-        (RELEASED, True, True, "✓ draft  →  ✓ signed  →  ✓ released  →  ✓ handed out  →  ✓ verified"),
+        (DRAFT, False, False, "● Approve  →  ○ Sign  →  ○ Release  →  ○ Hand out  →  ○ Verify"),
+        (RELEASED, False, False, "✓ Approve  →  ✓ Sign  →  ✓ Release  →  ● Hand out  →  ○ Verify"),
+        (RELEASED, True, True, "✓ Approve  →  ✓ Sign  →  ✓ Release  →  ✓ Hand out  →  ✓ Verify"),
         (
             calibration(provisional=True),
             True,
             False,
-            "✓ draft  →  ✓ signed  →  ▲ provisional  →  ✓ handed out  →  ● verified",
+            "– Approve  →  ✓ Sign  →  ▲ provisional  →  ✓ Hand out  →  ● Verify",
         ),
-        (NOT_VALID, False, False, "✓ draft  →  ✕ not valid"),
-        (OUTDATED, True, True, "✓ draft  →  ▲ superseded"),
+        (NOT_VALID, False, False, "✓ Sign  →  ✕ not valid"),
+        (OUTDATED, True, True, "✓ Sign  →  ▲ superseded"),
     ],
 )
 def test_a_file_is_at_one_stage(one, handed_out, verified, said):
@@ -45,9 +47,9 @@ def test_first_stands_what_it_is_then_what_to_do_and_the_figures_last(page):
     assert page.drop.choose.y() < page.detail.y()
 
 
-def test_what_is_to_be_handed_out_stands_above_the_steps_that_are_done_and_they_are_folded(page):
+def test_the_fourth_step_keeps_its_place_and_those_that_are_done_are_folded(page):
     told(page, RELEASED, "a.smith")
-    assert page.paper.y() < page.steps.y()
+    assert page.steps.y() < page.paper.y()  # it jumped above the others at the last signature
     assert not page.steps.passphrase.isVisible()
     page.steps.signature.unfold.click()
     assert page.steps.passphrase.isVisible()
@@ -76,22 +78,49 @@ def test_who_is_not_named_is_asked_for_before_a_signature_and_nobody_is_a_second
     assert [one for one in asked if isinstance(one.command, Sign)]
 
 
-def test_one_thing_after_the_other_first_a_key_then_the_names(page):
+def test_who_is_named_stands_there_with_its_title_before_the_key_so_that_nothing_is_pushed_down(page):
     told(page, DRAFT)
     known(page, NOBODY)
-    assert not page.names.isVisible()
+    assert (page.names.isVisible(), page.names.heading.text()) == (True, "Named on the certificate")
+    before = page.steps.y()
     page.refresh()
     told(page, DRAFT, "a.smith")
-    assert page.names.isVisible()
+    assert page.steps.y() == before
+
+
+def test_a_country_may_be_written_out_and_what_is_none_is_said(page):
+    told(page, DRAFT)
+    known(page, NOBODY)
+    for field, words in zip(page.names.laboratory, ("A lab", "Bern", "Atlantis"), strict=True):
+        field.setText(words)
+    assert (page.names.keep.isEnabled(), page.names.wrong.isVisible()) == (False, True)
+    assert page.names.wrong.text() == "✕ “Atlantis” is no country: two letters, as DE, or its name."
+    for typed in ("Germany", "Deutschland", "de"):
+        page.names.laboratory[2].setText(typed)
+        assert (page.names.keep.isEnabled(), page.names.wrong.isVisible()) == (True, False)
+    page.names.keep.click()
+    (asked,) = page._app_state.quick_worker.commands(StateNames)
+    assert asked.laboratory == Party("A lab", "Bern", "DE")
+
+
+def test_who_is_kept_is_seen_and_may_be_changed_until_it_is_signed(page):
+    told(page, DRAFT)
+    known(page, Named("A lab, Bern (CH)", ""))
+    assert page.names.stated.text() == "Laboratory: A lab, Bern (CH)"
+    assert (page.names.laboratory[0].isVisible(), page.names.customer[0].isVisible()) == (False, True)
+    page.names.change.click()
+    assert page.names.laboratory[0].isVisible()
 
 
 def test_where_both_are_named_it_says_so_and_asks_nothing(page):
     told(page, APPROVED, "a.smith")
     known(page, BOTH)
     assert (page.names.isVisible(), page.named.text()) == (
-        False,
-        "Certificate of A lab, Bern (CH), for Holm AS, Oslo (NO).",
+        True,
+        "",
     )
+    assert page.names.stated.text() == "Laboratory: A lab, Bern (CH)   Customer: Holm AS, Oslo (NO)"
+    assert not page.names.keep.isVisible()
     page.steps.passphrase.setText("four words for it")
     page.steps.sign.click()
     assert [one for one in page._app_state.quick_worker.asked if isinstance(one.command, Sign)]
@@ -114,3 +143,18 @@ def test_steps_below_each_other_are_folded_but_the_one_to_do_now(page):
     assert folded == [True, True, False]
     page.steps.key.unfold.click()
     assert page.steps.key_name.isVisible()
+
+
+def test_what_was_verified_is_said_with_file_and_time_until_another_dut_comes(page, monkeypatch, tmp_path):
+    told(page, RELEASED, "a.smith")
+    page.verify("c.json")
+    page._app_state.quick_worker.answer(VerifyFile, RELEASED.standing)
+    assert re.match(r"✓ c\.json · verified at \d\d:\d\d:\d\d: ", page.drop.words.text())
+    page._app_state.set_identity(dut="EM-99")
+    told(page, RELEASED, "a.smith")
+    assert not page.drop.words.isVisible()
+    opened = []
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *said: opened.append(said[2]) or ("", ""))
+    page.paper.handed_out.emit(RELEASED, str(tmp_path / "EM-07.json"))
+    page.drop.choose.click()
+    assert opened == [str(tmp_path)]

@@ -157,7 +157,7 @@ def test_what_happens_can_be_read_from_the_cage(still):
     t = np.array([6.0])
     send(still, Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.ones((1, 3))))
     live.draw()
-    assert live.headline.text() == "Hands off · 14 s · x +20 µT nominal"
+    assert live.headline.text() == "Hands off · 14 s simulated · x +20 µT nominal"
     assert still.app_state.lab.state.waiting == "hands off, measuring"
 
 

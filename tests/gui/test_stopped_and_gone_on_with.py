@@ -57,19 +57,19 @@ def test_a_run_that_was_stopped_is_said_to_be_stopped_also_where_it_can_be_gone_
 
 def test_it_is_gone_on_with_where_it_was_stopped_by_the_one_blue_button(running, qtbot):
     worker, live = running.app_state.bench_worker, running.page("Run").live
-    running.app_state.resumable = frozenset({"preflight"})
+    running.app_state.path.resumable = frozenset({"preflight"})
     worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
     assert [one.objectName() for one in (live.go_on, live.close_run)] == ["primary", ""]
     qtbot.mouseClick(live.go_on, Qt.MouseButton.LeftButton)
     assert [one.command.run for one in worker.asked if isinstance(one.command, ResumeRun)] == ["r1"]
-    running.app_state.resumable = frozenset()  # no procedure that can be gone on with
+    running.app_state.path.resumable = frozenset()  # no procedure that can be gone on with
     worker.answer(ResumeRun, Ended("r1", "interrupted", STOPPED))
     assert (live.go_on.isVisible(), live.close_run.objectName()) == (False, "primary")
 
 
 def test_a_run_whose_worker_died_is_interrupted_here_as_in_its_record(running):
     live = running.page("Run").live
-    running.app_state.resumable = frozenset({"preflight"})
+    running.app_state.path.resumable = frozenset({"preflight"})
     (asked,) = (one for one in running.app_state.bench_worker.asked if isinstance(one.command, RunProcedure))
     asked.failed(Fault("ended", "The work broke off."))
     assert run_verdict(running.app_state.run).word == "▲ BROKEN OFF"
@@ -151,7 +151,7 @@ def test_a_serial_that_is_asked_is_typed_without_a_click(running):
 @pytest.mark.parametrize(("procedure", "said"), [("preflight", False), ("field-sphere", True)])
 def test_a_run_that_cannot_be_gone_on_with_says_so_and_why(still, procedure, said):
     still.open_page("Run")
-    still.app_state.resumable = frozenset({"preflight"})
+    still.app_state.path.resumable = frozenset({"preflight"})
     still.app_state.run.start(RunProcedure(procedure, "bench.toml", {}, "EM-07", "J. Doe"))
     still.app_state.bench_worker.items.emit((Step(0.0, 1, 2, "sphere", 60.0, ("sphere", "verify")),))
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", STOPPED))
@@ -257,7 +257,7 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
 def test_a_name_that_no_record_takes_is_refused_before_a_run(still):
     still.app_state.set_identity(operator="J" * 101)
     choose = still.page("Run").choose
-    assert "at most 100 letters" in choose.objection.text()
+    assert choose.objection.text() == "Correct what is red at the top."
     assert not choose.start.isEnabled()
     still.app_state.set_identity(operator="J. Doe")
     assert choose.start.isEnabled()

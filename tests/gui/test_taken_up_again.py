@@ -1,9 +1,11 @@
 """After a restart what is kept of the DUT at the top is there again; nothing is asked for that is under way."""
 
+from dataclasses import replace
+
 import pytest
 from test_path import RUN, calibration
 
-from labcal.gui.ipc.messages import ListCalibrations, ListKeys, ListRuns, LookAt
+from labcal.gui.ipc.messages import ListCalibrations, ListKeys, ListRuns, LookAt, RunProcedure
 from labcal.gui.viewmodels.kept_of_run import kept_words
 
 
@@ -48,6 +50,8 @@ def test_the_page_and_its_mark_are_of_one_dut(new_window):
     assert page.empty.text().startswith("Choose a calibration")
     page.list.setCurrentIndex(0)
     page.list.activated.emit(0)
+    assert (new_window.shown_bar.isVisible(), app_state.lab.state.dut_serial) == (True, "")
+    new_window.shown_bar.take.click()
     assert app_state.lab.state.dut_serial == "EM-07"
     assert app_state.path.marks()["Certificate"] == "done"
 
@@ -60,3 +64,26 @@ def test_who_waits_for_a_bench_that_is_being_opened_is_not_told_to_open_one(new_
     assert app_state.objection() == "The bench is being opened …"
     app_state.lab.update(opening=False)
     app_state.facts = facts
+
+
+@pytest.mark.parametrize("page", ["Fit", "Loop"])
+def test_in_a_run_it_is_said_that_it_can_be_looked_at_later_and_no_other_one_is_chosen(still, page):
+    """No run yet, it said, and Start "1 in the store"; then another DUT had its run chosen, and Trace was grey."""
+    still.app_state.set_identity(dut="EM-08")
+    still.app_state.path.take_runs((RUN,))
+    still.app_state.open_study("r1")
+    still.open_page("History")
+    still.app_state.set_identity(dut="EM-07")
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.study_vm.forget("")
+    still.open_page(page)
+    shown = still.page(page)
+    still.app_state.quick_worker.answer(ListRuns, (replace(RUN, run_id="r9", status="running"), RUN))
+    assert shown.empty.text() == "EM-07 is being measured: its run can be looked at once it has ended."
+    still.app_state.study_vm.changed.emit()
+    assert shown.chooser.currentData() is None
+    still.app_state.run.forget()
+    shown.chooser.refresh()
+    still.app_state.quick_worker.answer(ListRuns, (replace(RUN, run_id="r9", status="running"),))
+    assert shown.empty.text().startswith("The run in the store has not ended yet")
+    still.app_state.path.take_runs(())

@@ -9,7 +9,7 @@ from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReadi
 from labcal.gui.ipc.answers import CoilEnd, Ended, RunLine, SwitchedOff
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.pages.start import to_be_resumed
+from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.record import Segment
@@ -177,7 +177,7 @@ def test_a_failed_steps_headline_is_no_longer_than_its_instrument_is_lost(still)
 
 
 def test_what_cannot_be_gone_on_with_is_offered_nowhere(still):
-    still.app_state.resumable = frozenset({"preflight"})
+    still.app_state.path.resumable = frozenset({"preflight"})
     still.app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
     live = still.page("Run").live
     told(still)
@@ -187,7 +187,7 @@ def test_what_cannot_be_gone_on_with_is_offered_nowhere(still):
     assert not any("Go on" in words for words in said)
     began = "2026-11-22T01:10:00+00:00"
     lines = tuple(RunLine(f"r-{n}", began, "interrupted", "EM-07", "J. Doe", n) for n in ("rotate-axis", "preflight"))
-    assert [one.procedure for one in to_be_resumed(lines, still.app_state.resumable)] == ["preflight"]
+    assert [one.procedure for one in to_be_resumed(lines, still.app_state.path.resumable)] == ["preflight"]
 
 
 def test_a_pass_that_lacks_a_closure_says_so_as_large_as_pass(still):

@@ -15,8 +15,11 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.steps import Plan
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.viewmodels.lab_now import LabNow
 from labcal.gui.viewmodels.number_format import clock_time
+from labcal.gui.viewmodels.pace import Pace
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.what_happens import what_happens
 from labcal.gui.widgets import sounds
 from labcal.record.stream import Block, Event, Prompt, Step
 
@@ -174,3 +177,33 @@ def test_a_step_that_is_tried_again_is_left_as_a_whole(deaf):
     assert run.left_s() == 460.0  # the bench's clock stood at 100 s as it began
     worker.items.emit((Event(900.0, "answer", "retry", {"key": key}), Event(910.0, "note", "it turns")))
     assert (run.left_s(), run.step_left_s(), run.needed_s()) == (600.0, 290.0, 290.0)
+
+
+def test_the_pace_is_learnt_as_a_run_goes_on_and_a_person_counts_for_nothing():
+    """What was to be 100 times ran at 23 on a busy computer, and what was promised crept on."""
+    pace = Pace()
+    for second in range(4):
+        pace.see(23.0 * second, float(second))
+    assert pace.learnt(100.0) == 100.0  # nothing is known of so little
+    for second in range(4, 8):
+        pace.see(23.0 * second, float(second))
+    assert pace.learnt(100.0) == pytest.approx(23.0)
+    pace.waits()
+    for second in range(300, 304):
+        pace.see(23.0 * (second - 293), float(second))
+    assert pace.learnt(100.0) == pytest.approx(23.0)
+    for second in range(304, 500):
+        pace.see(23.0 * 11 + 50.0 * (second - 304), float(second))
+    assert pace.learnt(100.0) == pytest.approx(50.0, rel=0.05)
+
+
+def test_a_bench_that_is_faster_than_life_says_that_its_seconds_are_simulated(deaf):
+    for pace, said in (
+        ("100 times", "Hands off · 20 s simulated · offset and first position"),
+        ("true", "Hands off · 20 s · offset and first position"),
+    ):
+        run = RunViewModel(deaf())
+        run.virtual_time = True
+        run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe", pace))
+        run._worker.items.emit((Step(0.0, 1, 2, "zero", 60.0, (), 20.0),))
+        assert what_happens(run, LabNow()) == said

@@ -30,10 +30,7 @@ Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexpl
 
 @dataclass(frozen=True, slots=True)
 class SettingLine:
-    """One setting of a bench file: as written ("" where it is not), what holds then, unit and meaning.
-
-    `here`: whether it can be changed from here.
-    """
+    """A setting of a bench file: as written ("" where not), what holds then, unit, meaning; whether changed `here`."""
 
     keys: tuple[str, ...]
     value: str
@@ -397,4 +394,5 @@ class CalibrationFile:
     until: str = ""  # the last day on which it is good
     left_open: tuple[str, ...] = ()  # what the specification limits and nothing determined
     figures: tuple[Figure, ...] = ()
+    method: str = ""  # of the fit, or closed-loop
     simulated: bool = False

@@ -133,6 +133,7 @@ def _calibration(path: Path) -> CalibrationFile:
         until=found.validity.until or "",
         left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
         figures=figures(found),
+        method=str((found.made_by or {}).get("method", "")),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 
@@ -18,7 +19,6 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
-from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, handed_out_as, state_of, steps
 from labcal.gui.viewmodels.stages import stages, to_be_done
 from labcal.gui.viewmodels.told_words import open_words
@@ -52,17 +52,17 @@ class CertificatePage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         self.names = NamesCard(app_state, self.fault, self._names_known)
-        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks_at_a_signature)
+        self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks)
         self.paper = Paper(app_state, self.chosen, self.fault)
         self.said = self.paper.said
         self.paper.handed_out.connect(self._handed_out)
         self.list = combo_box(self.tr("Calibrations, the newest first"))
         self.list.setPlaceholderText(self.tr("Choose a calibration"))
         self.list.currentIndexChanged.connect(self._show)
-        self.list.activated.connect(self._picked)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
         self.drop = Drop(self.list)
         self.drop.dropped.connect(self.verify)
+        self.drop.open_at(app_state.path.handed_out.folder())
         column.addWidget(self.drop)
         column.addWidget(self.empty_card)
         column.addWidget(flat(self._chosen_card()))
@@ -71,7 +71,7 @@ class CertificatePage(QWidget):
         column.addWidget(self.figures, 1)
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
-        app_state.lab.changed.connect(self._other_dut)
+        app_state.one_dut.changed.connect(self._other_dut)
         app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
         self._show()
 
@@ -96,10 +96,14 @@ class CertificatePage(QWidget):
         self._wanted = path
         self.refresh()
 
-    def _other_dut(self, state: LabState) -> None:
-        """What is of another DUT than the one at the top does not stay in sight."""
-        if self.isVisible() and state.dut_serial not in (self._for, self._asked_for):
-            self._asked_for = state.dut_serial
+    def _other_dut(self) -> None:
+        """What is of another DUT than the one that is looked at does not stay in sight, unless it was chosen here."""
+        one_dut = self._app_state.one_dut
+        gone_back = one_dut.calibration is None and self.chosen() is not None
+        if self.isVisible() and (gone_back or one_dut.looked_at() not in (self._for, self._asked_for)):
+            self._asked_for = one_dut.looked_at()
+            if gone_back:
+                self.list.setCurrentIndex(-1)
             self.refresh()
 
     def _empty_card(self) -> Card:
@@ -142,12 +146,14 @@ class CertificatePage(QWidget):
     def _known(self, files: tuple[CalibrationFile, ...]) -> None:
         self._app_state.path.take_calibrations(files)
         before = self.chosen()
-        here = self._app_state.lab.state.dut_serial
+        here = self._app_state.one_dut.looked_at()
         mine = [one.path for one in files if one.dut.serial == here]
-        stays = before is not None and here == self._for
+        stays = before is not None and here in (self._for, before.dut.serial)
         self._files = {one.path: one for one in files}
         kept = before.path if before is not None and stays else next(iter(mine), "")
         kept = self._wanted if self._wanted in self._files else kept
+        if here != self._for:
+            self.drop.put_away()
         self._for = self._asked_for = here
         with QSignalBlocker(self.list):
             self.list.clear()
@@ -167,14 +173,9 @@ class CertificatePage(QWidget):
     def _say_empty(self) -> None:
         none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
         words = self.tr("No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.")
-        here = self._app_state.lab.state.dut_serial
+        here = self._app_state.one_dut.looked_at()
         which = words.format(here) if here else self.tr("Choose a calibration, or say at the top which DUT.")
         self.empty.setText(which if self._files else none)
-
-    def _picked(self) -> None:
-        """Whose calibration is looked at stands at the top."""
-        if (one := self.chosen()) is not None:
-            self._app_state.one_dut.take(one.dut.serial)
 
     def _keys_known(self, names: tuple[str, ...]) -> None:
         self.steps.take_keys(names)
@@ -182,6 +183,7 @@ class CertificatePage(QWidget):
 
     def _show(self) -> None:
         one = self.chosen()
+        self._app_state.one_dut.take_calibration(one)
         self.empty_card.setVisible(one is None)
         self.list.setVisible(bool(self._files))
         self._say_empty()
@@ -236,23 +238,12 @@ class CertificatePage(QWidget):
             stands = self.stands(one)
             self.steps.show_steps(stands)
             self.paper.show_step(stands[-1])
-            self.names.want(stands[0].mark != "now" or not self.steps.signature.asked.isHidden())
-            self._place_paper(stands[-1].mark in ("now", "done"))
             kept = self._app_state.path.handed_out
             self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))
             self.to_do.setText(to_be_done(tuple(step.mark for step in stands)))
             self.to_do.setVisible(bool(self.to_do.text()))
             self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
-
-    def _place_paper(self, first: bool) -> None:
-        """What is to be done now stands above the steps that are done."""
-        column = self.layout()
-        assert isinstance(column, QVBoxLayout)
-        at = column.indexOf(self.steps)
-        if first is not (column.indexOf(self.paper) < at):
-            column.removeWidget(self.paper)
-            column.insertWidget(column.indexOf(self.steps) + (not first), self.paper)
 
     def _names_known(self) -> None:
         self.steps.names_known()
@@ -285,7 +276,9 @@ class CertificatePage(QWidget):
 
     def _handed_out(self, one: CalibrationFile, copy: str) -> None:
         """What has left is checked as it lies there."""
-        self._copies[copy] = one.path
+        self._copies[copy], folder = one.path, str(Path(copy).parent)
+        self._app_state.path.handed_out.take_folder(folder)
+        self.drop.open_at(folder)
         self._app_state.path.take_handed_out(one)
         self._app_state.lab.update(message=self.tr("{0} is handed out.").format(one.dut.serial))
         self._show_steps()
@@ -301,7 +294,8 @@ class CertificatePage(QWidget):
         shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         words = " ".join([*map(in_words, said.sentences), *faults])
-        self.drop.say(f"{shape} {Path(said.path).name}: {words}", state_of(said))
+        verified = self.tr("verified at {0}").format(f"{datetime.now():%H:%M:%S}")
+        self.drop.say(f"{shape} {Path(said.path).name} · {verified}: {words}", state_of(said))
         if (one := self._files.get(self._copies.get(said.path, said.path))) is not None and said.valid:
             self._app_state.path.handed_out.verify(one)
             self._show_steps()

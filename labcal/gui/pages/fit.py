@@ -22,11 +22,11 @@ from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.no_fit import NoFit
-from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
+from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
-OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
+OFFSETS = ("offset k x  nT", "offset k y  nT", "offset k z  nT")
 GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
 LEAST_ROWS = 8  # of the table are always seen: how good, and where zero is
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
@@ -175,17 +175,15 @@ class FitPage(QWidget):
 
     def _say_empty(self) -> None:
         """What to do where there is no fit yet."""
-        study, none = self._study, self.chooser.none and not self._study.run
+        study, none = self._study, "" if self._study.run else self.chooser.why_none()
         refused = self._app_state.path.why_no_fit(study.run)
         kept = kept_words(self._app_state.path, study.run)
         if kept and not refused:
             kept += "\n" + self.tr("Fit works it out again: figures and pictures side by side.")
         ready = refused or kept or self.tr("Fit estimates K and k; All methods compares eleven ways.")
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
-        self.empty.setText(
-            translated(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit.")
-        )
-        self.to_run.setVisible(none)
+        self.empty.setText(none or (waits if study.run else self.tr("Choose a run above, then Fit.")))
+        self.to_run.setVisible(bool(none))
         self.views.setVisible(bool(study.run))
 
     def _show_fits(self) -> None:
@@ -218,7 +216,7 @@ class FitPage(QWidget):
             header.setSectionResizeMode(0, wanted)
 
     def _colour(self, name: str) -> str:
-        axis = name[2] if name in OFFSETS else ""
+        axis = name.split()[2] if name in OFFSETS else ""
         return getattr(self._theme, f"axis_{axis}") if axis else ""
 
     def _show_pictures(self) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
@@ -17,41 +15,23 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
-from labcal.gui.viewmodels.loop_words import VERDICTS, as_a_drop, of_which_error, said_plainly, without_evidence
+from labcal.gui.viewmodels.largest_of_U import largest_of_U
+from labcal.gui.viewmodels.loop_causes import Cause, candidates, cause
+from labcal.gui.viewmodels.loop_words import VERDICTS, of_which_error, said_plainly, without_evidence
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
-from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
+from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 from labcal.gui.widgets.whole_card import WholeCard
 from labcal.gui.widgets.whole_text import WholeText
 from labcal.gui.widgets.work_bar import WorkBar
-from labcal.model.records import EffectRecord, Rival
 
-Cause = EffectRecord | Rival
 LEAST_PX = 150  # of a picture, and of the list: with less room the page is scrolled
-
-
-def cause(effect: Cause) -> str:
-    """An effect and its channels: "offset-current (i_radio)"."""
-    return cause_name(effect.effect, effect.channels)
-
-
-def candidates(loop: Loop, said: Callable[[str], str] = str) -> list[tuple[str, Cause, str]]:
-    """Every cause there was: its standing, itself, and why, as it is `said`; the named ones first."""
-    found: list[tuple[str, Cause, str]] = [
-        ("accepted", effect, in_words(as_a_drop(said(effect.why)))) for effect in loop.accepted
-    ]
-    for effect in loop.accepted:
-        found += [
-            ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
-        ]
-    return found + [("rejected", effect, in_words(said(effect.why))) for effect in loop.rejected]
 
 
 class LoopPage(QWidget):
@@ -78,6 +58,7 @@ class LoopPage(QWidget):
         self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         self._study.progressed.connect(self._show_progress)
+        app_state.path.changed.connect(self._show_uncertainty)
         self._show()
 
     def _head(self) -> Flow:
@@ -125,7 +106,9 @@ class LoopPage(QWidget):
         self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
+        self.most_of_U = shrinkable(label("", "caption", wrap=True))
         words.addWidget(self.plainly)
+        words.addWidget(self.most_of_U)
         words.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignLeft)
         words.addWidget(self.summary)
         for widget in (self.before_after, self.noise):
@@ -219,7 +202,7 @@ class LoopPage(QWidget):
 
     def _show(self) -> None:
         study = self._study
-        if study.run and self.chooser.currentData() != study.run:
+        if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
         self._show_progress()
@@ -241,15 +224,15 @@ class LoopPage(QWidget):
 
     def _say_empty(self) -> None:
         """What to do where nothing is traced yet."""
-        study, none = self._study, self.chooser.none and not self._study.run
+        study, none = self._study, "" if self._study.run else self.chooser.why_none()
         words = self.tr("Choose a run above, then let its residual be traced to a cause.")
         if "loop" in study.waiting:
             words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
         elif study.run:
             refused = self._app_state.path.why_no_fit(study.run)
             words = refused or self._kept() or self.tr("Trace the residual of this run to its cause.")
-        self.empty.setText(translated(NO_RUNS) if none else words)
-        self.to_run.setVisible(none)
+        self.empty.setText(none or words)
+        self.to_run.setVisible(bool(none))
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
         self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
 
@@ -263,6 +246,11 @@ class LoopPage(QWidget):
         self.waiting.setText(", ".join(map(translated, study.waiting)) if study.busy and not words else words)
         self.waiting.setVisible(study.busy)
 
+    def _show_uncertainty(self) -> None:
+        """What makes most of the draft's U: the error at the top is not all that is not known."""
+        self.most_of_U.setText(largest_of_U(self._app_state.path.kept(self._study.run)))
+        self.most_of_U.setVisible(bool(self.most_of_U.text()))
+
     def _show_loop(self, loop: Loop) -> None:
         words, state = VERDICTS[loop.verdict]
         self.verdict.setText(translated(words))
@@ -273,6 +261,7 @@ class LoopPage(QWidget):
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
         self.noise.setText(of_which_error(loop))
+        self._show_uncertainty()
         self._show_unknown(loop)
         self._fill_against(loop)
         self._name_change()

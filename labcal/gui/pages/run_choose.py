@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidgetItem
 from labcal.bench.parameters import for_modes, for_rate
 from labcal.gui.ipc.answers import Procedure, Procedures
 from labcal.gui.ipc.bench_facts import Bench
-from labcal.gui.ipc.messages import ListProcedures, Rehearse
+from labcal.gui.ipc.messages import ListProcedures, ListRuns, Rehearse
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID
@@ -22,11 +22,13 @@ from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
-from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.parameter_form import ParameterForm, title_of
+from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.widgets.work_bar import WorkBar
 
 ASKED = re.compile(r"– (?P<text>.*?)(?: \((?P<times>\d+)×(?:: (?P<steps>.*))?\))?")  # a line of a plan
@@ -58,7 +60,17 @@ class Choose(QWidget):
         app_state.lab.changed.connect(self._check)
         app_state.bench_changed.connect(self._bench_known)
         app_state.scan_vm.changed.connect(self._check)
+        app_state.path.changed.connect(self._show_unfinished)
+        app_state.run.ended.connect(self._refresh)
         app_state.request(ListProcedures(), self.show_procedures)
+
+    def showEvent(self, event: object) -> None:
+        """What there is now."""
+        self._refresh()
+
+    def _refresh(self) -> None:
+        """Whether a run is to be gone on with: of this window, or of one before it."""
+        self._app_state.request(ListRuns(), self._app_state.path.take_runs)
 
     def _list_card(self) -> Card:
         card = Card(self.tr("Procedures"))
@@ -122,16 +134,36 @@ class Choose(QWidget):
         self.give_up.clicked.connect(self._give_up)
         self.give_up.hide()
         self.work = WorkBar()
-        row = QHBoxLayout()
-        for widget in (self.pace_label, self.pace):
-            row.addWidget(widget)
-        row.addStretch()
-        for act in (self.give_up, self.show_plan, self.start):
-            row.addWidget(act)
-        card.body.addWidget(self.work)
-        card.body.addWidget(self.objection)
+        row = Flow(self.pace_label, self.pace, self.give_up, self.show_plan, self.start)
+        for part in (self.work, self.objection, self._unfinished()):
+            card.body.addWidget(part)
         card.body.addLayout(row)
         return card
+
+    def _unfinished(self) -> QWidget:
+        """A run of the DUT at the top that did not come to its end is gone on with from here."""
+        self.unfinished, self.go_on = flat(Card(self.tr("▲ Unfinished run"))), button("", "", primary=True)
+        self.go_on.setToolTip(self.tr("What is missing of it; you are asked whether the mounting stands"))
+        self.go_on.clicked.connect(self._go_on)
+        self.which = label("", "caption", wrap=True)
+        self.unfinished.body.addWidget(self.which)
+        self.unfinished.body.addWidget(self.go_on, 0, Qt.AlignmentFlag.AlignRight)
+        self.unfinished.hide()
+        return self.unfinished
+
+    def _show_unfinished(self) -> None:
+        app_state = self._app_state
+        broken = None if app_state.run.alive else app_state.path.unfinished()
+        self.unfinished.setVisible(broken is not None)
+        self.go_on.setEnabled(not app_state.objection())
+        set_primary(self.start, broken is None)
+        if broken is not None:
+            self.which.setText(run_title(broken))
+            self.go_on.setText(self.tr("Go on with {0}").format(broken.dut_serial))
+
+    def _go_on(self) -> None:
+        if (one := self._app_state.path.unfinished()) is not None:
+            self._app_state.resume(one.run_id, one.procedure, one.dut_serial)
 
     def rehearse(self) -> None:
         """Say what the chosen procedure would do, before anything real moves; Start waits for it."""
@@ -197,7 +229,7 @@ class Choose(QWidget):
         with QSignalBlocker(self.list):  # nothing is chosen before the new ones are there
             self.list.clear()
         self._procedures, self._typed, self._shown = {one.name: one for one in there.found}, {}, ""
-        self._app_state.resumable = frozenset(one.name for one in there.found if one.resumable)
+        self._app_state.path.take_resumable(frozenset(one.name for one in there.found if one.resumable))
         for group, names in grouped(self._procedures):
             self._add_heading(group)
             self.list.addItems(names)
@@ -291,6 +323,9 @@ class Choose(QWidget):
             widget.setVisible(virtual)
         objection = self._app_state.objection()
         refused = self.form.refused() if self.form is not None else None
+        state = self._app_state.lab.state
+        if objection and objection in (state.dut_objection, state.operator_objection):
+            objection = self.tr("Correct what is red at the top.")  # where it is said why
         if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
         if not objection and self._cannot_be:

@@ -238,7 +238,7 @@ class Live(QWidget):
             and bool(run.run_id)
             and run.status == "interrupted"
             and run.order is not None
-            and run.order.procedure in self._app_state.resumable
+            and run.order.procedure in self._app_state.path.resumable
         )
         with deferred_layout(self, *self._holders):
             for widget, shown in (
@@ -250,7 +250,7 @@ class Live(QWidget):
                 (self.lights, run.looks_at_axes() and not decided),
                 (self.turn, bool(run.axis) and run.turns() and not ended),
                 (self.steps, bool(run.names)),
-                (self.loci, turned),
+                (self.loci, turned and self._something_turns()),
             ):
                 widget.setVisible(shown)
         set_primary(self.close_run, not again and not (turned and run.status == "finished"))
@@ -264,11 +264,16 @@ class Live(QWidget):
         self._ask()
         self.frame_timer.start() if run.alive else self._draw_last()
 
+    def _something_turns(self) -> bool:
+        """Whether there is anything on the circles, or is to be now: empty ones say nothing while nothing turns."""
+        drawn = self._run.drawn
+        return bool(self._run.axis) or bool(drawn.now) or bool(drawn.earlier)
+
     def _show_verdict(self) -> None:
         run = self._run
         if run.state != "ended":
             return self.verdict.word.set_text("")  # of the run before
-        how = run_verdict(run, self._app_state.resumable, mended=bool(self._answer_again()))
+        how = run_verdict(run, self._app_state.path.resumable, mended=bool(self._answer_again()))
         self.verdict.show_verdict(run.order.dut if run.order else "", how)
         now = self._app_state.lab.state.now
         words, state = off_headline(as_left(now) if run.virtual_time else now) if run.by_off else ("", "")
@@ -294,7 +299,7 @@ class Live(QWidget):
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
-        next_words = run_verdict(self._run, self._app_state.resumable).next
+        next_words = run_verdict(self._run, self._app_state.path.resumable).next
         goes_on = self.tr("{0} Or Close, and begin anew.").format(next_words)
         return self.fault.text.setText(goes_on if self._goes_on else kept)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
 from datetime import UTC, date, datetime
 
 from PySide6.QtCore import QDate, QLocale, Qt, QTimer
@@ -17,7 +16,9 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab_now import left_words, mark_of
 from labcal.gui.viewmodels.left_without_end import AGAIN_MS
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
+from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_count import count_words
+from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
@@ -47,7 +48,7 @@ class StartPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addWidget(flat(self._hello_card()))
-        self.interrupted = flat(Card(self.tr("▲ To be gone on with")))
+        self.interrupted = flat(Card(self.tr("▲ Unfinished run")))
         self.interrupted.hide()
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
@@ -108,8 +109,10 @@ class StartPage(QWidget):
         words.addWidget(self.date)
         words.addWidget(self.question)
         row.addLayout(words, 1)
+        acts = QVBoxLayout()  # below each other: beside each other they are wider than a small window
         for widget in (self.simulated, self.open, self.calibrate, self.morning):
-            row.addWidget(widget)
+            acts.addWidget(widget)
+        row.addLayout(acts)
         card.body.addLayout(row)
         return card
 
@@ -251,7 +254,7 @@ class StartPage(QWidget):
             if (widget := old.widget()) is not None:
                 widget.hide()
                 widget.deleteLater()
-        broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.resumable), []
+        broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.path.resumable), []
         self.interrupted.setVisible(bool(broken))
         self._list_interrupted(broken)
         self._enable()
@@ -284,10 +287,11 @@ class StartPage(QWidget):
         more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
         bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")
         self.interrupted.body.addWidget(label(" ".join(filter(None, (lost, bench, more))), wrap=True))
+        tip = self.tr("What is missing of it; you are asked whether the mounting stands")
         for one in broken[:LISTED]:
             again = button(
-                self.tr("Go on with  {0}").format(run_title(one)),
-                self.tr("What is missing of it; you are asked whether the mounting stands"),
+                self.tr("Go on with {0}").format(f"{one.dut_serial} · {local_time(one.started_utc):%Y-%m-%d %H:%M}"),
+                f"{run_title(one)}\n{tip}",
             )
             again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
             again.setEnabled(self._app_state.facts is not None)
@@ -303,18 +307,6 @@ class StartPage(QWidget):
             set_primary(again, first and mended)
         to = self._app_state.path.next()
         set_primary(self.calibrate, not any(mine) and not to.waits and to.page in ("Run", "Start"))
-
-
-def to_be_resumed(runs: tuple[RunLine, ...], resumable: Collection[str] = ()) -> list[RunLine]:
-    """Of `runs`, the newest first, the interrupted ones after which nobody began the same of the same DUT anew.
-
-    Of procedures that can be gone on with, `resumable`, once these are known.
-    """
-    newest = dict[tuple[str, str], RunLine]()
-    for one in runs:
-        newest.setdefault((one.procedure, one.dut_serial), one)
-    may = (one for one in newest.values() if one.procedure in resumable or not resumable)
-    return [one for one in may if one.status == "interrupted"]
 
 
 def days_since(utc: str) -> int:

@@ -444,6 +444,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>verified at {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>U: k=2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -511,6 +515,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -520,6 +536,10 @@
     </message>
     <message>
         <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct what is red at the top.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6606,6 +6626,10 @@ after this step …</source>
 <context>
     <name>NamesCard</name>
     <message>
+        <source>Named on the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Laboratory on the certificate</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6630,11 +6654,27 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Change …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State the laboratory, or the customer, anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>City</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Country, as DE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laboratory: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Customer: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6651,6 +6691,10 @@ after this step …</source>
     </message>
     <message>
         <source>Certificate of {0}, for {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6862,15 +6906,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go on with the run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mend {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6890,6 +6926,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Go on with {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit the run</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6899,6 +6939,10 @@ after this step …</source>
     </message>
     <message>
         <source>See what is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7155,6 +7199,14 @@ after this step …</source>
         <source>Choose a run</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{0} is being measured: its run can be looked at once it has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RunNotes</name>
@@ -7273,10 +7325,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The DUT is {0}, in place of {1}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7290,6 +7338,37 @@ after this step …</source>
     </message>
     <message>
         <source>Leave {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ShownBar</name>
+    <message>
+        <source>This page shows the DUT to be measured again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From here on this is the DUT to be measured: the one that is mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To be measured: {0}; the marks at the left and Next are of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which DUT is to be measured is not said yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown: {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7565,7 +7644,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ To be gone on with</source>
+        <source>▲ Unfinished run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7649,7 +7728,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go on with  {0}</source>
+        <source>Go on with {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7668,7 +7747,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Until 2027-11-21</source>
+        <source>Last day of use, or empty</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7852,6 +7931,10 @@ after this step …</source>
     </message>
     <message>
         <source>Drop one at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window has no room for larger letters: make it larger.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8490,6 +8573,30 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>zero reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k x  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k y  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset k z  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gain</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8655,10 +8762,6 @@ after this step …</source>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9158,7 +9261,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>offsets {0} nT</source>
+        <source>offset k {0} nT by {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9179,6 +9282,10 @@ after this step …</source>
     </message>
     <message>
         <source>Hands off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} s simulated</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9410,19 +9517,23 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>draft</source>
+        <source>Approve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>signed</source>
+        <source>Sign</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>released</source>
+        <source>Release</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>verified</source>
+        <source>Hand out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9439,6 +9550,18 @@ after this step …</source>
     </message>
     <message>
         <source>Next: hand it out (4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the declared mounting ({0})</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

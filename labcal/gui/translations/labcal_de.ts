@@ -440,6 +440,10 @@
         <translation>{0} ist ausgegeben.</translation>
     </message>
     <message>
+        <source>verified at {0}</source>
+        <translation>geprüft um {0}</translation>
+    </message>
+    <message>
         <source>U: k=2</source>
         <translation>U: k=2</translation>
     </message>
@@ -511,6 +515,18 @@
         <translation>Die Probe beenden; es wurde nichts begonnen</translation>
     </message>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Unvollendete Messung</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation>Probe am simulierten Labor …</translation>
     </message>
@@ -521,6 +537,10 @@
     <message>
         <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
         <translation>Was dies misst, kommt zur Messung {0}; danach wird die Ursache von selbst neu entschieden.</translation>
+    </message>
+    <message>
+        <source>Correct what is red at the top.</source>
+        <translation>Berichtigen Sie, was oben rot ist.</translation>
     </message>
     <message>
         <source>A setting is not accepted: see above.</source>
@@ -3182,7 +3202,7 @@
     </message>
     <message>
         <source>zero reading {0}</source>
-        <translation>Anzeige bei null {0}</translation>
+        <translation>Nullpunkt {0}</translation>
     </message>
     <message>
         <source>off 90° {0}</source>
@@ -6607,6 +6627,10 @@ diesem Schritt …</translation>
 <context>
     <name>NamesCard</name>
     <message>
+        <source>Named on the certificate</source>
+        <translation>Genannt auf dem Zertifikat</translation>
+    </message>
+    <message>
         <source>Laboratory on the certificate</source>
         <translation>Labor auf dem Zertifikat</translation>
     </message>
@@ -6631,12 +6655,28 @@ diesem Schritt …</translation>
         <translation>Das Labor wird für jedes Zertifikat gemerkt</translation>
     </message>
     <message>
+        <source>Change …</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>State the laboratory, or the customer, anew</source>
+        <translation>Labor oder Kunden neu angeben</translation>
+    </message>
+    <message>
         <source>City</source>
         <translation>Ort</translation>
     </message>
     <message>
         <source>Country, as DE</source>
         <translation>Land, wie DE</translation>
+    </message>
+    <message>
+        <source>Laboratory: {0}</source>
+        <translation>Labor: {0}</translation>
+    </message>
+    <message>
+        <source>Customer: {0}</source>
+        <translation>Kunde: {0}</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>
@@ -6653,6 +6693,10 @@ diesem Schritt …</translation>
     <message>
         <source>Certificate of {0}, for {1}.</source>
         <translation>Zertifikat von {0}, für {1}.</translation>
+    </message>
+    <message>
+        <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
+        <translation>✕ „{0}“ ist kein Land: zwei Buchstaben, wie DE, oder sein Name.</translation>
     </message>
 </context>
 <context>
@@ -6863,16 +6907,8 @@ diesem Schritt …</translation>
         <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
-        <source>Go on with the run</source>
-        <translation>Weiter mit der Messung</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Die anderen Verfahren versuchen</translation>
-    </message>
-    <message>
-        <source>Mend {0}</source>
-        <translation>{0} berichtigen</translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
@@ -6891,6 +6927,10 @@ diesem Schritt …</translation>
         <translation>wurde unterbrochen</translation>
     </message>
     <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
         <source>Fit the run</source>
         <translation>Messung anpassen</translation>
     </message>
@@ -6901,6 +6941,10 @@ diesem Schritt …</translation>
     <message>
         <source>See what is not known</source>
         <translation>Sehen, was offen ist</translation>
+    </message>
+    <message>
+        <source>Correct {0}</source>
+        <translation>{0} berichtigen</translation>
     </message>
     <message>
         <source>Measure {0} again</source>
@@ -7156,6 +7200,14 @@ diesem Schritt …</translation>
         <source>Choose a run</source>
         <translation>Messung wählen</translation>
     </message>
+    <message>
+        <source>{0} is being measured: its run can be looked at once it has ended.</source>
+        <translation>{0} wird gemessen: ansehen lässt sich die Messung, sobald sie zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation>Die Messung im Speicher ist noch nicht zu Ende: danach lässt sie sich ansehen.</translation>
+    </message>
 </context>
 <context>
     <name>RunNotes</name>
@@ -7274,10 +7326,6 @@ diesem Schritt …</translation>
         <translation>{0} gescannt. Ist das ab hier der Prüfling? Bisher: {1}.</translation>
     </message>
     <message>
-        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
-        <translation>Die Messung ist von {0}. Ist das ab hier der Prüfling? Getippt und noch nicht gemessen: {1}.</translation>
-    </message>
-    <message>
         <source>The DUT is {0}, in place of {1}.</source>
         <translation>Der Prüfling ist {0}, statt {1}.</translation>
     </message>
@@ -7292,6 +7340,37 @@ diesem Schritt …</translation>
     <message>
         <source>Leave {0}</source>
         <translation>{0} lassen</translation>
+    </message>
+</context>
+<context>
+    <name>ShownBar</name>
+    <message>
+        <source>This page shows the DUT to be measured again</source>
+        <translation>Diese Seite zeigt wieder den Prüfling, der zu messen ist</translation>
+    </message>
+    <message>
+        <source>From here on this is the DUT to be measured: the one that is mounted</source>
+        <translation>Ab jetzt ist dies der Prüfling, der zu messen ist: der montierte</translation>
+    </message>
+    <message>
+        <source>To be measured: {0}; the marks at the left and Next are of it.</source>
+        <translation>Zu messen: {0}; die Zeichen links und Weiter gelten ihm.</translation>
+    </message>
+    <message>
+        <source>Which DUT is to be measured is not said yet.</source>
+        <translation>Welcher Prüfling zu messen ist, ist noch nicht gesagt.</translation>
+    </message>
+    <message>
+        <source>Shown: {0}. {1}</source>
+        <translation>Gezeigt: {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation>Zurück zu {0}</translation>
+    </message>
+    <message>
+        <source>Measure {0}</source>
+        <translation>{0} messen</translation>
     </message>
 </context>
 <context>
@@ -7486,6 +7565,10 @@ diesem Schritt …</translation>
 <context>
     <name>StartPage</name>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Unvollendete Messung</translation>
+    </message>
+    <message>
         <source>Check the cage</source>
         <translation>Käfig prüfen</translation>
     </message>
@@ -7594,12 +7677,12 @@ diesem Schritt …</translation>
         <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
-        <source>▲ not measured</source>
-        <translation>▲ nicht gemessen</translation>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
     </message>
     <message>
-        <source>▲ To be gone on with</source>
-        <translation>▲ Fortzusetzen</translation>
+        <source>▲ not measured</source>
+        <translation>▲ nicht gemessen</translation>
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
@@ -7650,10 +7733,6 @@ diesem Schritt …</translation>
         <translation>Zuerst einen Messplatz öffnen.</translation>
     </message>
     <message>
-        <source>Go on with  {0}</source>
-        <translation>Weiter mit:  {0}</translation>
-    </message>
-    <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
     </message>
@@ -7661,8 +7740,8 @@ diesem Schritt …</translation>
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Until 2027-11-21</source>
-        <translation>Bis 2027-11-21</translation>
+        <source>Last day of use, or empty</source>
+        <translation>Letzter Tag, oder leer</translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
@@ -7854,6 +7933,10 @@ diesem Schritt …</translation>
     <message>
         <source>Drop one at a time.</source>
         <translation>Eine nach der anderen fallen lassen.</translation>
+    </message>
+    <message>
+        <source>The window has no room for larger letters: make it larger.</source>
+        <translation>Das Fenster hat keinen Platz für größere Buchstaben: vergrößern Sie es.</translation>
     </message>
     <message>
         <source>Go dark</source>
@@ -8519,10 +8602,6 @@ diesem Schritt …</translation>
         <translation>sofort</translation>
     </message>
     <message>
-        <source>offset</source>
-        <translation>Nullpunkt</translation>
-    </message>
-    <message>
         <source>scale</source>
         <translation>Skalenfaktor</translation>
     </message>
@@ -8725,6 +8804,30 @@ diesem Schritt …</translation>
     <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>zero reading</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>offset k</source>
+        <translation>Offset k</translation>
+    </message>
+    <message>
+        <source>offset k x  nT</source>
+        <translation>Offset k x  nT</translation>
+    </message>
+    <message>
+        <source>offset k y  nT</source>
+        <translation>Offset k y  nT</translation>
+    </message>
+    <message>
+        <source>offset k z  nT</source>
+        <translation>Offset k z  nT</translation>
+    </message>
+    <message>
+        <source>closed loop</source>
+        <translation>geschlossener Kreis</translation>
     </message>
     <message>
         <source>broken off</source>
@@ -9159,8 +9262,8 @@ diesem Schritt …</translation>
         <translation>{0} → {1} nT, Rauschen allein {2} nT</translation>
     </message>
     <message>
-        <source>offsets {0} nT</source>
-        <translation>Nullpunkte {0} nT</translation>
+        <source>offset k {0} nT by {1}</source>
+        <translation>Offset k {0} nT nach {1}</translation>
     </message>
     <message>
         <source>A run goes on: the coils may be on. Hands off.</source>
@@ -9181,6 +9284,10 @@ diesem Schritt …</translation>
     <message>
         <source>Hands off</source>
         <translation>Hände weg</translation>
+    </message>
+    <message>
+        <source>{0} s simulated</source>
+        <translation>{0} s simuliert</translation>
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
@@ -9411,20 +9518,24 @@ diesem Schritt …</translation>
         <translation>{0} von {1} im Speicher</translation>
     </message>
     <message>
-        <source>draft</source>
-        <translation>Entwurf</translation>
+        <source>Approve</source>
+        <translation>Genehmigen</translation>
     </message>
     <message>
-        <source>signed</source>
-        <translation>signiert</translation>
+        <source>Sign</source>
+        <translation>Signieren</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>freigegeben</translation>
+        <source>Release</source>
+        <translation>Freigeben</translation>
     </message>
     <message>
-        <source>verified</source>
-        <translation>geprüft</translation>
+        <source>Hand out</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Next: a key (1)</source>
@@ -9441,6 +9552,18 @@ diesem Schritt …</translation>
     <message>
         <source>Next: hand it out (4)</source>
         <translation>Weiter: ausgeben (4)</translation>
+    </message>
+    <message>
+        <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
+        <translation>Nach der Methode {0}. Nullpunkt: was der Sensor ohne Feld anzeigt; der Offset k von b = K m − k steht unter Abbildung.</translation>
+    </message>
+    <message>
+        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation>U einer Komponente des Feldes ist bis zu {0} nT (k = 2), davon {1} % durch: {2} (docs/certificate.md)</translation>
+    </message>
+    <message>
+        <source>the declared mounting ({0})</source>
+        <translation>die angegebene Montage ({0})</translation>
     </message>
 </context>
 <context>

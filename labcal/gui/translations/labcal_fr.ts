@@ -440,6 +440,10 @@
         <translation>{0} est remis.</translation>
     </message>
     <message>
+        <source>verified at {0}</source>
+        <translation>vérifié à {0}</translation>
+    </message>
+    <message>
         <source>U: k=2</source>
         <translation>U : k=2</translation>
     </message>
@@ -511,6 +515,18 @@
         <translation>Arrêter la répétition ; rien n&apos;a commencé</translation>
     </message>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Mesure inachevée</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
+    </message>
+    <message>
         <source>Rehearsing on the simulated lab …</source>
         <translation>Répétition sur le laboratoire simulé …</translation>
     </message>
@@ -521,6 +537,10 @@
     <message>
         <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
         <translation>Ce que cela mesure s&apos;ajoute à la mesure {0} ; puis la cause est de nouveau décidée, d&apos;elle-même.</translation>
+    </message>
+    <message>
+        <source>Correct what is red at the top.</source>
+        <translation>Corrigez ce qui est rouge en haut.</translation>
     </message>
     <message>
         <source>A setting is not accepted: see above.</source>
@@ -6607,6 +6627,10 @@ cette étape …</translation>
 <context>
     <name>NamesCard</name>
     <message>
+        <source>Named on the certificate</source>
+        <translation>Nommés sur le certificat</translation>
+    </message>
+    <message>
         <source>Laboratory on the certificate</source>
         <translation>Laboratoire sur le certificat</translation>
     </message>
@@ -6631,12 +6655,28 @@ cette étape …</translation>
         <translation>Le laboratoire est retenu pour chaque certificat</translation>
     </message>
     <message>
+        <source>Change …</source>
+        <translation>Modifier …</translation>
+    </message>
+    <message>
+        <source>State the laboratory, or the customer, anew</source>
+        <translation>Indiquer de nouveau le laboratoire ou le client</translation>
+    </message>
+    <message>
         <source>City</source>
         <translation>Ville</translation>
     </message>
     <message>
         <source>Country, as DE</source>
         <translation>Pays, comme DE</translation>
+    </message>
+    <message>
+        <source>Laboratory: {0}</source>
+        <translation>Laboratoire : {0}</translation>
+    </message>
+    <message>
+        <source>Customer: {0}</source>
+        <translation>Client : {0}</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>
@@ -6653,6 +6693,10 @@ cette étape …</translation>
     <message>
         <source>Certificate of {0}, for {1}.</source>
         <translation>Certificat de {0}, pour {1}.</translation>
+    </message>
+    <message>
+        <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
+        <translation>✕ « {0} » n’est pas un pays : deux lettres, comme DE, ou son nom.</translation>
     </message>
 </context>
 <context>
@@ -6863,16 +6907,8 @@ cette étape …</translation>
         <translation>Dire qui travaille</translation>
     </message>
     <message>
-        <source>Go on with the run</source>
-        <translation>Continuer la mesure</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Essayer les autres méthodes</translation>
-    </message>
-    <message>
-        <source>Mend {0}</source>
-        <translation>Corriger {0}</translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
@@ -6891,6 +6927,10 @@ cette étape …</translation>
         <translation>a été interrompue</translation>
     </message>
     <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
+    </message>
+    <message>
         <source>Fit the run</source>
         <translation>Ajuster la mesure</translation>
     </message>
@@ -6901,6 +6941,10 @@ cette étape …</translation>
     <message>
         <source>See what is not known</source>
         <translation>Voir ce qui reste inconnu</translation>
+    </message>
+    <message>
+        <source>Correct {0}</source>
+        <translation>Corriger {0}</translation>
     </message>
     <message>
         <source>Measure {0} again</source>
@@ -7156,6 +7200,14 @@ cette étape …</translation>
         <source>Choose a run</source>
         <translation>Choisir une mesure</translation>
     </message>
+    <message>
+        <source>{0} is being measured: its run can be looked at once it has ended.</source>
+        <translation>{0} est en cours de mesure : la mesure pourra être regardée une fois finie.</translation>
+    </message>
+    <message>
+        <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation>La mesure conservée n’est pas encore finie : elle pourra être regardée ensuite.</translation>
+    </message>
 </context>
 <context>
     <name>RunNotes</name>
@@ -7274,10 +7326,6 @@ cette étape …</translation>
         <translation>{0} lu. Est-ce désormais le DUT ? Jusqu&apos;ici : {1}.</translation>
     </message>
     <message>
-        <source>The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.</source>
-        <translation>La mesure est de {0}. Est-ce désormais l’appareil ? Tapé, et pas encore mesuré : {1}.</translation>
-    </message>
-    <message>
         <source>The DUT is {0}, in place of {1}.</source>
         <translation>Le DUT est {0}, au lieu de {1}.</translation>
     </message>
@@ -7292,6 +7340,37 @@ cette étape …</translation>
     <message>
         <source>Leave {0}</source>
         <translation>Laisser {0}</translation>
+    </message>
+</context>
+<context>
+    <name>ShownBar</name>
+    <message>
+        <source>This page shows the DUT to be measured again</source>
+        <translation>Cette page montre de nouveau le DUT à mesurer</translation>
+    </message>
+    <message>
+        <source>From here on this is the DUT to be measured: the one that is mounted</source>
+        <translation>Dès maintenant c’est le DUT à mesurer : celui qui est monté</translation>
+    </message>
+    <message>
+        <source>To be measured: {0}; the marks at the left and Next are of it.</source>
+        <translation>À mesurer : {0} ; les marques à gauche et Suite concernent celui-ci.</translation>
+    </message>
+    <message>
+        <source>Which DUT is to be measured is not said yet.</source>
+        <translation>Le DUT à mesurer n’est pas encore indiqué.</translation>
+    </message>
+    <message>
+        <source>Shown: {0}. {1}</source>
+        <translation>Affiché : {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Back to {0}</source>
+        <translation>Retour à {0}</translation>
+    </message>
+    <message>
+        <source>Measure {0}</source>
+        <translation>Mesurer {0}</translation>
     </message>
 </context>
 <context>
@@ -7486,6 +7565,10 @@ cette étape …</translation>
 <context>
     <name>StartPage</name>
     <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Mesure inachevée</translation>
+    </message>
+    <message>
         <source>Check the cage</source>
         <translation>Vérifier la cage</translation>
     </message>
@@ -7594,12 +7677,12 @@ cette étape …</translation>
         <translation>Le fichier du banc indique une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
-        <source>▲ not measured</source>
-        <translation>▲ non mesurée</translation>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
     </message>
     <message>
-        <source>▲ To be gone on with</source>
-        <translation>▲ À continuer</translation>
+        <source>▲ not measured</source>
+        <translation>▲ non mesurée</translation>
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
@@ -7650,10 +7733,6 @@ cette étape …</translation>
         <translation>Ouvrez d&apos;abord un banc.</translation>
     </message>
     <message>
-        <source>Go on with  {0}</source>
-        <translation>Continuer  {0}</translation>
-    </message>
-    <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
     </message>
@@ -7661,8 +7740,8 @@ cette étape …</translation>
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Until 2027-11-21</source>
-        <translation>Jusqu&apos;au 2027-11-21</translation>
+        <source>Last day of use, or empty</source>
+        <translation>Dernier jour, ou vide</translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
@@ -7854,6 +7933,10 @@ cette étape …</translation>
     <message>
         <source>Drop one at a time.</source>
         <translation>En déposer un à la fois.</translation>
+    </message>
+    <message>
+        <source>The window has no room for larger letters: make it larger.</source>
+        <translation>La fenêtre n’a pas de place pour des lettres plus grandes : agrandissez-la.</translation>
     </message>
     <message>
         <source>Go dark</source>
@@ -8519,10 +8602,6 @@ cette étape …</translation>
         <translation>immédiat</translation>
     </message>
     <message>
-        <source>offset</source>
-        <translation>décalage</translation>
-    </message>
-    <message>
         <source>scale</source>
         <translation>échelle</translation>
     </message>
@@ -8725,6 +8804,30 @@ cette étape …</translation>
     <message>
         <source>calibration</source>
         <translation>étalonnage</translation>
+    </message>
+    <message>
+        <source>zero reading</source>
+        <translation>lecture à zéro</translation>
+    </message>
+    <message>
+        <source>offset k</source>
+        <translation>décalage k</translation>
+    </message>
+    <message>
+        <source>offset k x  nT</source>
+        <translation>décalage k x  nT</translation>
+    </message>
+    <message>
+        <source>offset k y  nT</source>
+        <translation>décalage k y  nT</translation>
+    </message>
+    <message>
+        <source>offset k z  nT</source>
+        <translation>décalage k z  nT</translation>
+    </message>
+    <message>
+        <source>closed loop</source>
+        <translation>boucle fermée</translation>
     </message>
     <message>
         <source>broken off</source>
@@ -9159,8 +9262,8 @@ cette étape …</translation>
         <translation>{0} → {1} nT, bruit seul {2} nT</translation>
     </message>
     <message>
-        <source>offsets {0} nT</source>
-        <translation>décalages {0} nT</translation>
+        <source>offset k {0} nT by {1}</source>
+        <translation>décalage k {0} nT par {1}</translation>
     </message>
     <message>
         <source>A run goes on: the coils may be on. Hands off.</source>
@@ -9181,6 +9284,10 @@ cette étape …</translation>
     <message>
         <source>Hands off</source>
         <translation>Mains loin</translation>
+    </message>
+    <message>
+        <source>{0} s simulated</source>
+        <translation>{0} s simulées</translation>
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
@@ -9411,20 +9518,24 @@ cette étape …</translation>
         <translation>{0} sur {1} dans le dépôt</translation>
     </message>
     <message>
-        <source>draft</source>
-        <translation>projet</translation>
+        <source>Approve</source>
+        <translation>Approuver</translation>
     </message>
     <message>
-        <source>signed</source>
-        <translation>signé</translation>
+        <source>Sign</source>
+        <translation>Signer</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>délivré</translation>
+        <source>Release</source>
+        <translation>Délivrer</translation>
     </message>
     <message>
-        <source>verified</source>
-        <translation>vérifié</translation>
+        <source>Hand out</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Vérifier</translation>
     </message>
     <message>
         <source>Next: a key (1)</source>
@@ -9441,6 +9552,18 @@ cette étape …</translation>
     <message>
         <source>Next: hand it out (4)</source>
         <translation>Suite : remettre (4)</translation>
+    </message>
+    <message>
+        <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
+        <translation>Par la méthode {0}. Lecture à zéro : ce que le capteur indique sans champ ; le décalage k de b = K m − k est sous Transformation.</translation>
+    </message>
+    <message>
+        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation>U d’une composante du champ va jusqu’à {0} nT (k = 2), dont {1} % par : {2} (docs/certificate.md)</translation>
+    </message>
+    <message>
+        <source>the declared mounting ({0})</source>
+        <translation>le montage déclaré ({0})</translation>
     </message>
 </context>
 <context>

@@ -215,7 +215,8 @@ def of_this_bench(advice: str) -> str:
 def in_words(sentence: str) -> str:
     """`sentence` in the window's language, where it, or one of several in it, has one of these forms; else as it is."""
     if figure := FIGURE.fullmatch(sentence):
-        return f"{QCoreApplication.translate('Words', figure[1])} {figure[2]}"
+        words = figure[1].replace("offset", "zero reading")  # as in the budget: k, which is no reading, is the offset
+        return f"{QCoreApplication.translate('Words', words)} {figure[2]}"
     if found := form_of(sentence):
         return _filled_in(*found)
     for between in BREAKS:

@@ -20,7 +20,7 @@ from labcal.files.atomic import absolute
 from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.lab_messages import InstrumentRead
-from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure
+from labcal.gui.ipc.messages import Command, GoesOn, ListCalibrations, ReadBench, RunProcedure
 from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import BenchFile, in_words
@@ -41,6 +41,7 @@ from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.run_order import run_order
 from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
@@ -78,14 +79,14 @@ class AppState(QObject):
         looks = self.watch_worker = Client(self)
         self.watch = LabWatch(looks, self.lab, self._may_be_read, self._to_be_read, self._take_read)
         views = self.study_vm, self.path, self.scan_vm
-        self.one_dut = OneDut(self.settings, self.lab, self.run, views, lambda dut: self.set_identity(dut=dut))
+        self.one_dut = OneDut(self.settings, self.lab, self.run, views)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
+        self.study_vm.drafted.connect(lambda _: self.request(ListCalibrations(), self.path.take_calibrations))
         self.facts: Bench | None = None
         self.named_serials = NamedSerials(self.lab, self.run, lambda: self.facts)
         self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
         self.bench = ""
-        self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
         self._said_of_dut, self._said_no_more = SaidOfDut(self.lab), SaidNoMore(self.lab, self.run)
         self.put_away_said = self._said_of_dut.put_away
@@ -138,11 +139,10 @@ class AppState(QObject):
         self.bench_changed.emit()
 
     def propose_dut(self) -> None:
-        """Until somebody says which: the DUT of the run that is to be gone on with, else the one of the bench file."""
+        """Once, until somebody says which: the DUT of the run to be gone on with, else the one of the bench file."""
         if self.facts is None:
             return
-        state, of_run = self.lab.state, self.path.broken_off(self.facts.simulated)
-        serial = state.dut_serial if self.one_dut.stated else of_run or self.facts.dut.serial
+        serial = self.one_dut.propose(self.path.broken_off(self.facts.simulated) or self.facts.dut.serial)
         self.lab.update(dut_serial=serial, dut_objection=self.serial_objection(serial))
 
     def come_back(self, worker: int) -> None:
@@ -162,7 +162,7 @@ class AppState(QObject):
         self._taken = None
         self.off.forget()
         self.left.forget()
-        self.kept = KnownLab()
+        self.kept, self.one_dut.proposed = KnownLab(), False
         self.named_serials.forget()
 
     def take_identified(self, said: Identified) -> None:
@@ -204,12 +204,14 @@ class AppState(QObject):
         return wanted
 
     def open_study(self, run: str) -> None:
-        """Show `run` on the Fit page, with its DUT at the top."""
+        """Show `run` on the Fit page; the DUT at the top stays."""
         self.page_requested.emit("Fit")
         self.one_dut.open(run)
 
     def go(self, to: Next) -> None:
         """Open the page of what is next, with its run, and begin it; Calibrate shows the preflight."""
+        if (broken := to.resumes) is not None:
+            return self.resume(broken.run_id, broken.procedure, broken.dut_serial)
         if to.run:
             self.study_vm.open(to.run)
             self.study_vm.fit("ml") if to.page == "Fit" else self.study_vm.close_loop()
@@ -219,7 +221,7 @@ class AppState(QObject):
             self.path.close(to.closes)
             self.set_identity(dut="")
             self.lab.update(message="")
-        self.page_requested.emit(to.page)
+        return self.page_requested.emit(to.page)
 
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
@@ -276,7 +278,7 @@ class AppState(QObject):
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
         """Run a procedure for the DUT and the operator above."""
-        study = self.study_vm
+        study, self.one_dut.stated = self.study_vm, True
         after = study.run if procedure == study.wanted else ""
         self.run.start(replace(self._order(procedure, given), after=after))
 
@@ -291,11 +293,7 @@ class AppState(QObject):
         return self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:
-        state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))
-        seed = self.settings.value("seed")
-        return RunProcedure(
-            procedure, self.bench, given, state.dut_serial, state.operator, pace, int(str(seed)) if seed else None
-        )
+        return run_order(procedure, given, self.bench, self.lab.state, self.settings)
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""

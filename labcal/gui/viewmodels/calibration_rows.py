@@ -5,11 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure
 from labcal.gui.translations.sentences import in_words, name_in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.largest_of_U import largest_of_U
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.viewmodels.study import cause_name
 
+SHORT = QT_TRANSLATE_NOOP(
+    "Words",
+    "By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.",
+)
+CLOSED = "closed-loop"  # as a calibration file has it
 PARAMETERS = ("parameter", "value", "± U", "unit")
 
 
@@ -28,12 +37,23 @@ def short_rows(one: CalibrationFile) -> list[list[Cell]]:
     return [_figure(figure) for figure in one.figures] or map_rows(one)
 
 
+def method_words(one: CalibrationFile) -> str:
+    """The method that made it, as people say it; "" where the file does not say."""
+    return translated("closed loop") if one.method == CLOSED else one.method
+
+
+def short_remark(one: CalibrationFile) -> str:
+    """What makes most of U, by which method the figures in short are, and what they are not."""
+    said = translated(str(SHORT)).format(method_words(one)) if one.method and one.figures else ""
+    return "\n".join(filter(None, (largest_of_U(one), said)))
+
+
 def map_rows(one: CalibrationFile) -> list[list[Cell]]:
     """A row for each parameter of the map, k then K row by row."""
     u: tuple[float | None, ...] = one.u or (None,) * 12
     gain = f"nT/{one.dut.unit}"
     rows = [
-        _parameter(f"k {axis} {in_words(one.k_means)}".rstrip(), value, u[9 + n], "nT")
+        _parameter(f"{translated('offset k')} {axis} {in_words(one.k_means)}".rstrip(), value, u[9 + n], "nT")
         for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
     ]
     K = zip((f"K {a}{b}" for a in "xyz" for b in "xyz"), (v for row in one.K for v in row), u, strict=False)

@@ -21,6 +21,14 @@ class HandedOut:
         """This file, with the signatures that it has."""
         self._keep("handed_out", _name(one))
 
+    def take_folder(self, folder: str) -> None:
+        """Where something was handed out last."""
+        self._settings.setValue("handed_out_to", folder)
+
+    def folder(self) -> str:
+        """Where that was; "" where nothing was yet."""
+        return str(self._settings.value("handed_out_to", "") or "")
+
     def holds(self, one: CalibrationFile) -> bool:
         """Whether it was handed out with all its signatures."""
         return _name(one) in self._kept("handed_out")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.calibration_rows import method_words
 from labcal.gui.viewmodels.loop_words import verdict_word
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import PathViewModel
@@ -12,7 +13,7 @@ from labcal.gui.viewmodels.study import cause_name
 
 KEPT = QT_TRANSLATE_NOOP("Words", "Kept of this run: {0}")
 LEFT = QT_TRANSLATE_NOOP("Words", "{0} → {1} nT, noise alone {2} nT")
-OFFSETS = QT_TRANSLATE_NOOP("Words", "offsets {0} nT")
+OFFSETS = QT_TRANSLATE_NOOP("Words", "offset k {0} nT by {1}")
 
 
 def kept_words(path: PathViewModel, run_id: str) -> str:
@@ -27,7 +28,7 @@ def kept_words(path: PathViewModel, run_id: str) -> str:
     if file is not None:
         parts += [cause_name(effect.effect, effect.channels) for effect in file.effects]
         offsets = " ".join(format_number(value) for value in file.k_nT)
-        parts.append(translated(str(OFFSETS)).format(offsets))
+        parts.append(translated(str(OFFSETS)).format(offsets, method_words(file) or "–"))
         parts.append(path.stands(run_id))
     kept = " · ".join(filter(None, parts))
     return translated(str(KEPT)).format(kept) if kept else ""

@@ -1,11 +1,10 @@
-"""One DUT on the screen: whose run is opened stands at the top, and a run of another DUT is let go of. No widgets."""
+"""The DUT to be measured, and whose run is shown: looking at a run changes nothing of what is measured. No widgets."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from PySide6.QtCore import QObject, QSettings, Signal
 
-from PySide6.QtCore import QObject, QSettings
-
+from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.path import WHOLE, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
@@ -13,10 +12,17 @@ from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 
 KEPT = "dut"  # in the window's settings: for a window that is started again after a crash
+STUDIES = ("Fit", "Loop")  # pages that show the run under study
 
 
 class OneDut(QObject):
-    """`stated`: a person, or their run, has said which DUT it is; `state` says it in their place."""
+    """The serial at the top is the DUT to be measured: a person says it, a scan, or the run that goes on.
+
+    `stated`: one of them has; until then it is proposed, once for each bench. Whose the run under study is, or the
+    calibration on the Certificate page, may be another one: `shown` tells. Marks and Next are of the DUT at the top.
+    """
+
+    changed = Signal()  # what is shown
 
     def __init__(
         self,
@@ -24,59 +30,88 @@ class OneDut(QObject):
         lab: LabViewModel,
         run: RunViewModel,
         views: tuple[StudyViewModel, PathViewModel, ScanViewModel],
-        state: Callable[[str], object],
     ) -> None:
         super().__init__()
-        self._settings, self._lab, self._run, self._state = settings, lab, run, state
+        self._settings, self._lab, self._run = settings, lab, run
         self._study, self._path, self._scan = views
-        self.stated = False
-        self._opened = ""  # by a person, and not known yet whose it is
-        self._study.changed.connect(self._take_its_dut)
-        self._scan.changed.connect(self.settle)
+        self.stated, self.proposed = False, False
+        self.calibration: CalibrationFile | None = None  # the one on the Certificate page
+        self._looked_from = ""  # what stood at the top when the run under study was opened
+        self._study.changed.connect(self.changed)
+        self._path.changed.connect(self.changed)
+        self._scan.changed.connect(self._scanned)
         lab.changed.connect(self._keep)
 
+    def propose(self, serial: str) -> str:
+        """`serial`, until the store was read or somebody said another; what is learned later switches nothing."""
+        settled, self.proposed = self.stated or self.proposed, self.proposed or self._path.listed
+        return self._lab.state.dut_serial if settled else serial
+
     def open(self, run: str) -> None:
-        """Study `run`, with its DUT at the top."""
-        self._opened = run
+        """Study `run`, whosever it is."""
+        self._looked_from = self._lab.state.dut_serial
         self._study.open(run)
-        self._take_its_dut()
+        self.changed.emit()
 
     def take_up(self) -> None:
         """Where nothing is under study, as after a restart: the last run of the DUT at the top, if it may be fitted."""
         last = self._path.last()
         if last is not None and last.status in WHOLE and not (self._study.run or self._run.alive or self._scan.asks):
-            self._study.open(last.run_id)
+            self.open(last.run_id)
 
     def studied(self) -> str:
         """The DUT of the run under study; "" where there is none, or it is not known yet."""
         listed = (one.dut_serial for one in self._path.runs if one.run_id == self._study.run)
         return next(listed, "" if self._study.look is None else self._study.look.dut)
 
-    def settle(self) -> None:
-        """Once it is said which DUT it is: what is shown of another one is let go of."""
-        studied = self.studied()
-        if studied and studied != self._lab.state.dut_serial and not (self._run.alive or self._scan.asks):
-            self._study.cancel()
-            self._study.forget("")
-            self._study.changed.emit()
-
-    def _take_its_dut(self) -> None:
-        if self._opened and self._opened == self._study.run and (serial := self.studied()):
-            self._opened = ""
-            self.take(serial)
-
-    def take(self, serial: str) -> None:
-        """What is of this DUT is looked at. A serial that was typed and is of no run is not written over unasked."""
+    def looked_at(self) -> str:
+        """The DUT that is looked at: that of the run that was opened since the top was said, else the one there."""
         here = self._lab.state.dut_serial
-        if serial == here or self._run.alive:
+        return (self.studied() if here == self._looked_from else "") or here
+
+    def shown(self, page: str) -> tuple[str, str]:
+        """The serial and the run of what `page` shows, where that is not of the DUT at the top; else ("", "")."""
+        serial, run = (self.studied(), self._study.run) if page in STUDIES else ("", "")
+        if page == "Certificate" and self.calibration is not None:
+            serial, run = self.calibration.dut.serial, self.calibration.run_id
+        return (serial, run) if serial and serial != self._lab.state.dut_serial else ("", "")
+
+    def take_calibration(self, one: CalibrationFile | None) -> None:
+        """The Certificate page shows this one."""
+        if one != self.calibration:
+            self.calibration = one
+            self.changed.emit()
+
+    def back(self) -> None:
+        """What is of the DUT at the top is shown again."""
+        self.calibration = None
+        if self.studied() not in ("", self._lab.state.dut_serial):
+            self._let_go()
+        self.take_up()
+        self.changed.emit()
+
+    def settle(self) -> None:
+        """Once it is said which DUT it is: what was opened while another stood at the top is let go of."""
+        studied, here = self.studied(), self._lab.state.dut_serial
+        if here == self._looked_from or self._run.alive or self._scan.asks:
             return
-        if here and self.stated and here not in {one.dut_serial for one in self._path.runs}:
-            self._scan.ask(serial, of_run=True)
-        else:
-            self._state(serial)
+        self._looked_from = here
+        if studied and studied != here:
+            self._let_go()
+
+    def _let_go(self) -> None:
+        self._study.cancel()
+        self._study.forget("")
+        self._study.changed.emit()
+
+    def _scanned(self) -> None:
+        self.stated = self.stated or self._scan.taken
+        self._keep(self._lab.state)
+        self.settle()
 
     def _keep(self, state: LabState) -> None:
         """Where a crash does not take it: the serial that was said last."""
         if self.stated and state.dut_serial != self._settings.value(KEPT, ""):
             self._settings.setValue(KEPT, state.dut_serial)
             self._settings.sync()
+        self.changed.emit()

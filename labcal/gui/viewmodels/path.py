@@ -14,6 +14,7 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import WATCHED_S, mark_of
 from labcal.gui.viewmodels.may_answer import may_answer, wanted
 from labcal.gui.viewmodels.procedure_groups import GROUPS
+from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word, handed_out_as, handed_out_word
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -33,6 +34,7 @@ class Next:
 
     `waits`: it works. `ready`: whoever sees the page has its Begin before them. `closes`: the run that is done with.
     `presses`: on that page Next does what its one button does. `off`: Next is COILS OFF, whatever page is open.
+    `resumes`: the run that Next goes on with at once.
     """
 
     page: str
@@ -43,6 +45,7 @@ class Next:
     closes: str = ""
     presses: bool = False
     off: bool = False
+    resumes: RunLine | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +65,8 @@ class PathViewModel(QObject):
         super().__init__()
         self._lab, self._run, self._study, self.handed_out = lab, run, study, handed_out
         self.runs: tuple[RunLine, ...] = ()
+        self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with, once these are known
+        self.listed = False  # whether the store has been read
         self.files: tuple[CalibrationFile, ...] = ()
         self.refused = ""  # of the form on the Run page, where it is that of the preflight
         self.begins = ""  # the procedure that Begin there begins, whichever it is
@@ -70,7 +75,7 @@ class PathViewModel(QObject):
 
     def take_runs(self, runs: tuple[RunLine, ...]) -> None:
         """The runs of the store, the newest first."""
-        self.runs = runs
+        self.runs, self.listed = runs, True
         self.changed.emit()
 
     def take_calibrations(self, files: tuple[CalibrationFile, ...]) -> None:
@@ -122,6 +127,16 @@ class PathViewModel(QObject):
         newest = next((one for one in self.runs if one.simulated == simulated), None)
         return newest.dut_serial if newest is not None and newest.status == "interrupted" else ""
 
+    def unfinished(self) -> RunLine | None:
+        """The newest run of this DUT that is to be gone on with, if no other one has taken its place."""
+        mine = (one for one in self.runs if one.dut_serial == self._lab.state.dut_serial)
+        return next(iter(to_be_resumed(tuple(mine), self.resumable)), None)
+
+    def take_resumable(self, procedures: frozenset[str]) -> None:
+        """These can be gone on with."""
+        self.resumable = procedures
+        self.changed.emit()
+
     def last(self) -> RunLine | None:
         """The newest run of this DUT that was to calibrate it, unless it is done with."""
         serial = self._lab.state.dut_serial
@@ -169,8 +184,8 @@ class PathViewModel(QObject):
             return Next("Start", self.tr("Say which DUT"))
         if not state.operator or state.operator_objection:
             return Next("Start", self.tr("Say who works here"))
-        if last is not None and last.status == "interrupted":
-            return Next("Start", self.tr("Go on with the run"), presses=True)
+        if (broken := self.unfinished()) is not None and broken == last:
+            return Next("Run", self.tr("Go on with {0}").format(state.dut_serial), resumes=broken)
         if last is None or marks["Run"] != "done":
             return self._to_calibrate(state.dut_serial)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
@@ -197,7 +212,7 @@ class PathViewModel(QObject):
     def _to_calibrate(self, serial: str, *, again: bool = False) -> Next:
         """By a preflight, `again` where its run gave no fit: where a setting of it is refused, that comes first."""
         if self.refused:
-            return Next("Run", self.tr("Mend {0}").format(self.refused))
+            return Next("Run", self.tr("Correct {0}").format(self.refused))
         words = self.tr("Measure {0} again") if again else self.tr("Calibrate {0}")
         return Next("Run", words.format(serial), ready=bool(self.begins))
 

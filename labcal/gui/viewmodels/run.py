@@ -211,6 +211,7 @@ class RunViewModel(QObject):
     def wall_s(self, lab_s: float | None) -> float | None:
         """How long that takes by the clock on the wall; None where that cannot be said."""
         speed = SPEEDS.get(self.order.pace, 0.0) if self.virtual_time and self.order else 1.0
+        speed = self.time.pace.learnt(speed) if self.virtual_time and speed else speed
         return lab_s / speed if lab_s is not None and speed and self.state == "running" else None
 
     def _of_it_left(self, seconds: float) -> float | None:
@@ -284,7 +285,7 @@ class RunViewModel(QObject):
     def _one(self, item: Item) -> None:
         if isinstance(item, Block):
             return self._samples(item)
-        self.time.seen_s = max(self.time.seen_s, item.t_s)
+        self.time.see(item.t_s)
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
@@ -353,7 +354,7 @@ class RunViewModel(QObject):
     def _samples(self, block: Block) -> None:
         if len(block) == 0:
             return
-        self.time.seen_s = max(self.time.seen_s, float(block.t_s[-1]))
+        self.time.see(float(block.t_s[-1]))
         if block.stream != "channel":
             self._sends_more.add(block.source)
         if block.stream != "channel" or block.source not in self._sends_more:

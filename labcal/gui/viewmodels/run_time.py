@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import time
+
+from labcal.gui.viewmodels.pace import Pace
 from labcal.record.stream import Step
 
 
@@ -10,10 +13,17 @@ class RunTime:
 
     def __init__(self) -> None:
         self.seen_s = 0.0
+        self.pace = Pace()
         self._step: Step | None = None
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
         self.failed = False  # this step: until it is tried again nothing counts down
+
+    def see(self, t_s: float) -> None:
+        """Something came with this stamp."""
+        self.seen_s = max(self.seen_s, t_s)
+        if self._waits_since_s is None:
+            self.pace.see(self.seen_s, time.monotonic())
 
     def begin(self, step: Step) -> None:
         """Another step, or the same anew."""
@@ -34,6 +44,7 @@ class RunTime:
 
     def waits(self, since_s: float) -> None:
         """For a person, from now on."""
+        self.pace.waits()
         if self._waits_since_s is None:
             self._waits_since_s = since_s
 

@@ -1,4 +1,4 @@
-"""A serial that was scanned, or is an opened run's: held up as a question, and to be undone. No widgets."""
+"""A serial that was scanned: held up as a question, and to be undone. No widgets."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from labcal.gui.viewmodels.lab import LabState, LabViewModel
 
 
 class ScanViewModel(QObject):
-    """`serial` came while `before` was the DUT; `taken` says that it is the DUT now, `of_run` that a run was opened."""
+    """`serial` came while `before` was the DUT; `taken` says that it is the DUT now."""
 
     changed = Signal()
 
     def __init__(self, lab: LabViewModel) -> None:
         super().__init__()
         self._lab = lab
-        self.serial, self.before, self.taken, self.of_run = "", "", False, False
+        self.serial, self.before, self.taken = "", "", False
         lab.changed.connect(self._other_dut)
 
     @property
@@ -23,9 +23,8 @@ class ScanViewModel(QObject):
         """Whether the question is open."""
         return bool(self.serial) and not self.taken
 
-    def ask(self, serial: str, *, of_run: bool = False) -> None:
+    def ask(self, serial: str) -> None:
         """Hold `serial` up as a question: whether it is the DUT from here on."""
-        self.of_run = of_run
         self._hold(serial, self._lab.state.dut_serial, taken=False)
 
     def take(self) -> None:

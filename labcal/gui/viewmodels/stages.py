@@ -1,4 +1,4 @@
-"""From draft to verified: where a calibration file is on its way, on one line."""
+"""From the approval to the file that was verified: where a calibration is on its way, on one line."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import NO_LONGER, WORDS
 
 STAGES = (
-    QT_TRANSLATE_NOOP("Words", "draft"),
-    QT_TRANSLATE_NOOP("Words", "signed"),
-    QT_TRANSLATE_NOOP("Words", "released"),
-    QT_TRANSLATE_NOOP("Words", "handed out"),
-    QT_TRANSLATE_NOOP("Words", "verified"),
+    QT_TRANSLATE_NOOP("Words", "Approve"),  # the words of the steps below, and of the button that verifies
+    QT_TRANSLATE_NOOP("Words", "Sign"),
+    QT_TRANSLATE_NOOP("Words", "Release"),
+    QT_TRANSLATE_NOOP("Words", "Hand out"),
+    QT_TRANSLATE_NOOP("Words", "Verify"),
 )
 SIGNED, RELEASED = 1, 2
 TO_BE_DONE = (
@@ -29,10 +29,13 @@ def stages(one: CalibrationFile, *, handed_out: bool, verified: bool) -> str:
     standing = one.standing
     signed = bool(standing.signatures)
     if signed and (not standing.valid or standing.status in NO_LONGER):
-        return f"✓ {translated(str(STAGES[0]))}  →  {_stands(standing, 'invalid')}"
-    reached = (True, signed, signed and not standing.provisional, handed_out, verified)
-    first = next((n for n, there in enumerate(reached) if not there and not (signed and n == RELEASED)), -1)
+        return f"✓ {translated(str(STAGES[SIGNED]))}  →  {_stands(standing, 'invalid')}"
+    released = signed and not standing.provisional
+    reached = (bool(one.approvers) or released, signed, released, handed_out, verified)
+    first = next((n for n, there in enumerate(reached) if not there and not (signed and n <= RELEASED)), -1)
     words = [f"{_shape(there, n == first)} {translated(str(STAGES[n]))}" for n, there in enumerate(reached)]
+    if signed and not reached[0]:
+        words[0] = f"– {translated(str(STAGES[0]))}"  # nobody can be added any more
     if signed and standing.provisional:
         words[RELEASED] = _stands(standing, "provisional")  # it may leave as that
     return "  →  ".join(words)

@@ -13,6 +13,7 @@ from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.hands import READY
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, left_words, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.record.endings import STOPPED, ended_word
 
@@ -23,6 +24,7 @@ WORDS = {
     "paused": QT_TRANSLATE_NOOP("Words", "Paused"),
 }
 HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
+SIMULATED_S = QT_TRANSLATE_NOOP("Words", "{0} s simulated")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands out")
@@ -137,5 +139,8 @@ def _doing(run: RunViewModel, now: LabNow) -> str:
         return doing
     left = None if run.time.failed else run.step_left_s()
     asks = (needed := run.needed_s()) is not None and needed < 1.0
-    wait = f"{left:.0f} s" if left and left >= 1.0 and not asks else ""  # nothing is promised of a person, nor too late
+    seconds = translated(str(SIMULATED_S)) if faster_than_life(run.order, run.virtual_time) else "{0} s"
+    wait = (
+        seconds.format(f"{left:.0f}") if left and left >= 1.0 and not asks else ""
+    )  # nothing is promised of a person, nor too late
     return " · ".join(part for part in (translated(str(HANDS_OFF)), wait, doing) if part)

@@ -13,7 +13,7 @@ from typing import TypeGuard
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMainWindow, QWidget
 
 FASTEST_TYPIST_S = 1 / 40  # between two characters; a scanner takes 20 ms at most
 SHORTEST = 4  # characters of a scan
@@ -67,8 +67,8 @@ class Scanner(QObject):
         return True
 
     def _of_another(self, window: QWidget) -> bool:
-        """Whether these keys go to another main window; those of a dialog are ours."""
-        return isinstance(window, QMainWindow) and window is not self.parent()
+        """Whether these keys go to another main window, or name a file; those of any other dialog are ours."""
+        return isinstance(window, QFileDialog) or (isinstance(window, QMainWindow) and window is not self.parent())
 
     def _counts(self, event: QKeyEvent) -> bool:
         command = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)

@@ -12,7 +12,15 @@ from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.calibration_rows import PARAMETERS, Cell, budget_rows, cause_rows, map_rows, short_rows
+from labcal.gui.viewmodels.calibration_rows import (
+    PARAMETERS,
+    Cell,
+    budget_rows,
+    cause_rows,
+    map_rows,
+    short_remark,
+    short_rows,
+)
 from labcal.gui.viewmodels.conformity import (
     CHANGES,
     SPECIFICATION,
@@ -106,7 +114,8 @@ class CalibrationViews(QWidget):
             self._show_rows(SPECIFICATION, specification_rows(one.specification), remark)
         else:
             makes = {MAP: map_rows, CAUSES: cause_rows}.get(at, short_rows)
-            self._show_rows(PARAMETERS, budget_rows(one.budget) if at == BUDGET else makes(one))
+            remark = short_remark(one) if makes is short_rows and at != BUDGET else ""
+            self._show_rows(PARAMETERS, budget_rows(one.budget) if at == BUDGET else makes(one), remark)
 
     def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], remark: str = "") -> None:
         self._table.set_headings(headings)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
@@ -32,11 +34,21 @@ class Drop(QWidget):
             self.tr("Choose a calibration .json with its .sshsig beside it, or drop it on the window"),
         )
         self.choose.clicked.connect(self._choose)
+        self._folder = ""  # where something was handed out last
         row.addWidget(beside, 1)
         row.addStretch()
         row.addWidget(self.choose)
         column.addLayout(row)
         column.addWidget(self.words)
+
+    def open_at(self, folder: str) -> None:
+        """Choose from this folder: something was handed out there last."""
+        self._folder = folder
+
+    def put_away(self) -> None:
+        """What was said of a file is past."""
+        self.words.clear()
+        self.words.hide()
 
     def say(self, words: str, state: str) -> None:
         """How a file stands."""
@@ -45,9 +57,9 @@ class Drop(QWidget):
         set_state(self.words, state)
 
     def _choose(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(
-            self, self.tr("Verify a calibration"), str(home() / "calibrations"), "*.json"
-        )
+        there = Path(self._folder) if self._folder else None
+        start = there if there is not None and there.is_dir() else home() / "calibrations"
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("Verify a calibration"), str(start), "*.json")
         if path:
             self.dropped.emit(path)
 

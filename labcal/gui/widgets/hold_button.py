@@ -11,7 +11,7 @@ import time
 
 from PySide6.QtCore import QEvent, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 HOLD_MS = 700
 LET_GO_MS = 150  # a key that comes down again sooner was not let go
@@ -25,7 +25,10 @@ def handle_key(watched: QWidget, event: QKeyEvent) -> bool:
     if event.key() not in KEYS or event.type() not in (QEvent.Type.KeyPress, QEvent.Type.KeyRelease):
         return False
     anew = _pressed_anew(event)
-    return any(button.handle_key(event, anew=anew) for button in watched.window().findChildren(HoldButton))
+    window = watched.window()
+    if any(over.isVisible() for over in window.findChildren(QDialog)):  # a question that is covered is not answered
+        return False
+    return any(button.handle_key(event, anew=anew) for button in window.findChildren(HoldButton))
 
 
 def _pressed_anew(event: QKeyEvent) -> bool:

@@ -39,6 +39,7 @@ class KeySheet(QDialog):
         column.setSpacing(2 * GRID)
         grid.setHorizontalSpacing(3 * GRID)
         grid.setVerticalSpacing(GRID)
+        column.addWidget(label(self.tr("Keys"), "large"))  # not every desktop gives a sheet a title
         for row, (key, words) in enumerate(keys):
             grid.addWidget(label(key), row, 0, Qt.AlignmentFlag.AlignTop)
             grid.addWidget(label(words, wrap=True), row, 1)

@@ -143,12 +143,13 @@ class Measurements(Table):
         super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
         self.right_heading(1, 2, 4)
         self.setWordWrap(True)  # names differ at their ends
+        self.horizontalHeader().moveSection(5, 1)  # the verdict is seen in a narrow window too
         self.horizontalHeader().sectionResized.connect(self._fit_rows)
         self._theme = theme
         self._shown: tuple[Theme, list[Measurement]] | None = None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where there is no room for all columns, names keep some of it and the verdict is scrolled to."""
+        """Where there is no room for all columns, names keep some of it and the limit is scrolled to."""
         super().resizeEvent(event)
         header, mode = self.horizontalHeader(), QHeaderView.ResizeMode
         others = sum(header.sectionSize(column) for column in range(1, self.columnCount()))

@@ -1,17 +1,18 @@
-"""Who is named on a certificate: laboratory and customer, asked for before it is signed where nobody has said it."""
+"""Who is named on a certificate: laboratory and customer; to be stated and changed until it is signed."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLineEdit
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLineEdit
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets.common import Card, button
+from labcal.gui.viewmodels.countries import country_code
+from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 
 SHARES = (4, 2, 2)  # of the width: name, city, country
@@ -19,17 +20,17 @@ Fields = tuple[QLineEdit, ...]
 
 
 class NamesCard(Card):
-    """A row of fields for each of the two who is not stated; away where both are, and after the first signature.
+    """A row of fields for each of the two who is not stated, or is to be changed; away after the first signature.
 
     `heard`: called when it is known, or known anew, who is named.
     """
 
     def __init__(self, app_state: AppState, fault: FaultCard, heard: Callable[[], object]) -> None:
-        super().__init__()
+        super().__init__(self.tr("Named on the certificate"))
         self._app_state, self._fault, self._heard = app_state, fault, heard
         self._one: CalibrationFile | None = None
         self.named: Named | None = None  # before it is known
-        self._wanted = False  # by the step that is to be done now, or by a signature that waits
+        self._changes = False  # who is stated already
         self._grid = QGridLayout()
         self._grid.setSpacing(GRID)
         self.laboratory = self._row(
@@ -42,10 +43,19 @@ class NamesCard(Card):
         )
         self.keep = button(self.tr("Keep"), self.tr("The laboratory is remembered for every certificate"))
         self.keep.clicked.connect(self._keep)
+        self.stated, self.wrong = label("", wrap=True), label("", wrap=True)
+        set_state(self.wrong, "bad")
+        self.change = button(self.tr("Change …"), self.tr("State the laboratory, or the customer, anew"))
+        self.change.clicked.connect(self._change)
+        row = QHBoxLayout()
+        row.addWidget(self.stated, 1)
+        row.addWidget(self.change)
+        self.body.addLayout(row)
         for column, share in enumerate(SHARES):
             self._grid.setColumnStretch(column, share)
         self._grid.addWidget(self.keep, 0, len(SHARES), 2, 1, Qt.AlignmentFlag.AlignBottom)
         self.body.addLayout(self._grid)
+        self.body.addWidget(self.wrong)
         for field in (*self.laboratory, *self.customer):
             field.textChanged.connect(self._check)
         self._check()
@@ -66,7 +76,7 @@ class NamesCard(Card):
         """Ask who is named on this file, unless that is known."""
         before, self._one = self._one, one
         if before is None or one is None or before.path != one.path:
-            self.named = None
+            self.named, self._changes = None, False
             for field in (*self.laboratory, *self.customer):
                 field.clear()
         if one is not None and self.named is None:
@@ -76,7 +86,9 @@ class NamesCard(Card):
     def _ask(self, asked: WhoIsNamed | StateNames) -> None:
         def known(said: Named) -> None:
             if self._one is not None and self._one.path == asked.path:
-                self.named = said
+                self.named, self._changes = said, False
+                for field in (*self.laboratory, *self.customer):
+                    field.clear()
                 self._show()
                 self._heard()
 
@@ -84,24 +96,24 @@ class NamesCard(Card):
 
     def _show(self) -> None:
         one, said = self._one, self.named
-        asks = one is not None and not one.standing.signatures and bool(self.lacks())
-        self.setVisible(asks and self._wanted)
+        self.setVisible(one is not None and not one.standing.signatures and said is not None)
         if said is None:
             return
-        for fields, stated in ((self.laboratory, said.laboratory), (self.customer, said.customer)):
+        stated = self.tr("Laboratory: {0}").format(said.laboratory), self.tr("Customer: {0}").format(said.customer)
+        self.stated.setText(
+            "   ".join(words for words, who in zip(stated, (said.laboratory, said.customer), strict=True) if who)
+        )
+        for fields, who in ((self.laboratory, said.laboratory), (self.customer, said.customer)):
             for field in fields:
-                field.setVisible(not stated)
+                field.setVisible(not who or self._changes)
+        self.keep.setVisible(bool(self.lacks()) or self._changes)
+        self.change.setVisible(bool(self.stated.text()) and not self._changes)
 
-    def want(self, wanted: bool) -> None:
-        """Ask, or not yet: one thing after the other."""
-        if wanted != self._wanted:
-            self._wanted = wanted
-            self._show()
-
-    def lacks_at_a_signature(self) -> str:
-        """As `lacks`; the fields are there then."""
-        self.want(True)
-        return self.lacks()
+    def _change(self) -> None:
+        """Both may be stated anew."""
+        self._changes = True
+        self._show()
+        self.laboratory[0].setFocus(Qt.FocusReason.OtherFocusReason)
 
     def lacks(self) -> str:
         """Whom the certificate will not name, as a sentence; "" where both are stated, or it is not known yet."""
@@ -123,6 +135,10 @@ class NamesCard(Card):
     def _check(self) -> None:
         begun = [row for row in (self.laboratory, self.customer) if any(field.text().strip() for field in row)]
         self.keep.setEnabled(bool(begun) and all(_typed(row) is not None for row in begun))
+        typed = [row[-1].text().strip() for row in begun]
+        wrong = next((country for country in typed if len(country) > 1 and not country_code(country)), "")
+        self.wrong.setText(self.tr("✕ “{0}” is no country: two letters, as DE, or its name.").format(wrong))
+        self.wrong.setVisible(bool(wrong))
 
     def _keep(self) -> None:
         if self._one is not None:
@@ -134,5 +150,5 @@ class NamesCard(Card):
 def _typed(fields: Fields) -> Party | None:
     """Whom the fields name; None where they are empty, or not whole."""
     name, city, country = (field.text().strip() for field in fields)
-    whole = name and city and len(country) == len("DE") and country.isascii() and country.isalpha()
-    return Party(name, city, country.upper()) if whole else None
+    code = country_code(country)
+    return Party(name, city, code) if name and city and code else None

@@ -131,7 +131,7 @@ class PromptCard(Card):
         self._buttons = Flow(left=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addWidget(Rolled(words), WORDED)
+        row.addWidget(Rolled(words, self.hands), WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -249,7 +249,8 @@ class PromptCard(Card):
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._first = first_thing(now)
-        self._said_once = mark == "good" and coil_words.startswith(state.BY_WORD)
+        whole = words.endswith(in_words(coil_words)) or (mark == "good" and coil_words.startswith(state.BY_WORD))
+        self._said_once = whole and bool(coil_words)  # the same words need not follow
         self._show_hands()
 
     def say_kept_out(self, words: str, mark: str, *, waits: bool) -> None:

@@ -8,14 +8,15 @@ from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from labcal.gui.theming.theme import GRID
 
-LEAST_PX = 16 * GRID
+LEAST_PX, MOST_PX = 16 * GRID, 24 * GRID  # of them that are in sight without a bar; with more of it buttons would move
 
 
 class Rolled(QScrollArea):
-    """Shows `layout`, as high as its wrapped texts are at this width, and never cut."""
+    """Shows `layout`, as high as its wrapped texts are at this width, never cut; down to `first` without a bar."""
 
-    def __init__(self, layout: QLayout) -> None:
+    def __init__(self, layout: QLayout, first: QWidget | None = None) -> None:
         super().__init__()
+        self._first = first
         self._holder = QWidget()
         self._holder.setLayout(layout)
         layout.setContentsMargins(0, 0, GRID, 0)  # no word touches the bar
@@ -45,3 +46,19 @@ class Rolled(QScrollArea):
         if layout is not None:
             high = layout.totalMinimumHeightForWidth(self.viewport().width())
             self._holder.setMinimumHeight(max(0, high))  # of a width of nothing Qt says -1
+            if self._first is not None and self.minimumHeight() != (least := self._least(layout, self._first)):
+                self.setMinimumHeight(least)
+
+    def _least(self, layout: QLayout, first: QWidget) -> int:
+        """What stands above the end of the gravest words, at this width."""
+        high = 0
+        for n in range(layout.count()):
+            item = layout.itemAt(n)
+            widget = None if item is None else item.widget()
+            if widget is None or widget.isHidden():
+                continue
+            own = widget.heightForWidth(layout.geometry().width()) if widget.hasHeightForWidth() else 0
+            high += max(own, widget.minimumSizeHint().height(), widget.minimumHeight()) + layout.spacing()
+            if widget is first:
+                return min(MOST_PX, max(LEAST_PX, high))
+        return LEAST_PX

@@ -60,6 +60,15 @@ class RunChooser(QComboBox):
         """Ask for the list again."""
         self._app_state.request(ListRuns(), self._known)
 
+    def why_none(self) -> str:
+        """Why nothing can be looked at: what is recorded has not ended, or nothing is; "" where something can."""
+        run, runs = self._app_state.run, self._app_state.path.runs
+        if run.alive and run.order is not None:
+            return self.tr("{0} is being measured: its run can be looked at once it has ended.").format(run.order.dut)
+        if self.none and runs:
+            return self.tr("The run in the store has not ended yet: it can be looked at then.")
+        return translated(NO_RUNS) if self.none else ""
+
     def show_run(self, run: str) -> None:
         """Show `run` as the one that is chosen."""
         self._wanted = run

@@ -53,13 +53,11 @@ class ScanCard(Card):
         scan = self._scan
         before = scan.before or self.tr("none")
         asks = self.tr("Scanned {0}. Is it the DUT from here on? Until now: {1}.")
-        if scan.of_run:
-            asks = self.tr("The run is of {0}. Is it the DUT from here on? Typed, and not measured yet: {1}.")
         done = self.tr("The DUT is {0}, in place of {1}.")
         self.words.setText((done if scan.taken else asks).format(scan.serial, before))
         self.take.setText(self.tr("Take {0}").format(scan.serial))
         self.leave.setText(self.tr("Close") if scan.taken else self.tr("Leave {0}").format(before))
         self.take.setVisible(not scan.taken)
         self.undo.setVisible(scan.taken)
-        self.typed.setVisible(scan.asks and self._field is not None and not scan.of_run)
+        self.typed.setVisible(scan.asks and self._field is not None)
         self.setVisible(bool(scan.serial))

@@ -6,14 +6,12 @@ from datetime import datetime
 
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, alarm_of
 from labcal.gui.viewmodels.number_format import clock_time, format_duration, needed_title
+from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.widgets.common import label
-from labcal.record.endings import ended_word
 
 THOUSANDTHS = 1000
 UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
@@ -55,11 +53,10 @@ class TimeLeft(QWidget):
         if run.step is None:
             return ""
         if left_s is None:
-            stopped = run.fault is not None and run.fault.kind == "stopped"  # the verdict beside it says so
-            return translated(ended_word(run.status, stopped=stopped))
+            return ""  # it has ended: the verdict says how
         marks, total, left = [mark for _, mark in run.steps()], run.step.total, format_duration(left_s)
         at = min(marks.index("now") if "now" in marks else run.steps_done(), total - 1) + 1  # that which is marked
-        if not run.virtual_time or run.order is None or SPEEDS.get(run.order.pace) == 1.0:
+        if not faster_than_life(run.order, run.virtual_time):
             return self.tr("step {0} of {1} · {2} left").format(at, total, left)
         return self.tr("step {0} of {1} · {2} of simulated time left").format(at, total, left)
 

@@ -24,7 +24,7 @@ DAY_S = 86_400.0  # a trend shows at least a day on either side
 LEAST_PX = 160  # of the plot: what is said above it takes nothing of that
 GAIN = "gain"  # the diagonal of K, which shows a drift where the axes' scale factors lie far apart
 KINDS = {  # of figures, by the words of the chooser
-    "offset": "offset",
+    "zero reading": "offset",
     "scale": "scale",
     "non-orthogonality": "non_orthogonality",
     GAIN: "",

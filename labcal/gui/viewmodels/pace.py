@@ -1,0 +1,38 @@
+"""How fast the bench's time passes: as stated at first, then as it is seen to, on a computer that is busy. No Qt."""
+
+from __future__ import annotations
+
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.simulated_clock import SPEEDS
+
+LEARNT_S = 5.0  # on the wall, before what is seen counts
+MEMORY_S = 60.0  # and of so long
+
+
+class Pace:
+    """Seconds of the bench for each one on the wall, of the last minute in which nobody was waited for."""
+
+    def __init__(self) -> None:
+        self._last: tuple[float, float] | None = None
+        self._lab_s = self._wall_s = 0.0
+
+    def see(self, lab_s: float, wall_s: float) -> None:
+        """It is `lab_s` on the bench, and `wall_s` on the wall."""
+        last, self._last = self._last, (lab_s, wall_s)
+        if last is not None and wall_s >= last[1]:
+            keeps = max(0.0, 1.0 - (wall_s - last[1]) / MEMORY_S)
+            self._lab_s = keeps * self._lab_s + lab_s - last[0]
+            self._wall_s = keeps * self._wall_s + wall_s - last[1]
+
+    def waits(self) -> None:
+        """A person is waited for: that says nothing of the pace."""
+        self._last = None
+
+    def learnt(self, stated: float) -> float:
+        """What is seen, once there is enough of it; until then what is `stated`."""
+        return self._lab_s / self._wall_s if self._wall_s >= LEARNT_S and self._lab_s > 0 else stated
+
+
+def faster_than_life(order: RunProcedure | None, virtual_time: bool) -> bool:
+    """Whether a second of the bench is none on the wall."""
+    return virtual_time and order is not None and SPEEDS.get(order.pace) != 1.0

@@ -1,0 +1,58 @@
+"""In a window of 984 × 660 nothing lies beside the page: no page is wider than its place."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from test_a_question_keeps_its_places import asking
+from test_nothing_is_cut import WORST, begun, settle
+from test_path import RUN
+from test_sixth_walk import STANDS
+
+from labcal.gui.ipc.messages import ListRuns
+from labcal.gui.widgets.rolled import Rolled
+
+SMALL = (984, 660)
+
+
+@pytest.mark.parametrize("page", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])
+def test_no_page_is_wider_than_a_small_window(new_window, qtbot, page):
+    new_window.resize(*SMALL)
+    new_window.app_state.set_identity(dut="MAG-0043", operator="J. Doe")
+    new_window.open_page(page)
+    new_window.page(page)
+    broken = replace(RUN, dut_serial="MAG-0043", status="interrupted", simulated=True)
+    new_window.app_state.quick_worker.answer(ListRuns, (broken,))
+    qtbot.wait(50)
+    QApplication.processEvents()
+    assert (new_window.width(), new_window.height()) == SMALL
+    bar = new_window.lazy_pages[page].area.horizontalScrollBar()
+    assert bar.maximum() == 0
+
+
+def test_whether_hands_may_go_in_is_seen_whole_at_a_question_after_an_interruption(new_window):
+    """An inner bar cut "✓ Hands may go in: … the reference has no"."""
+    card = asking(new_window, STANDS, SMALL)
+    said = "✓ Hands may go in: coils at zero, each was read back, platform stands; the reference has no say in that"
+    card.hands.setText(said)
+    card.hands.show()
+    settle(new_window)
+    rolled = card.findChild(Rolled)
+    assert card.hands.mapTo(rolled, card.hands.rect().bottomLeft()).y() < rolled.viewport().height()
+
+
+def test_the_verdict_of_a_measurement_is_seen(new_window):
+    new_window.resize(*SMALL)
+    begun(new_window, WORST)
+    new_window.open_page("Run")
+    settle(new_window)
+    table = new_window.page("Run").live.table
+    assert table.columnViewportPosition(5) + table.columnWidth(5) <= table.viewport().width()
+    assert new_window.lazy_pages["Run"].area.horizontalScrollBar().maximum() == 0
+
+
+def test_where_there_is_no_room_for_larger_letters_that_is_said(new_window):
+    new_window.resize(*SMALL)
+    new_window.toggle_wall()
+    assert new_window.message.text() == "The window has no room for larger letters: make it larger."
+    new_window.toggle_wall()
