@@ -60,6 +60,7 @@ NO_CLAIM = {
     "Going to zero; the window closes after that …": ORDER,
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
     "Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.": ORDER,
+    "COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.": ORDER,
     "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller": ORDER,
     "Stop the platform (COILS OFF)": ORDER,
     "The platform turned on: COILS OFF is given anew, and stops it …": REFUSED,

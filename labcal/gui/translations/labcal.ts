@@ -679,6 +679,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
         <translation type="unfinished"></translation>
     </message>

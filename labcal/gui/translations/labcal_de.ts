@@ -679,6 +679,10 @@
         <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Hände heraus, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
+        <source>COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.</source>
+        <translation>SPULEN AUS erreicht ihn nicht: am Controller anhalten. Hände heraus, bis Sie ihn stehen sehen.</translation>
+    </message>
+    <message>
         <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
         <translation>Der Tisch drehte weiter: SPULEN AUS wird noch einmal gegeben, und hält ihn an …</translation>
     </message>

@@ -679,6 +679,10 @@
         <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
+        <source>COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.</source>
+        <translation>BOBINES À ZÉRO ne l’atteint pas : arrêtez-la à son contrôleur. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
+    </message>
+    <message>
         <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
         <translation>La plate-forme tournait encore : BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
     </message>

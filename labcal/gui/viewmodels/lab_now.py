@@ -82,6 +82,8 @@ class LabNow:
     field_old_s: int | None = None
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
+    coils_lost: bool = False  # a supply gives no answer now, whatever it said before
+    platform_lost: bool = False
     left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
     driven_elsewhere: bool = False  # that run goes on in another process
 
@@ -127,6 +129,7 @@ def lab_now(
     known = any(coil.current_A is not None for coil in lab.coils)
     at_zero = all(coil.zero for coil in lab.coils)
     seen_nT, seen_s = _field_seen(lab)
+    lost = {roles.get(one.name, "") for one in lab.instruments if one.fault}
     return LabNow(
         coil_A=tuple(coil.current_A for coil in lab.coils),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
@@ -143,6 +146,8 @@ def lab_now(
         field_old_s=old_s(seen_s, now_s),
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
+        coils_lost=any(role.startswith("coil-") for role in lost),
+        platform_lost="platform" in lost,
     )
 
 
@@ -238,9 +243,21 @@ def left_words(now: LabNow) -> str:
 
 
 def hands_of(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age."""
+    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age.
+
+    Who gives no answer when it is looked at lets nobody in by what it said before.
+    """
     if left := left_words(now):
         return left, "warning"
+    said, mark = _hands_by_age(now)
+    if mark == "good" and now.coils_lost:
+        return translated("▲ Hands out: the coils are not being read"), "warning"
+    if mark == "good" and now.platform_lost:
+        return translated("▲ Hands out: the platform is not being read"), "warning"
+    return said, mark
+
+
+def _hands_by_age(now: LabNow) -> tuple[str, str]:
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
@@ -253,7 +270,7 @@ def hands_of(now: LabNow) -> tuple[str, str]:
 
 def as_watched(now: LabNow) -> LabNow:
     """What was read at rest up to `WATCHED_S` ago is read on and stands: the same without its age."""
-    if not 0 <= max(now.coil_old_s or 0, now.platform_old_s or 0) <= WATCHED_S:
+    if now.coils_lost or now.platform_lost or not 0 <= max(now.coil_old_s or 0, now.platform_old_s or 0) <= WATCHED_S:
         return now
     if now.coil_words.startswith(state.WAS_ZERO):
         now = replace(now, coil_words=state.AT_ZERO, coils_at_zero=True)
