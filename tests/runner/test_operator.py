@@ -176,9 +176,7 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
     ("at", "asked"),
     [
         ("x+20uT-nominal", "mounting-stands"),
-        pytest.param(
-            "closure-x", "mount-y", marks=pytest.mark.slow
-        ),  # x is up, and nothing is left to be measured about it
+        pytest.param("closure-x", "mounting-stands", marks=pytest.mark.slow),  # x is up, and is closed first
         ("mount-y", "mount-y"),  # hands were at it
         pytest.param("y+20uT-nominal", "mounting-stands", marks=pytest.mark.slow),
         ("closing", "mount-x"),
