@@ -168,7 +168,7 @@ def _runs_of_archive(stated: CheckStandardConfig, given: str) -> list[tuple[RunS
     """The runs of the archive that count, each with its bundle, kept in labcal's folder."""
     names = [field.name for field in fields(RunSummary)]
     there = runs_from_archive(given, home() / KEPT, stated.serial)
-    found = [(RunSummary(*(row[name] for name in names)), place) for row, place in there]
+    found = [(RunSummary(**{name: row[name] for name in names if name in row}), place) for row, place in there]
     if len({run.simulated for run, _ in found}) > 1:
         raise InputError(f"of {stated.serial} the archive has simulated and real runs: they make no chart together")
     return [(run, place) for run, place in found if run.procedure in (stated.procedure, "")]
