@@ -146,7 +146,7 @@ def test_a_plan_that_cannot_be_is_not_begun_until_its_reason_is_away(still):
     assert choose.plan.text().startswith("✕ coil x")
     assert not choose.start.isEnabled()
     assert choose.objection.text() == "It cannot be begun as it is set: the plan says why."
-    assert still.app_state.path.next().words == "Mend the plan"
+    assert still.app_state.path.next().words == "Correct the plan"
     choose.form.set_text("magnitudes_nT", "20000")
     assert choose.start.isEnabled()
     choose.form.set_text("magnitudes_nT", "")
