@@ -7751,7 +7751,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last day of use, or empty</source>
+        <source>Last day, or empty</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7744,7 +7744,7 @@ diesem Schritt …</translation>
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Last day of use, or empty</source>
+        <source>Last day, or empty</source>
         <translation>Letzter Tag, oder leer</translation>
     </message>
     <message>

@@ -7744,7 +7744,7 @@ cette étape …</translation>
 <context>
     <name>StatedFields</name>
     <message>
-        <source>Last day of use, or empty</source>
+        <source>Last day, or empty</source>
         <translation>Dernier jour, ou vide</translation>
     </message>
     <message>

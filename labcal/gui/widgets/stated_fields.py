@@ -19,7 +19,7 @@ class StatedFields(QObject):
         super().__init__()
         self._draft = ""
         self.until = QLineEdit()
-        self.until.setPlaceholderText(self.tr("Last day of use, or empty"))
+        self.until.setPlaceholderText(self.tr("Last day, or empty"))
         self.until.setToolTip(self.tr("The last day on which it is good, as 2027-11-21; empty: no date is stated"))
         self.until.setAccessibleName(self.tr("Good until"))
         tip = self.tr("The calibration of the same serial that this one takes the place of")
