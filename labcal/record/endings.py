@@ -7,6 +7,7 @@ say what can be done with it, and one that somebody stopped in the window is `in
 from __future__ import annotations
 
 STOPPED, BROKEN_OFF = "stopped", "broken off"
+STOPPED_BY = "stopped_by"  # in the data of the last read-back: that a person ended the run
 BY_OPERATOR = "stopped by the operator"
 NO_END = ("interrupted", "failed")  # states, or what begins them
 BY_A_PERSON = (f": {BY_OPERATOR}", ": aborted by the operator")

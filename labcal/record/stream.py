@@ -145,7 +145,6 @@ BY, PROCEDURE = "by", "procedure"  # in the data of a note: that no person wrote
 RESUMED = "resumed"  # an Event of this kind: an interrupted run is gone on with
 SLOW_DISK = "slow-disk"  # an Event of this kind is told and not kept: rows wait in memory for a busy disk
 NOT_KEPT = "not-kept"  # an Event of this kind: the store does not take what is recorded, or not yet
-STOPPED_BY = "stopped_by"  # in the data of the last read-back: that a person ended the run
 FAULT = "fault"  # an Event of this kind: an instrument failed, in a step or so that the run ended
 REMARK = "remark"  # an Event of this kind: what whoever uses the run has to hear of its bench
 

@@ -7,7 +7,7 @@ from queue import Empty, SimpleQueue
 from threading import Event
 
 from labcal.errors import Stopped
-from labcal.record.stream import STOPPED_BY
+from labcal.record.endings import STOPPED_BY
 
 
 class Aborted(Stopped):

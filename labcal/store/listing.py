@@ -10,9 +10,8 @@ from typing import Any
 
 from labcal.errors import InputError
 from labcal.files.home import home
-from labcal.record.endings import STOPPED, ended_word
+from labcal.record.endings import STOPPED, STOPPED_BY, ended_word
 from labcal.record.run_id import as_file_name
-from labcal.record.stream import STOPPED_BY
 from labcal.store.database import Connection, connect, named_faults
 from labcal.store.liveness import is_alive
 from labcal.store.schema import IS_CORRECTION
