@@ -164,6 +164,7 @@ def test_only_the_session_sets_currents_and_anybody_says_zero(ear: Ear) -> None:
         (second,) = ear.asked({"order": "hello", "with": {"who": "session 8", "bench": BENCH}})
         assert second["error"]["what"] == "session 7 drives this bench."
         ear.asked({"order": "zero"}, {"order": "zero", "with": {"why": "a person"}})
+        until(lambda: ear.coils.given_back == 2)  # after the answer
         told(caller, {"order": "zero", "with": {"why": "the session"}})
     assert ear.coils.given_back == 2  # after zero, and not under the session's hands
     assert ear.coils.heard == [
