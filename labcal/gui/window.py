@@ -100,7 +100,7 @@ class Window(Frame):
         app_state.login.changed.connect(self._show_login)
         self.lock_switch.clicked.connect(app_state.login.lock)
         self._show_login()
-        self.coils_off.connect(app_state.coils_off)
+        self.coils_off.connect(app_state.off.order)
         self.side.read_all.clicked.connect(app_state.watch.read_all)
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))

@@ -174,7 +174,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench,
     bench.check_all()
     zero = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic()) for axis in "xyz")
     said = SwitchedOff(zero, "it sees 20567 1260 12860 nT, 20366 1132 -43695 nT expected")
-    still.app_state.coils_off()
+    still.app_state.off.order()
     still.app_state.off_worker.answer(SwitchOff, said)
     assert (still.fault.isVisible(), still.next.text()) == (True, "Next: See to the coils")
     assert len(still.app_state.off_worker.commands(Identify)) == 2  # by itself: the doubt is older than this zero
@@ -191,7 +191,7 @@ def test_a_supply_that_was_read_back_after_coils_off_has_not_failed_any_more(sti
     heard = (Heard(names["coil-z"], None, "the link was lost"), Heard(names["dut"], None, "silent"))
     still.app_state.take_lab(LabState(unread(), instruments=heard))
     assert still.next.text() == f"Next: See to {names['coil-z']}"
-    still.app_state.coils_off()
+    still.app_state.off.order()
     zero = tuple(CoilEnd(axis, 0.0, "zero, open", True, time.monotonic()) for axis in "xyz")
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(zero, ""))
     lights = {name: light for name, light, _ in still.app_state.lab.state.now.lights}

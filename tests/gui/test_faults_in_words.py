@@ -117,7 +117,7 @@ def test_a_lost_supply_is_one_card_and_that_the_coils_may_be_on_comes_first(stil
     fail(still, Fault("instrument", "supply_x: the link was lost.", "Plug it in."))
     card = still.page("Run").live.fault
     assert card.isVisible()
-    still.app_state.coils_off()
+    still.app_state.off.order()
     still.app_state.off_worker.asked[-1].failed(Fault("instrument", "x: supply_x: the link was lost."))
     assert (still.fault.heading.text(), still.fault.isVisible()) == ("✕ HANDS OFF: the coils may be on", True)
     assert card.isHidden()

@@ -51,7 +51,7 @@ def test_contacts_are_not_said_to_answer_because_their_supplies_do(real):
     def light():
         return next(one for one in real.app_state.lab.state.now.lights if one[0] == "reversers")
 
-    real.app_state.coils_off()
+    real.app_state.off.order()
     real.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros()))
     assert light()[1] == "absent"
     (asked,) = real.app_state.watch_worker.commands(ReadLab)

@@ -130,7 +130,7 @@ def test_nothing_is_promised_while_somebody_is_lost(running):
 
 def test_one_supply_that_is_lost_is_named_alone_while_the_others_are_on_their_way_to_zero(running, later):
     says(running, (0.35, 0.02, None))
-    running.app_state.coils_off()
+    running.app_state.off.order()
     assert running.app_state.by_hand() == ("supply_z",)
     later(ANSWERS_S + 1.0)
     assert running.fault.by_hand.text() == "Switch off by hand: supply_z"
@@ -155,7 +155,7 @@ def test_but_what_a_run_that_broke_off_read_may_be_on_since(running, later):
 
 
 def test_a_doubt_that_names_its_supply_sends_nobody_to_the_others(still):
-    still.app_state.coils_off()
+    still.app_state.off.order()
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros(), "it sees 20 000 nT, 0 nT expected", ADVICE))
     assert still.fault.by_hand.text() == "Switch off by hand: supply_z"
 
@@ -163,7 +163,7 @@ def test_a_doubt_that_names_its_supply_sends_nobody_to_the_others(still):
 def test_a_run_that_has_its_coils_at_zero_is_left_to_stop_the_platform_and_to_ask_the_reference(running):
     worker = running.app_state.bench_worker
     says(running, (0.0, 0.0, 1.0), platform=stands(moving=True))
-    running.app_state.coils_off()
+    running.app_state.off.order()
     running.app_state.force_timer.timeout.emit()
     assert worker.killed == 1  # it did not get there
     worker.killed = 0
@@ -236,7 +236,7 @@ def test_the_ambient_field_of_before_a_mounting_or_of_long_ago_judges_nothing(st
 
 
 def test_a_doubt_that_is_older_than_the_zero_of_the_supplies_has_the_reference_look_once_more(real):
-    real.app_state.coils_off()
+    real.app_state.off.order()
     ends = (*zeros()[:2], CoilEnd("z", None, "lost", False))
     real.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends, "it sees 20 000 nT, 0 nT expected", ADVICE))
     assert not real.app_state.off_worker.commands(Identify)
@@ -270,7 +270,7 @@ def test_a_red_card_after_coils_off_says_how_the_platform_is(still, platform, sa
     if platform is not None and platform.read_s is not None:  # those above were made when this file was read
         platform = replace(platform, read_s=time.monotonic() - (12.0 if platform.moving else 0.0))
     still.app_state.take_lab(lab((0.0, 0.0, None), platform=platform))
-    still.app_state.coils_off()
+    still.app_state.off.order()
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "lost", False))))
     card = still.fault
     assert (card.turning if large else card.platform).text().startswith(said)
@@ -279,7 +279,7 @@ def test_a_red_card_after_coils_off_says_how_the_platform_is(still, platform, sa
 
 def test_so_does_the_card_of_a_run_that_coils_off_has_ended(running):
     says(running, platform=stands())
-    running.app_state.coils_off()
+    running.app_state.off.order()
     running.app_state.bench_worker.asked[-1].failed(Fault("ended", "The work was ended by this window."))
     assert running.page("Run").live.fault.platform.text().startswith("✓ platform stands at 40°")
 

@@ -87,7 +87,10 @@ def test_the_result_is_that_of_the_card_at_the_end_of_the_run_and_is_sorted_and_
     runs = tuple(replace(RUN, run_id=f"s{n}", status=status) for n, status in enumerate(ends))
     worker.answer(ListRuns, runs)
     at = HEADINGS.index("result")
-    shown = lambda: [page.table.text(row, at) for row in range(page.table.rowCount())]  # noqa: E731
+
+    def shown():
+        return [page.table.text(row, at) for row in range(page.table.rowCount())]
+
     assert shown()[0] == "finished"  # before it is read
     results = RunResult("s0", "PASS", ()), RunResult("s1", "FAIL", ()), RunResult("s2", "PASS", ("closure z",))
     worker.answer(TellResults, results)

@@ -152,7 +152,7 @@ def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_l
         assert read(still).names == SUPPLIES
         assert still.side.hands.text().startswith("✓ Hands may go in")
     app_state.watch.look()
-    app_state.coils_off()
+    app_state.off.order()
     assert app_state.watch_worker.killed == 1
     app_state.watch_worker.asked = []
     app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "zero", True, time.monotonic())
@@ -167,7 +167,7 @@ def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_l
 def test_the_headline_after_coils_off_stays_while_the_supplies_of_a_simulated_lab_are_watched(still, later):
     app_state, live = still.app_state, still.page("Run").live
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
-    app_state.coils_off()
+    app_state.off.order()
     now = time.monotonic()
     coils = tuple(CoilReading(axis, 0.0, 0.0, True, True, now) for axis in "xyz")
     app_state.bench_worker.states.emit(

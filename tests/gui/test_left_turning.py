@@ -87,7 +87,7 @@ def test_f12_comes_first_where_the_line_answers():
 
 def test_coils_off_says_what_became_of_the_platform(failed):
     app_state = failed.app_state
-    app_state.coils_off()
+    app_state.off.order()
     app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros(), platform=PlatformReading(fault=NOT_YET)))
     assert app_state.lab.state.message.endswith("; the platform was ordered to stop, and is not seen to stand yet")
     app_state.take_lab(lab(platform=stands()))
@@ -98,7 +98,7 @@ def test_a_supply_silent_with_a_current_says_which_and_when_and_its_card_cannot_
     app_state = still.app_state
     app_state.take_lab(lab((0.0, 0.0, 1.391)))
     read = time.strftime("%H:%M:%S")
-    app_state.coils_off()
+    app_state.off.order()
     app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "silent", False))))
     assert still.fault.coils.text().startswith("coils NOT confirmed at zero. z: +1.391 A when last read, " + read[:5])
     assert still.fault.close_card.isHidden()

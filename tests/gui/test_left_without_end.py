@@ -80,7 +80,7 @@ def test_hands_are_kept_out_on_every_page_until_the_coils_are_read(cut_off):
         assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "▲ Hands out"
     assert CUT_OFF in cut_off.page("Start").question.text()
     ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, cut_off.app_state.now_s()) for axis in "xyz")
-    cut_off.app_state.coils_off()
+    cut_off.app_state.off.order()
     cut_off.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends))
     assert "Hands may go in" in cut_off.side.hands.text()
     assert CUT_OFF not in cut_off.page("Start").question.text()

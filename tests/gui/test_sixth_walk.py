@@ -94,7 +94,7 @@ def test_that_hands_may_go_in_is_one_sentence_with_its_reason_and_nothing_is_amb
 def test_after_coils_off_what_it_has_reached_is_read_first_and_watched(still):
     asked(still, Prompt(1.0, "mount-x", "Mount it.", ("done",), True, UP))
     worker, live, state = still.app_state.bench_worker, still.page("Run").live, still.app_state
-    state.coils_off()
+    state.off.order()
     at_zero = lab_with(0.0, 258.0)
     worker.states.emit(replace(at_zero, reference=Witness("agrees", "", read_s=time.monotonic())))
     fault = Fault("stopped", "aborted by the operator")

@@ -102,7 +102,7 @@ def test_a_worker_that_dies_in_any_state_is_a_card_and_another_one_switches_the_
 
 
 def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
-    still.app_state.coils_off()
+    still.app_state.off.order()
     failed = still.app_state.off_worker.asked[-1].failed
     failed(Fault("instrument", "supply_x does not answer."))
     assert still.app_state.lab.state.now.coils_at_zero is False

@@ -235,7 +235,7 @@ def test_what_a_run_does_not_look_at_is_not_open_beside_its_verdict(still):
 def test_a_persons_own_coils_off_is_called_so_and_names_the_platform(still):
     live = begun(still)
     says(still, platform=PlatformReading(220.0, True, time.monotonic() - 12))
-    still.app_state.coils_off()
+    still.app_state.off.order()
     still.app_state.bench_worker.asked[-1].failed(Fault("ended", "The work was ended by this window."))
     assert live.fault.heading.text() == "■ Stopped by COILS OFF (F12)"
     assert still.app_state.run.status == "interrupted"

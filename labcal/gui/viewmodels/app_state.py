@@ -98,7 +98,7 @@ class AppState(QObject):
         self.age_timer.start()
         self.off, self.left = CoilsOff(self), LeftWithoutEnd(self)
         self.left.changed.connect(lambda: self.grow_old())
-        self.force_timer, self.coils_off = self.off.force_timer, lambda: self.off.order()
+        self.force_timer = self.off.force_timer
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
         name = str(self.settings.value("operator", ""))
