@@ -24,12 +24,12 @@ LONG_S = 30.0
 def test_a_window_that_hangs_up_does_not_end_its_worker_on_the_way_to_zero(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    ended, at_zero = [], []
+    ended, at_zero, before = [], [], threading.enumerate()
     reading, writing = (os.fdopen(end, mode) for end, mode in zip(os.pipe(), "rw", strict=True))
 
     def coming_down(_: Path) -> tuple[list[AtZero], None]:
         writing.close()
-        [listener] = (thread for thread in threading.enumerate() if thread.name == "window")
+        [listener] = (thread for thread in threading.enumerate() if thread.name == "window" and thread not in before)
         listener.join(LONG_S)
         at_zero.append(not ended)
         return [], None
