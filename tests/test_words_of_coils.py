@@ -52,15 +52,15 @@ NO_CLAIM = {
     "zero when a session ends, breaks off or no longer answers.": HELP,
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
-    "▲ Hands out: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
+    "▲ Hands off: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
     "With the window closed the guardian keeps trying to bring every coil to zero; "
     "nobody sees whether it does.": NOT_KNOWN,
     "No guardian holds the supplies: COILS OFF is given once more on closing; "
     "nobody sees what becomes of it.": NOT_KNOWN,
     "Going to zero; the window closes after that …": ORDER,
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
-    "Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.": ORDER,
-    "COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.": ORDER,
+    "Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.": ORDER,
+    "COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.": ORDER,
     "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller": ORDER,
     "Stop the platform (COILS OFF)": ORDER,
     "The platform turned on: COILS OFF is given anew, and stops it …": REFUSED,

@@ -68,7 +68,7 @@ KEPT_OUT = [  # coils, platform turns, what the reference says; what stands larg
     ((0.0, 0.0, 0.4), False, "", "HANDS OFF", False),
     ((0.0, 0.0, None), False, "", "HANDS OFF", False),
     ((0.0, 0.0, 0.0), True, "", "HANDS OFF", False),
-    ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands out", True),  # what was mounted may be as magnetic
+    ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands off", True),  # what was mounted may be as magnetic
 ]
 
 
@@ -133,12 +133,12 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
     for page in real.lazy_pages:
         real.open_page(page)
         assert real.side.hands.isVisible()
-        assert real.side.hands.text() == "▲ Hands out: coils not read back in this session"
+        assert real.side.hands.text() == "▲ Hands off: coils not read back in this session"
     assert real.side.hands.property("state") == "warning"
     real.app_state.take_lab(read(FRESH_S + 1.0))
     assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
     real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
-    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands out: coils on", "bad")
+    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: coils on", "bad")
     real.app_state.take_lab(lab((0.0, 0.0, None)))  # what is said of the coils is as much, and longer
     assert (real.side.hands.isVisible(), real.side.keep_off.text()) == (False, "HANDS OFF")
 

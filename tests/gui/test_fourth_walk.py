@@ -83,12 +83,12 @@ def test_a_page_that_is_built_into_a_question_says_how_coils_and_platform_are(ne
     [
         (AT_ZERO, "platform stands at 0°", "✓ Hands may go in: coils at zero", "good"),
         (f"{BY_WORD}: no ambient field", "", "✓ Hands may go in: coils read back at zero by their supplies", "good"),
-        (AT_ZERO, "platform turns, at 12°", "▲ Hands out: platform turns", "bad"),
-        (AT_ZERO, "platform NOT confirmed at a standstill", "▲ Hands out: platform NOT confirmed at a stand", "bad"),
-        ("coils on: x +1.1000 A", "platform stands at 0°", "▲ Hands out: coils on", "bad"),
-        ("coils not read back in this session", "", "▲ Hands out: coils not read back in this session", "bad"),
-        ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands out: the coils are not being", "warning"),
-        ("coils NOT confirmed at zero", "", "▲ Hands out: coils NOT confirmed at zero", "bad"),
+        (AT_ZERO, "platform turns, at 12°", "▲ Hands off: platform turns", "bad"),
+        (AT_ZERO, "platform NOT confirmed at a standstill", "▲ Hands off: platform NOT confirmed at a stand", "bad"),
+        ("coils on: x +1.1000 A", "platform stands at 0°", "▲ Hands off: coils on", "bad"),
+        ("coils not read back in this session", "", "▲ Hands off: coils not read back in this session", "bad"),
+        ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands off: the coils are not being", "warning"),
+        ("coils NOT confirmed at zero", "", "▲ Hands off: coils NOT confirmed at zero", "bad"),
     ],
 )
 def test_whether_hands_may_go_in_is_said_first(coils, platform, said, mark):

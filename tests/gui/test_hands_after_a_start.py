@@ -81,7 +81,7 @@ def test_a_bench_that_is_open_and_unread_keeps_hands_out_on_every_page(opened):
     for page in opened.lazy_pages:
         opened.open_page(page)
         for place in (opened.side.keep_off, opened.top.keep_off):
-            assert (place.isVisible(), place.text()) == (True, "▲ Hands out")
+            assert (place.isVisible(), place.text()) == (True, "▲ Hands off")
     assert opened.side.zero_words.text() == "● coils not read back in this session"
 
 

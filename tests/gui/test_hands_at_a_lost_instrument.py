@@ -29,13 +29,13 @@ def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_wit
     assert card.hands.isVisibleTo(card)
     later(WATCHED_S)
     card.say_hands()
-    assert card.hands.text() == "▲ Hands out: the platform is not being read"
+    assert card.hands.text() == "▲ Hands off: the platform is not being read"
     app_state.watch.look()
     read(running, AMBIENT)
     says(running, platform=stands(moving=True))
     app_state.take_lab(lab(platform=stands(moving=True)))
     card.say_hands()
-    assert card.hands.text().startswith("▲ Hands out: platform NOT confirmed at a standstill")
+    assert card.hands.text().startswith("▲ Hands off: platform NOT confirmed at a standstill")
 
 
 def test_while_such_a_card_is_up_the_coils_are_read_again_beside_who_is_lost(real, running):
@@ -79,4 +79,4 @@ def test_no_other_card_speaks_of_hands(still):
     still.app_state.fault.emit(Fault("input", "This cannot be done."))
     assert not still.fault.hands.isVisibleTo(still.fault)
     still.app_state.fault.emit(Fault("instrument", "dut: silent."))
-    assert still.fault.hands.text() == "▲ Hands out: coils not read back in this session"
+    assert still.fault.hands.text() == "▲ Hands off: coils not read back in this session"

@@ -63,7 +63,7 @@ def test_no_words_of_the_red_card_are_larger(still):
     ("currents", "platform", "why", "said"),
     [
         ((0.0, 0.0, 0.0), False, BEFORE_HANDS, ""),
-        ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands out"),
+        ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands off"),
         ((0.0, 0.0, 0.0), True, BEFORE_HANDS, "HANDS OFF"),
         ((0.0, 0.0, 0.3), False, BEFORE_HANDS, "HANDS OFF"),
         ((0.0, 0.0, None), False, BEFORE_HANDS, "HANDS OFF"),
@@ -79,7 +79,7 @@ def test_what_is_on_or_not_confirmed_keeps_hands_off_at_a_question(running, curr
 def test_a_run_that_was_told_hands_off_keeps_them_off_with_the_coils_at_zero(running):
     says(running, platform=stands())
     send(running, READY)
-    assert running.side.keep_off.text() == "▲ Hands out"
+    assert running.side.keep_off.text() == "▲ Hands off"
     running.app_state.run.answer("done")
     assert running.side.keep_off.text() == "HANDS OFF"
     send(running, SegmentOpened(4.0, Segment("z", "static")))
@@ -99,16 +99,16 @@ def test_while_it_is_asked_whether_hands_are_off_nobody_tells_them_to_go_in(runn
         ("Is it as before? Hands off?", "Is it as before? Hands off?"),
     ):  # fmt: skip
         send(running, replace(READY, text=text))
-        assert running.side.hands.text() == f"▲ Hands out now: {comes}"
+        assert running.side.hands.text() == f"▲ Hands off: {comes}"
         assert running.side.hands.property("state") == "warning"
-        assert running.side.keep_off.text() == running.top.keep_off.text() == "▲ Hands out"
+        assert running.side.keep_off.text() == running.top.keep_off.text() == "▲ Hands off"
     says(running, platform=stands(), faulty=("dut",))  # whose plug is seen to first
     assert running.side.hands.text().startswith("✓ Hands may go in")
 
 
 def test_coils_that_nobody_has_read_on_a_real_bench_are_no_leave_to_reach_in(real):
     real.app_state.take_lab(LabState(unread()))
-    assert real.side.keep_off.text() == "▲ Hands out"
+    assert real.side.keep_off.text() == "▲ Hands off"
 
 
 def test_at_a_mounting_and_after_a_failure_a_reading_is_as_old_by_the_same_rule(real, running, later):
@@ -125,7 +125,7 @@ def test_at_a_mounting_and_after_a_failure_a_reading_is_as_old_by_the_same_rule(
     later(WATCHED_S + 1.0)
     app_state.grow_old()
     live.fault.say_hands()
-    assert live.fault.hands.text().startswith("▲ Hands out: ")
+    assert live.fault.hands.text().startswith("▲ Hands off: ")
     assert live.prompt.hands.text() == live.fault.hands.text()
 
 
@@ -138,7 +138,7 @@ def test_what_proves_the_zero_is_said_to_who_reaches_in(running):
     says(running, platform=stands(), witness=Witness("agrees", BEFORE_HANDS, read_s=read_s))
     assert hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field"
     says(running, platform=stands(), witness=Witness(why=CHANGED))
-    assert hands.text() == f"▲ Hands out: {CHANGED}"
+    assert hands.text() == f"▲ Hands off: {CHANGED}"
 
 
 def test_what_agreed_with_a_field_of_before_hands_judges_nothing_after_the_run(still):

@@ -19,8 +19,8 @@ from labcal.store import Store
 from labcal.store.left_running import left_running
 
 BENCH = 'name = "cage-2"\n'
-CUT_OFF = "▲ Hands out: a run of MAG-0043 was cut off; the coils are not known"
-ELSEWHERE = "▲ Hands out: another process drives a run of MAG-0043; the coils may be on"
+CUT_OFF = "▲ Hands off: a run of MAG-0043 was cut off; the coils are not known"
+ELSEWHERE = "▲ Hands off: another process drives a run of MAG-0043; the coils may be on"
 KILLED = LeftRunning("MAG-0043_20260101T000000", "MAG-0043", False)
 WRITES = """
 import os, sys
@@ -77,7 +77,7 @@ def test_hands_are_kept_out_on_every_page_until_the_coils_are_read(cut_off):
     for page in cut_off.lazy_pages:
         cut_off.open_page(page)
         assert (cut_off.side.hands.text(), cut_off.side.hands.isVisible()) == (CUT_OFF, True)
-        assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "▲ Hands out"
+        assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "▲ Hands off"
     assert CUT_OFF in cut_off.page("Start").question.text()
     ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, cut_off.app_state.now_s()) for axis in "xyz")
     cut_off.app_state.off.order()

@@ -23,8 +23,8 @@ def seen(lost, *, ago_s=3.0):
 @pytest.mark.parametrize(
     ("lost", "said"),
     [
-        ("stage", "▲ Hands out: the platform is not being read"),
-        ("supply_y", "▲ Hands out: the coils are not being read"),
+        ("stage", "▲ Hands off: the platform is not being read"),
+        ("supply_y", "▲ Hands off: the coils are not being read"),
     ],
 )
 def test_a_line_that_gives_no_answer_takes_the_green_away_at_once(lost, said, ago_s):

@@ -67,7 +67,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
+        <source>Scanned {0}; hands off: scan again once hands may go in.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -675,11 +675,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.</source>
+        <source>COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8881,15 +8881,15 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Hands out: {0}</source>
+        <source>▲ Hands off: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Hands out: the coils are not being read</source>
+        <source>▲ Hands off: the coils are not being read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Hands out: the platform is not being read</source>
+        <source>▲ Hands off: the platform is not being read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8897,11 +8897,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Hands out: a run of {0} was cut off; the coils are not known</source>
+        <source>▲ Hands off: a run of {0} was cut off; the coils are not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Hands out: another process drives a run of {0}; the coils may be on</source>
+        <source>▲ Hands off: another process drives a run of {0}; the coils may be on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9305,11 +9305,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Hands out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ Hands out now: {0}</source>
+        <source>▲ Hands off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -67,8 +67,8 @@
         <translation>{0} gescannt; eine Messung läuft, ihr Prüfling bleibt.</translation>
     </message>
     <message>
-        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
-        <translation>{0} gescannt; die Hände bleiben draußen: noch einmal scannen, sobald sie hinein dürfen.</translation>
+        <source>Scanned {0}; hands off: scan again once hands may go in.</source>
+        <translation>{0} gescannt; Hände weg: noch einmal scannen, sobald Hände hinein dürfen.</translation>
     </message>
     <message>
         <source>✕ Scanned, and not taken: {0}</source>
@@ -675,12 +675,12 @@
         <translation>Noch niemand hat ihn stehen sehen: Vielleicht schweigt seine Leitung, oder ein anderes Programm behält sie.</translation>
     </message>
     <message>
-        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
-        <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Hände heraus, bis Sie ihn stehen sehen.</translation>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.</source>
+        <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Hände weg, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
-        <source>COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.</source>
-        <translation>SPULEN AUS erreicht ihn nicht: am Controller anhalten. Hände heraus, bis Sie ihn stehen sehen.</translation>
+        <source>COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.</source>
+        <translation>SPULEN AUS erreicht ihn nicht: am Controller anhalten. Hände weg, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
         <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
@@ -8882,28 +8882,28 @@ diesem Schritt …</translation>
         <translation>verloren</translation>
     </message>
     <message>
-        <source>▲ Hands out: {0}</source>
-        <translation>▲ Hände heraus: {0}</translation>
+        <source>▲ Hands off: {0}</source>
+        <translation>▲ Hände weg: {0}</translation>
     </message>
     <message>
-        <source>▲ Hands out: the coils are not being read</source>
-        <translation>▲ Hände heraus: die Spulen werden nicht gelesen</translation>
+        <source>▲ Hands off: the coils are not being read</source>
+        <translation>▲ Hände weg: die Spulen werden nicht gelesen</translation>
     </message>
     <message>
-        <source>▲ Hands out: the platform is not being read</source>
-        <translation>▲ Hände heraus: die Plattform wird nicht gelesen</translation>
+        <source>▲ Hands off: the platform is not being read</source>
+        <translation>▲ Hände weg: die Plattform wird nicht gelesen</translation>
     </message>
     <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Hände dürfen hinein: {0}</translation>
     </message>
     <message>
-        <source>▲ Hands out: a run of {0} was cut off; the coils are not known</source>
-        <translation>▲ Hände heraus: eine Messung von {0} wurde abgeschnitten; der Zustand der Spulen ist nicht bekannt</translation>
+        <source>▲ Hands off: a run of {0} was cut off; the coils are not known</source>
+        <translation>▲ Hände weg: eine Messung von {0} wurde abgeschnitten; der Zustand der Spulen ist nicht bekannt</translation>
     </message>
     <message>
-        <source>▲ Hands out: another process drives a run of {0}; the coils may be on</source>
-        <translation>▲ Hände heraus: ein anderer Prozess führt eine Messung von {0}; die Spulen sind vielleicht an</translation>
+        <source>▲ Hands off: another process drives a run of {0}; the coils may be on</source>
+        <translation>▲ Hände weg: ein anderer Prozess führt eine Messung von {0}; die Spulen sind vielleicht an</translation>
     </message>
     <message>
         <source>COILS OFF done {0}: {1}</source>
@@ -9306,12 +9306,8 @@ diesem Schritt …</translation>
         <translation>HÄNDE WEG</translation>
     </message>
     <message>
-        <source>▲ Hands out</source>
-        <translation>▲ Hände heraus</translation>
-    </message>
-    <message>
-        <source>▲ Hands out now: {0}</source>
-        <translation>▲ Hände jetzt heraus: {0}</translation>
+        <source>▲ Hands off</source>
+        <translation>▲ Hände weg</translation>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>

@@ -67,8 +67,8 @@
         <translation>{0} lu ; une mesure est en cours, son DUT reste.</translation>
     </message>
     <message>
-        <source>Scanned {0}; hands are kept out: scan again once they may go in.</source>
-        <translation>{0} scanné ; les mains restent dehors : scannez encore dès qu&apos;elles peuvent entrer.</translation>
+        <source>Scanned {0}; hands off: scan again once hands may go in.</source>
+        <translation>{0} scanné ; mains loin : scannez encore dès que les mains peuvent entrer.</translation>
     </message>
     <message>
         <source>✕ Scanned, and not taken: {0}</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>hands off, measuring</source>
-        <translation>mains éloignées, mesure en cours</translation>
+        <translation>mains loin, mesure en cours</translation>
     </message>
 </context>
 <context>
@@ -675,12 +675,12 @@
         <translation>Personne ne l’a encore vue arrêtée : sa ligne est peut-être muette, ou gardée par un autre programme.</translation>
     </message>
     <message>
-        <source>Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.</source>
-        <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
+        <source>Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.</source>
+        <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
-        <source>COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand.</source>
-        <translation>BOBINES À ZÉRO ne l’atteint pas : arrêtez-la à son contrôleur. Mains dehors jusqu’à ce que vous la voyiez arrêtée.</translation>
+        <source>COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.</source>
+        <translation>BOBINES À ZÉRO ne l’atteint pas : arrêtez-la à son contrôleur. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
         <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
@@ -1054,11 +1054,11 @@
     </message>
     <message>
         <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster than {1} deg/s.</source>
-        <translation>Tourner le plate-forme à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort). Pas plus vite que {1} deg/s.</translation>
+        <translation>Tourner le plate-forme à {0}° de son cadran, mains loin, et entrer ce qu&apos;il indique (ou : abort). Pas plus vite que {1} deg/s.</translation>
     </message>
     <message>
         <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort).</source>
-        <translation>Tourner le plate-forme à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort).</translation>
+        <translation>Tourner le plate-forme à {0}° de son cadran, mains loin, et entrer ce qu&apos;il indique (ou : abort).</translation>
     </message>
     <message>
         <source>Warm the DUT within its limits, then let it cool.</source>
@@ -1130,39 +1130,39 @@
     </message>
     <message>
         <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
-        <translation>Le champ est réglé encore et encore pendant que le DUT chauffe et refroidit. Mains éloignées ?</translation>
+        <translation>Le champ est réglé encore et encore pendant que le DUT chauffe et refroidit. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in all directions. Hands off?</source>
-        <translation>Le champ va à {0} µT dans toutes les directions. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT dans toutes les directions. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in six directions. Hands off?</source>
-        <translation>Le champ va à {0} µT dans six directions. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT dans six directions. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT. Hands off?</source>
-        <translation>Le champ va à {0} µT. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
-        <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains loin ?</translation>
     </message>
     <message>
         <source>The coils go to {0} A. Hands off?</source>
-        <translation>Les bobines vont à {0} A. Mains éloignées ?</translation>
+        <translation>Les bobines vont à {0} A. Mains loin ?</translation>
     </message>
     <message>
         <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation>Les bobines vont à {0} A, et le plateau peut tourner. Mains éloignées ?</translation>
+        <translation>Les bobines vont à {0} A, et le plateau peut tourner. Mains loin ?</translation>
     </message>
     <message>
         <source>The platform turns to {0}°. Hands off?</source>
-        <translation>La plate-forme tourne à {0}°. Mains éloignées ?</translation>
+        <translation>La plate-forme tourne à {0}°. Mains loin ?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
-        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains éloignées ?</translation>
+        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains loin ?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°.</source>
@@ -1194,63 +1194,63 @@
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
-        <translation>Le champ va à {0} µT, le plateau tourne. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT, le plateau tourne. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT and stays. Hands off?</source>
-        <translation>Le champ va à {0} µT et y reste. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT et y reste. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, later with the DUT turning in it. Hands off?</source>
-        <translation>Le champ va à {0} µT, plus tard le DUT y tourne. Mains éloignées ?</translation>
+        <translation>Le champ va à {0} µT, plus tard le DUT y tourne. Mains loin ?</translation>
     </message>
     <message>
         <source>The field steps up to {0} µT. Hands off?</source>
-        <translation>Le champ monte par paliers à {0} µT. Mains éloignées ?</translation>
+        <translation>Le champ monte par paliers à {0} µT. Mains loin ?</translation>
     </message>
     <message>
         <source>The coils go to {0} µT and the platform turns. Hands off?</source>
-        <translation>Les bobines vont à {0} µT et le plateau tourne. Mains éloignées ?</translation>
+        <translation>Les bobines vont à {0} µT et le plateau tourne. Mains loin ?</translation>
     </message>
     <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
-        <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains éloignées ?</translation>
+        <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains loin ?</translation>
     </message>
     <message>
         <source>A square wave of {0} µT follows. Hands off?</source>
-        <translation>Un signal carré de {0} µT suit. Mains éloignées ?</translation>
+        <translation>Un signal carré de {0} µT suit. Mains loin ?</translation>
     </message>
     <message>
         <source>Each coil goes to {0} µT in turn. Hands off?</source>
-        <translation>Chaque bobine va tour à tour à {0} µT. Mains éloignées ?</translation>
+        <translation>Chaque bobine va tour à tour à {0} µT. Mains loin ?</translation>
     </message>
     <message>
         <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation>Chaque bobine va à {0} µT, puis le champ tourne. Mains éloignées ?</translation>
+        <translation>Chaque bobine va à {0} µT, puis le champ tourne. Mains loin ?</translation>
     </message>
     <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
-        <translation>Chaque bobine va à {0} µT. Mains éloignées ?</translation>
+        <translation>Chaque bobine va à {0} µT. Mains loin ?</translation>
     </message>
     <message>
         <source>Each coil alternates from {0} µT downwards. Hands off?</source>
-        <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains éloignées ?</translation>
+        <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains loin ?</translation>
     </message>
     <message>
         <source>Coil {0} makes a gradient now. Hands off?</source>
-        <translation>La bobine {0} fait maintenant un gradient. Mains éloignées ?</translation>
+        <translation>La bobine {0} fait maintenant un gradient. Mains loin ?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
-        <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains éloignées ?</translation>
+        <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains loin ?</translation>
     </message>
     <message>
         <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
-        <translation>Des champs sont joués comme {0} les veut, dans les limites. Mains éloignées ?</translation>
+        <translation>Des champs sont joués comme {0} les veut, dans les limites. Mains loin ?</translation>
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
-        <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains éloignées ?</translation>
+        <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains loin ?</translation>
     </message>
     <message>
         <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
@@ -7256,7 +7256,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Hands off: it goes on.</source>
-        <translation>Mains éloignées : cela continue.</translation>
+        <translation>Mains loin : cela continue.</translation>
     </message>
     <message>
         <source>It goes on.</source>
@@ -8055,7 +8055,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Hands off: begin</source>
-        <translation>Mains éloignées : commencer</translation>
+        <translation>Mains loin : commencer</translation>
     </message>
     <message>
         <source>Redo axis {0}</source>
@@ -8115,7 +8115,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Hands off: try again</source>
-        <translation>Mains éloignées : réessayer</translation>
+        <translation>Mains loin : réessayer</translation>
     </message>
     <message>
         <source>Mount it again</source>
@@ -8882,28 +8882,28 @@ cette étape …</translation>
         <translation>perdu</translation>
     </message>
     <message>
-        <source>▲ Hands out: {0}</source>
-        <translation>▲ Mains dehors : {0}</translation>
+        <source>▲ Hands off: {0}</source>
+        <translation>▲ Mains loin : {0}</translation>
     </message>
     <message>
-        <source>▲ Hands out: the coils are not being read</source>
-        <translation>▲ Mains dehors : les bobines ne sont pas lues</translation>
+        <source>▲ Hands off: the coils are not being read</source>
+        <translation>▲ Mains loin : les bobines ne sont pas lues</translation>
     </message>
     <message>
-        <source>▲ Hands out: the platform is not being read</source>
-        <translation>▲ Mains dehors : la plate-forme n’est pas lue</translation>
+        <source>▲ Hands off: the platform is not being read</source>
+        <translation>▲ Mains loin : la plate-forme n’est pas lue</translation>
     </message>
     <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Les mains peuvent entrer : {0}</translation>
     </message>
     <message>
-        <source>▲ Hands out: a run of {0} was cut off; the coils are not known</source>
-        <translation>▲ Mains dehors : une mesure de {0} a été coupée ; l&apos;état des bobines n&apos;est pas connu</translation>
+        <source>▲ Hands off: a run of {0} was cut off; the coils are not known</source>
+        <translation>▲ Mains loin : une mesure de {0} a été coupée ; l&apos;état des bobines n&apos;est pas connu</translation>
     </message>
     <message>
-        <source>▲ Hands out: another process drives a run of {0}; the coils may be on</source>
-        <translation>▲ Mains dehors : un autre processus conduit une mesure de {0} ; les bobines sont peut-être alimentées</translation>
+        <source>▲ Hands off: another process drives a run of {0}; the coils may be on</source>
+        <translation>▲ Mains loin : un autre processus conduit une mesure de {0} ; les bobines sont peut-être alimentées</translation>
     </message>
     <message>
         <source>COILS OFF done {0}: {1}</source>
@@ -9271,7 +9271,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>A run goes on: the coils may be on. Hands off.</source>
-        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains éloignées.</translation>
+        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains loin.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -9306,12 +9306,8 @@ cette étape …</translation>
         <translation>MAINS LOIN</translation>
     </message>
     <message>
-        <source>▲ Hands out</source>
-        <translation>▲ Mains dehors</translation>
-    </message>
-    <message>
-        <source>▲ Hands out now: {0}</source>
-        <translation>▲ Mains dehors maintenant : {0}</translation>
+        <source>▲ Hands off</source>
+        <translation>▲ Mains loin</translation>
     </message>
     <message>
         <source>{0}: no answer from {1}</source>
@@ -9455,7 +9451,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
-        <translation>Remédiez-y d&apos;abord : voyez la prise et l&apos;alimentation. « Mains éloignées » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
+        <translation>Remédiez-y d&apos;abord : voyez la prise et l&apos;alimentation. « Mains loin » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
     </message>
     <message>
         <source>See to plug and power as well: nothing is measured before it answers.</source>

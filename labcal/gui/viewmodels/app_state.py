@@ -242,7 +242,7 @@ class AppState(QObject):
             self.run.answer(serial)
         elif self.run.alive:
             words = self.tr("Scanned {0}; a run goes on, its DUT stays.")
-            kept_out = self.tr("Scanned {0}; hands are kept out: scan again once they may go in.")
+            kept_out = self.tr("Scanned {0}; hands off: scan again once hands may go in.")
             self.lab.update(message=(kept_out if self.run.asks_serial else words).format(serial))
         elif said := self.serial_objection(serial):
             self._said_of_dut.say(self.tr("✕ Scanned, and not taken: {0}").format(said))

@@ -176,10 +176,10 @@ class CoilsOff(QObject):
         if turns and late and not self._window.run.alive and self.turning is None and self.unconfirmed is None:
             why = "" if known is None or known.platform is None else known.platform.fault.replace(NOT_YET, "")
             unseen = self.tr("Nobody has seen it stand yet: its line may be silent, or kept by another program.")
-            remedy = self.tr("Press COILS OFF (F12): it stops the platform as well. Hands out until you see it stand.")
+            remedy = self.tr("Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.")
             if self._window.lab.state.now.platform_lost:
                 remedy = self.tr(
-                    "COILS OFF does not reach it: stop it at its controller. Hands out until you see it stand."
+                    "COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand."
                 )
             self.turning = Fault("platform", in_words(why) or unseen, remedy)
             self._window.fault.emit(self.turning)

@@ -42,12 +42,12 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands out: {0}"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands out: the coils are not being read"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands out: the platform is not being read"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: the coils are not being read"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: the platform is not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands out: a run of {0} was cut off; the coils are not known"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands out: another process drives a run of {0}; the coils may be on"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: a run of {0} was cut off; the coils are not known"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: another process drives a run of {0}; the coils may be on"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
@@ -213,32 +213,32 @@ def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
 def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short.
 
-    The coils come first where both keep hands out.
+    The coils come first where both are "Hands off".
     """
     if mark_of(coil_words)[1] == "bad":
-        return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+        return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
     if platform_mark(platform_words)[1] in ("warning", "bad"):
-        return translated("▲ Hands out: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
+        return translated("▲ Hands off: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
     if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
-        return translated("▲ Hands out: the platform is not being read"), "warning"
+        return translated("▲ Hands off: the platform is not being read"), "warning"
     if coil_words == state.AT_ZERO:
         return translated("✓ Hands may go in: {0}").format(in_words(state.BY_BOTH)), "good"
     if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
-        return translated("▲ Hands out: {0}").format(in_words(CHANGED)), "warning"
+        return translated("▲ Hands off: {0}").format(in_words(CHANGED)), "warning"
     if coil_words.startswith(state.BY_WORD):
         said = "; ".join(filter(None, map(in_words, (state.BY_SUPPLIES, coil_words.partition(": ")[2]))))
         return translated("✓ Hands may go in: {0}").format(said), "good"
     if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
-        return translated("▲ Hands out: the coils are not being read"), "warning"
-    return translated("▲ Hands out: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+        return translated("▲ Hands off: the coils are not being read"), "warning"
+    return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
 
 
 def left_words(now: LabNow) -> str:
     """Of a run that nobody has ended: it goes on elsewhere, or left coils that nobody has read since; "" else."""
     if now.left_by and now.driven_elsewhere:
-        return translated("▲ Hands out: another process drives a run of {0}; the coils may be on").format(now.left_by)
+        return translated("▲ Hands off: another process drives a run of {0}; the coils may be on").format(now.left_by)
     if now.left_by and now.coil_words in ("", state.NOT_READ):
-        return translated("▲ Hands out: a run of {0} was cut off; the coils are not known").format(now.left_by)
+        return translated("▲ Hands off: a run of {0} was cut off; the coils are not known").format(now.left_by)
     return ""
 
 
@@ -251,9 +251,9 @@ def hands_of(now: LabNow) -> tuple[str, str]:
         return left, "warning"
     said, mark = _hands_by_age(now)
     if mark == "good" and now.coils_lost:
-        return translated("▲ Hands out: the coils are not being read"), "warning"
+        return translated("▲ Hands off: the coils are not being read"), "warning"
     if mark == "good" and now.platform_lost:
-        return translated("▲ Hands out: the platform is not being read"), "warning"
+        return translated("▲ Hands off: the platform is not being read"), "warning"
     return said, mark
 
 

@@ -27,8 +27,8 @@ HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
 SIMULATED_S = QT_TRANSLATE_NOOP("Words", "{0} s simulated")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
-OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands out")
-OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands out now: {0}")
+OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
+OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
