@@ -29,7 +29,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_mark, shown_name
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_drawn, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
 from labcal.gui.widgets.common import ReadoutGrid, Surface, TwoLines, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
@@ -128,7 +128,7 @@ class SidePanel(Surface):
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
         coils = mark_of(now.coil_words, at_rest=now.at_rest)
-        platform = platform_mark(now.platform_words, now.coil_words)
+        platform = platform_drawn(now.platform_words, now.coil_words)
         hands = ("", "") if coils[1] == "bad" else state.hands  # HANDS OFF above, and why below, take the room
         said = (f"{coils[0]} {in_words(now.coil_words)}", f"{platform[0]} {in_words(now.platform_words)}", hands[0])
         marks = coils[1], platform[1], hands[1]

@@ -51,6 +51,9 @@ class Leaving(QObject):
             self._ask() if self._out_by_s is None else self._ask_at_rest()
             return False
         self._app_state.grow_old()
+        if self._app_state.lab.state.now.driven_elsewhere:  # that process answers for its coils
+            self._window.says_off = False
+            return True
         if not self._hands_off():
             return True
         self._ask_at_rest()

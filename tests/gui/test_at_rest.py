@@ -44,7 +44,7 @@ def test_after_coils_off_the_headline_is_one_as_long_as_the_watch_reads(real, ve
 
 def test_a_platform_that_the_run_turns_is_not_read_for_a_moment_and_alarms_nobody(running):
     says(running, platform=PlatformReading(0.0, True, time.monotonic() - FRESH_S - 1.0))
-    assert running.side.platform.text() == "● platform turns, at 0°"
+    assert running.side.platform.text() == "◌ platform turns, at 0°, read 3 s ago"
     assert headline(running).startswith("Hands off · ")
     says(running, platform=PlatformReading(0.0, True, time.monotonic() - WATCHED_S - 2.0))
     assert "NOT confirmed" in running.side.platform.text()
@@ -133,7 +133,7 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
     for page in real.lazy_pages:
         real.open_page(page)
         assert real.side.hands.isVisible()
-        assert real.side.hands.text() == "▲ Hands off: coils not read back in this session"
+        assert real.side.hands.text() == "▲ Hands off: not read yet"
     assert real.side.hands.property("state") == "warning"
     real.app_state.take_lab(read(FRESH_S + 1.0))
     assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"

@@ -13,7 +13,7 @@ from labcal.gui.ipc.backlog import PastMessages
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import GoesOn, Pause, ReadBench, Recorded, RunProcedure, StateRead
 from labcal.gui.pages import run_live
-from labcal.gui.viewmodels.lab_now import hands_words
+from labcal.gui.viewmodels.hands_now import hands_words
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentOpened, Step
 
@@ -86,7 +86,7 @@ def test_a_page_that_is_built_into_a_question_says_how_coils_and_platform_are(ne
         (AT_ZERO, "platform turns, at 12°", "▲ Hands off: platform turns", "bad"),
         (AT_ZERO, "platform NOT confirmed at a standstill", "▲ Hands off: platform NOT confirmed at a stand", "bad"),
         ("coils on: x +1.1000 A", "platform stands at 0°", "▲ Hands off: coils on", "bad"),
-        ("coils not read back in this session", "", "▲ Hands off: coils not read back in this session", "bad"),
+        ("coils not read back in this session", "", "▲ Hands off: not read yet", "warning"),
         ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands off: the coils are not being", "warning"),
         ("coils NOT confirmed at zero", "", "▲ Hands off: coils NOT confirmed at zero", "bad"),
     ],

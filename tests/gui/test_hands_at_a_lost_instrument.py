@@ -79,4 +79,4 @@ def test_no_other_card_speaks_of_hands(still):
     still.app_state.fault.emit(Fault("input", "This cannot be done."))
     assert not still.fault.hands.isVisibleTo(still.fault)
     still.app_state.fault.emit(Fault("instrument", "dut: silent."))
-    assert still.fault.hands.text() == "▲ Hands off: coils not read back in this session"
+    assert still.fault.hands.text() == "▲ Hands off: not read yet"

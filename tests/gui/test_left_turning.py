@@ -13,7 +13,8 @@ from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.coils_off import STOPS_S
-from labcal.gui.viewmodels.lab_now import hands_words, platform_said
+from labcal.gui.viewmodels.hands_now import hands_words
+from labcal.gui.viewmodels.lab_now import platform_said
 from labcal.record.stream import Step
 
 SILENT = Fault("instrument", "stage: silent", "Look at its plug.")

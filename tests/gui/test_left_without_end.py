@@ -77,7 +77,7 @@ def test_hands_are_kept_out_on_every_page_until_the_coils_are_read(cut_off):
     for page in cut_off.lazy_pages:
         cut_off.open_page(page)
         assert (cut_off.side.hands.text(), cut_off.side.hands.isVisible()) == (CUT_OFF, True)
-        assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "▲ Hands off"
+        assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "HANDS OFF"
     assert CUT_OFF in cut_off.page("Start").question.text()
     ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, cut_off.app_state.now_s()) for axis in "xyz")
     cut_off.app_state.off.order()
@@ -98,9 +98,13 @@ def test_nothing_begins_while_another_process_drives_the_run(cut_off, qtbot):
     assert not cut_off.page("Run").choose.start.isEnabled()
     told(cut_off)
     assert cut_off.side.hands.text() == ELSEWHERE  # whatever was read: it is not this window's to say
+    assert cut_off.top.keep_off.text() == "HANDS OFF"
     app_state.watch.look()
     assert app_state.watch_worker.commands(ReadLab) == []  # nor is it read on from here
     assert app_state.left.timer.isActive()
+    assert cut_off.leaving.may_go()  # nobody is asked to switch off what another process answers for
+    assert not cut_off.says_off
+    cut_off.says_off = True
     app_state.left.timer.timeout.emit()
     app_state.quick_worker.answer(LookForLeft, KILLED)
     assert not app_state.left.timer.isActive()

@@ -1,6 +1,7 @@
 """The drawing of a mounting: the DUT stands as it would on the platform where that stands now."""
 
 import time
+from dataclasses import replace
 from itertools import combinations
 from types import SimpleNamespace
 
@@ -32,6 +33,8 @@ def test_the_dut_is_drawn_on_the_platform_as_it_stands(still, platform, along_x,
     still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     still.app_state.bench_worker.items.emit((Prompt(1.0, "mounting-stands", "Still?", ("yes", "no"), True, UP),))
     drawing = still.page("Run").live.prompt.drawing
+    if platform is not None and platform.read_s is not None:
+        platform = replace(platform, read_s=time.monotonic())
     still.app_state.bench_worker.states.emit(LabState(unread(), platform=platform))
     assert np.allclose(drawing.body()[0], along_x)
     assert np.allclose(drawing.body()[2], (0.0, 0.0, 1.0))
@@ -45,7 +48,7 @@ def test_where_it_stands_is_as_old_as_its_reading_says_beside_it(still):
     before = PlatformReading(137.0, False, time.monotonic() - 40)
     still.app_state.bench_worker.states.emit(LabState(unread(), platform=before))
     card = still.page("Run").live.prompt
-    assert card.drawing.platform_words() == "platform at 137°"
+    assert card.drawing.platform_words() == "platform at 137°, 40 s ago"
     assert "platform stands at 137°, read 40 s ago" in card.stands.text()
 
 

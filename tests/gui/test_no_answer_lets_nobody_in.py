@@ -3,7 +3,8 @@
 import pytest
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness
-from labcal.gui.viewmodels.lab_now import as_watched, hands_of, lab_now
+from labcal.gui.viewmodels.hands_now import hands_of
+from labcal.gui.viewmodels.lab_now import as_watched, lab_now
 
 NOW_S = 1000.0
 ROLES = {"supply_x": "coil-x", "supply_y": "coil-y", "supply_z": "coil-z", "stage": "platform", "dut": "dut"}
@@ -29,7 +30,7 @@ def seen(lost, *, ago_s=3.0):
 )
 def test_a_line_that_gives_no_answer_takes_the_green_away_at_once(lost, said, ago_s):
     assert hands_of(seen("", ago_s=ago_s))[0].startswith("✓ Hands may go in")
-    assert hands_of(seen(lost, ago_s=ago_s)) == (said, "warning")
+    assert hands_of(seen(lost, ago_s=ago_s)) == (said, "bad")
 
 
 def test_that_of_the_dut_says_nothing_of_hands():

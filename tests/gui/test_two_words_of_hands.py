@@ -9,7 +9,10 @@ import pytest
 ROOT = Path(__file__).parents[2]
 TS = ROOT / "labcal" / "gui" / "translations"
 THIRD = re.compile(r"Hands out\b|[Kk]eeps? hands out|[Hh]ands (?:are kept|stay) out|[Hh]ands (?:away|clear)")
-WORDS = {"de": ("hände weg", "hände hinein dürfen|hände dürfen hinein"), "fr": ("mains loin", "mains puissent|mains peuvent")}
+WORDS = {
+    "de": ("hände weg", "hände hinein dürfen|hände dürfen hinein"),
+    "fr": ("mains loin", "mains puissent|mains peuvent"),
+}
 
 
 def sentences(language):

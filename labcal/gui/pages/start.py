@@ -13,7 +13,8 @@ from labcal.gui.ipc.messages import LastCageCheck, LastClosingCheck, ListCalibra
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.lab_now import left_words, mark_of
+from labcal.gui.viewmodels.hands_now import left_words
+from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.left_without_end import AGAIN_MS
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
 from labcal.gui.viewmodels.resumed import to_be_resumed

@@ -885,6 +885,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>platform turns, at {0}°, read {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8882,6 +8886,10 @@ after this step …</source>
     </message>
     <message>
         <source>▲ Hands off: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Hands off: not read yet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

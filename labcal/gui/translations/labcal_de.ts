@@ -885,6 +885,10 @@
         <translation>Spulen an</translation>
     </message>
     <message>
+        <source>platform turns, at {0}°, read {1}</source>
+        <translation>Tisch dreht, bei {0}°, gelesen {1}</translation>
+    </message>
+    <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
         <translation>Stillstand des Tisches NICHT bestätigt: bei {0}° drehte er, {1}</translation>
     </message>
@@ -8886,12 +8890,16 @@ diesem Schritt …</translation>
         <translation>▲ Hände weg: {0}</translation>
     </message>
     <message>
+        <source>▲ Hands off: not read yet</source>
+        <translation>▲ Hände weg: noch nicht gelesen</translation>
+    </message>
+    <message>
         <source>▲ Hands off: the coils are not being read</source>
         <translation>▲ Hände weg: die Spulen werden nicht gelesen</translation>
     </message>
     <message>
         <source>▲ Hands off: the platform is not being read</source>
-        <translation>▲ Hände weg: die Plattform wird nicht gelesen</translation>
+        <translation>▲ Hände weg: der Tisch wird nicht gelesen</translation>
     </message>
     <message>
         <source>✓ Hands may go in: {0}</source>

@@ -885,6 +885,10 @@
         <translation>bobines alimentées</translation>
     </message>
     <message>
+        <source>platform turns, at {0}°, read {1}</source>
+        <translation>la plate-forme tourne, à {0}°, lu {1}</translation>
+    </message>
+    <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
         <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait, {1}</translation>
     </message>
@@ -8884,6 +8888,10 @@ cette étape …</translation>
     <message>
         <source>▲ Hands off: {0}</source>
         <translation>▲ Mains loin : {0}</translation>
+    </message>
+    <message>
+        <source>▲ Hands off: not read yet</source>
+        <translation>▲ Mains loin : pas encore lu</translation>
     </message>
     <message>
         <source>▲ Hands off: the coils are not being read</source>

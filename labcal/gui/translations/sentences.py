@@ -37,6 +37,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "coils on"),
     QT_TRANSLATE_NOOP("Data", "platform NOT confirmed at a standstill"),
     QT_TRANSLATE_NOOP("Data", "platform turns, at {0}°"),
+    QT_TRANSLATE_NOOP("Data", "platform turns, at {0}°, read {1}"),
     QT_TRANSLATE_NOOP("Data", "platform NOT confirmed at a standstill: at {0}° it turned, {1}"),
     QT_TRANSLATE_NOOP("Data", "platform stands at {0}°"),
     QT_TRANSLATE_NOOP("Data", "platform stands at {0}°, read {1}"),

@@ -10,7 +10,6 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -42,12 +41,6 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands off: the coils are not being read"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands off: the platform is not being read"),
-    QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands off: a run of {0} was cut off; the coils are not known"),
-    QT_TRANSLATE_NOOP("Words", "▲ Hands off: another process drives a run of {0}; the coils may be on"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
@@ -162,10 +155,17 @@ def _field_seen(lab: state.LabState) -> tuple[state.Vector | None, float | None]
 
 
 def _platform_words(lab: state.LabState, now_s: float, *, driven: bool) -> str:
-    """One that a run of this window turns is not read while it looks for its zero: it turns, which alarms nobody."""
+    """One that a run of this window turns is not read while it looks for its zero: it turns, which alarms nobody.
+
+    It turns still for all that is known, but no longer where it was read.
+    """
     turns = driven and lab.platform is not None and lab.platform.moving is True
     read_s = lab.platform.read_s if turns and lab.platform is not None else None
-    return lab.platform_sentence(now_s if read_s is None or now_s - read_s > WATCHED_S else min(now_s, read_s))
+    age_s = 0.0 if read_s is None else now_s - read_s
+    if read_s is None or age_s > WATCHED_S:
+        return lab.platform_sentence(now_s)
+    said = lab.platform_sentence(min(now_s, read_s))
+    return f"{said}, read {state.ago(age_s)}" if age_s > state.FRESH_S else said
 
 
 def age_words(old_s: int | None) -> str:
@@ -210,64 +210,6 @@ def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
     return ("■", "") if coil_words.startswith(state.ON) else ("✓", "good")
 
 
-def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
-    """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short.
-
-    The coils come first where both are "Hands off".
-    """
-    if mark_of(coil_words)[1] == "bad":
-        return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
-    if platform_mark(platform_words)[1] in ("warning", "bad"):
-        return translated("▲ Hands off: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
-    if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
-        return translated("▲ Hands off: the platform is not being read"), "warning"
-    if coil_words == state.AT_ZERO:
-        return translated("✓ Hands may go in: {0}").format(in_words(state.BY_BOTH)), "good"
-    if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
-        return translated("▲ Hands off: {0}").format(in_words(CHANGED)), "warning"
-    if coil_words.startswith(state.BY_WORD):
-        said = "; ".join(filter(None, map(in_words, (state.BY_SUPPLIES, coil_words.partition(": ")[2]))))
-        return translated("✓ Hands may go in: {0}").format(said), "good"
-    if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
-        return translated("▲ Hands off: the coils are not being read"), "warning"
-    return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
-
-
-def left_words(now: LabNow) -> str:
-    """Of a run that nobody has ended: it goes on elsewhere, or left coils that nobody has read since; "" else."""
-    if now.left_by and now.driven_elsewhere:
-        return translated("▲ Hands off: another process drives a run of {0}; the coils may be on").format(now.left_by)
-    if now.left_by and now.coil_words in ("", state.NOT_READ):
-        return translated("▲ Hands off: a run of {0} was cut off; the coils are not known").format(now.left_by)
-    return ""
-
-
-def hands_of(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age.
-
-    Who gives no answer when it is looked at lets nobody in by what it said before.
-    """
-    if left := left_words(now):
-        return left, "warning"
-    said, mark = _hands_by_age(now)
-    if mark == "good" and now.coils_lost:
-        return translated("▲ Hands off: the coils are not being read"), "warning"
-    if mark == "good" and now.platform_lost:
-        return translated("▲ Hands off: the platform is not being read"), "warning"
-    return said, mark
-
-
-def _hands_by_age(now: LabNow) -> tuple[str, str]:
-    seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
-    zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
-    stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
-    age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
-    if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
-        return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
-    said = in_words(state.BY_BOTH) if seen else in_words(state.BY_SUPPLIES)
-    return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
-
-
 def as_watched(now: LabNow) -> LabNow:
     """What was read at rest up to `WATCHED_S` ago is read on and stands: the same without its age."""
     if now.coils_lost or now.platform_lost or not 0 <= max(now.coil_old_s or 0, now.platform_old_s or 0) <= WATCHED_S:
@@ -297,6 +239,12 @@ def platform_said(words: str) -> str:
     heard = words != state.MAY_TURN  # its line answers, or did just now: nobody has to go to it
     stop = str(BY_KEY) if heard else "stop it at its controller, and see it stand"
     return f"{in_words(words)}: {translated(stop)}"
+
+
+def platform_drawn(words: str, coil_words: str = "") -> tuple[str, str]:
+    """As `platform_mark`, which is the rule; an angle that is not fresh is drawn grey, as every other value."""
+    turned = words.startswith("platform turns") and ", read " in words
+    return ("◌", "old") if turned else platform_mark(words, coil_words)
 
 
 def still_live(now: LabNow) -> str:

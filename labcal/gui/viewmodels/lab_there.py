@@ -14,7 +14,9 @@ def lab_there(now: LabNow, facts: Bench | None) -> LabNow:
     if facts is None or not facts.virtual_time or now.driven:
         return now
     read = now.coil_words != state.NOT_READ
-    return replace(now, coil_words=now.coil_words if read else "", platform_words="", platform_old_s=None)
+    return replace(
+        now, coil_words=now.coil_words if read else "", platform_words="", platform_old_s=None, platform_lost=False
+    )
 
 
 def platform_there(now: LabNow, facts: Bench | None) -> str:

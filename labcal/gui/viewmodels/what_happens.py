@@ -11,7 +11,8 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.hands import READY
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, hands_of, left_words, platform_mark, still_live
+from labcal.gui.viewmodels.hands_now import hands_of
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
@@ -58,8 +59,12 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
         return translated(str(OFF)), "bad"
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or left_words(now)  # others may drive them
-    out = unread or asked_out(run, now) or (run.alive and hands_of(now)[1] != "good")
+    told = bool(now.coil_words or now.left_by or now.coils_lost or now.platform_lost)  # else there is no lab
+    mark = hands_of(now)[1] if told or run.alive else "good"
+    if mark == "bad":  # in a run or at rest: a reason is known
+        return translated(str(OFF)), "bad"
+    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words
+    out = unread or asked_out(run, now) or (run.alive and mark != "good")
     return (translated(str(OUT)), "warning") if out else ("", "")
 
 
@@ -106,8 +111,7 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     words, mark = hands_of(now)
     if mark == "good" and (out := asked_out(run, now)):
         return out, "warning"
-    unread = mark == "bad" and not still_live(now)  # nothing is wrong where nobody has looked yet
-    return words, "warning" if unread else mark
+    return words, mark
 
 
 def _how_it_ended(run: RunViewModel, now: LabNow) -> str:

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.viewmodels.lab_now import mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import mark_of, platform_drawn
 from labcal.gui.widgets.common import label, set_state
 
 
@@ -24,7 +24,7 @@ class LabLines(QWidget):
 
     def say(self, coil_words: str, platform_words: str) -> None:
         """Both as the side panel says them."""
-        marks = mark_of(coil_words), platform_mark(platform_words, coil_words)
+        marks = mark_of(coil_words), platform_drawn(platform_words, coil_words)
         said = zip((self.coils, self.platform), (coil_words, platform_words), marks, strict=True)
         for line, words, (shape, mark) in said:
             line.setText(f"{shape} {in_words(words)}".strip())

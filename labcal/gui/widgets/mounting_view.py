@@ -36,6 +36,7 @@ class Mounting(QWidget):
         self._theme = theme
         self._drawing: dict[str, Any] = {}
         self.platform_deg: float | None = None  # None: not known
+        self.platform_age = ""
         self._lines: list[QLineF] = []
         self._wanted: list[tuple[QPointF, float, str, str]] = []  # names of arrows: tip, angle, name, colour
         self.names: dict[str, QRectF] = {}  # where each stands
@@ -56,10 +57,13 @@ class Mounting(QWidget):
         self.setAccessibleName(self.tr("Drawing: body {0} up").format(up) if up else self.tr("Drawing of a dial"))
         self.update()
 
-    def show_platform(self, angle_deg: float | None) -> None:
-        """Draw the DUT as it stands on a platform that stands there; None: nobody knows, and the picture says so."""
-        if angle_deg != self.platform_deg:
-            self.platform_deg = angle_deg
+    def show_platform(self, angle_deg: float | None, age: str = "") -> None:
+        """Draw the DUT as it stands on a platform that stands there; None: nobody knows, and the picture says so.
+
+        `age`: of that reading, in words; "" where it is fresh.
+        """
+        if (angle_deg, age) != (self.platform_deg, self.platform_age):
+            self.platform_deg, self.platform_age = angle_deg, age
             self.setToolTip(self.platform_words() if "body_from_cage" in self._drawing else "")
             self.update()
 
@@ -67,7 +71,8 @@ class Mounting(QWidget):
         """At which angle of the platform the DUT is drawn."""
         if self.platform_deg is None:
             return self.tr("drawn for platform angle 0°; where it stands is not known")
-        return self.tr("platform at {0}°").format(str(round(self.platform_deg)).replace("-", "−"))
+        at = self.tr("platform at {0}°").format(str(round(self.platform_deg)).replace("-", "−"))
+        return ", ".join(filter(None, (at, self.platform_age)))
 
     def body(self) -> Array:
         """The DUT's axes (3, 3) in C as drawn, one a row: as stated for angle 0, turned with the platform."""

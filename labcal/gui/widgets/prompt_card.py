@@ -22,7 +22,8 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
 from labcal.gui.viewmodels.first_thing import first_thing
 from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, reached_into
-from labcal.gui.viewmodels.lab_now import LabNow, hands_of, mark_of, platform_mark
+from labcal.gui.viewmodels.hands_now import hands_of
+from labcal.gui.viewmodels.lab_now import LabNow, age_words, mark_of, platform_drawn
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
@@ -237,10 +238,10 @@ class PromptCard(Card):
     def say_lab(self, now: LabNow) -> None:
         """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
         coil_words, platform_words = now.coil_words, now.platform_words
-        self.drawing.show_platform(now.platform_deg)
+        self.drawing.show_platform(now.platform_deg, age_words(now.platform_old_s))
         for place, words, (shape, mark) in (
             (self.lab, coil_words, mark_of(coil_words)),
-            (self.stands, platform_words, platform_mark(platform_words, coil_words)),
+            (self.stands, platform_words, platform_drawn(platform_words, coil_words)),
         ):
             place.setText(f"{shape} {in_words(words)}".strip())
             place.setVisible(bool(words))

@@ -1,0 +1,82 @@
+"""Whether a person may reach into the lab now, and why not: the one rule of it. No widgets."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.bench.coils import state
+from labcal.bench.coils.agreement import CHANGED
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, mark_of, platform_mark
+
+TEXTS = (
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read yet"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: the coils are not being read"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: the platform is not being read"),
+    QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: a run of {0} was cut off; the coils are not known"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: another process drives a run of {0}; the coils may be on"),
+)
+
+
+def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
+    """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short.
+
+    The coils come first where both are "Hands off".
+    """
+    if mark_of(coil_words)[1] == "bad":
+        return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+    if platform_mark(platform_words)[1] in ("warning", "bad"):
+        return translated("▲ Hands off: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
+    if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
+        return translated("▲ Hands off: the platform is not being read"), "warning"
+    if coil_words == state.NOT_READ:  # nothing is known to be wrong: an alarm each morning would be learned away
+        return translated("▲ Hands off: not read yet"), "warning"
+    if coil_words == state.AT_ZERO:
+        return translated("✓ Hands may go in: {0}").format(in_words(state.BY_BOTH)), "good"
+    if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
+        return translated("▲ Hands off: {0}").format(in_words(CHANGED)), "warning"
+    if coil_words.startswith(state.BY_WORD):
+        said = "; ".join(filter(None, map(in_words, (state.BY_SUPPLIES, coil_words.partition(": ")[2]))))
+        return translated("✓ Hands may go in: {0}").format(said), "good"
+    if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
+        return translated("▲ Hands off: the coils are not being read"), "warning"
+    return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+
+
+def left_words(now: LabNow) -> str:
+    """Of a run that nobody has ended: it goes on elsewhere, or left coils that nobody has read since; "" else."""
+    if now.left_by and now.driven_elsewhere:
+        return translated("▲ Hands off: another process drives a run of {0}; the coils may be on").format(now.left_by)
+    if now.left_by and now.coil_words in ("", state.NOT_READ):
+        return translated("▲ Hands off: a run of {0} was cut off; the coils are not known").format(now.left_by)
+    return ""
+
+
+def hands_of(now: LabNow) -> tuple[str, str]:
+    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age.
+
+    Who gives no answer when it is looked at lets nobody in by what it said before. "bad" where a reason is known, which
+    is as loud at rest as in a run; "warning" where nobody has looked.
+    """
+    if left := left_words(now):
+        return left, "bad"
+    said, mark = _hands_by_age(now)
+    if mark != "bad" and now.coils_lost:
+        return translated("▲ Hands off: the coils are not being read"), "bad"
+    if mark != "bad" and now.platform_lost:
+        return translated("▲ Hands off: the platform is not being read"), "bad"
+    return said, mark
+
+
+def _hands_by_age(now: LabNow) -> tuple[str, str]:
+    seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
+    zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
+    stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
+    age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
+    if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
+        return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
+    said = in_words(state.BY_BOTH) if seen else in_words(state.BY_SUPPLIES)
+    return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
