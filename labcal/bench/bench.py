@@ -13,12 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.clock import Clock
+from labcal.bench.coils.at_a_question import currents_or_away, zero_anew
 from labcal.bench.coils.at_zero import AtZero, words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
+from labcal.bench.coils.channels import COIL_CHANNELS
 from labcal.bench.coils.doubt import StoredDoubt
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading
-from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
+from labcal.bench.config import BenchConfig, ReferenceConfig
 from labcal.bench.driver_kit.identities import refuse_one_at_two_links, the_same
 from labcal.bench.driver_kit.roles import (
     ByHand,
@@ -47,14 +49,6 @@ from labcal.record.stream import Block, Event, Prompt, Stream
 
 COIL_POLL_S = 1.0
 SEE_S = 0.2  # of the reference, and at least one sample
-COIL_CHANNELS = tuple(
-    spec
-    for axis in AXES
-    for spec in (
-        ChannelSpec(f"i_coil_{axis}", "A", "current", "coil"),
-        ChannelSpec(f"polarity_coil_{axis}", "1", "other", "coil"),
-    )
-)
 MOTOR_CHANNEL = ChannelSpec("motor_on", "1", "other", "platform")
 
 
@@ -370,7 +364,10 @@ class Bench:
         self._keep("channel", name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
 
     def _poll_coils(self) -> None:
-        t, currents = self.clock.now(), self.cage.currents_A()
+        t = self.clock.now()
+        currents = currents_or_away(self.cage, self._look, t, waited_for=self._waited_for())
+        if currents is None:
+            return
         signs = np.where(np.signbit(currents), -1.0, 1.0)
         values = np.column_stack([currents, signs]).ravel()
         self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, *values.tolist())
@@ -388,6 +385,7 @@ class Bench:
             self.platform.make_safe()  # first: it went on while nobody could hear of it
         if self._look.wrong(name) != "link lost":
             self._instruments[name].identify()
+        zero_anew(self.cage, name)
         self._heard_s[name] = self.clock.now()
 
     def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: CoilReading | None) -> Heard:

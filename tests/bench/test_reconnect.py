@@ -17,9 +17,11 @@ from typing import Any
 import pytest
 
 from drivers.emulators.hmr2300 import Hmr2300Emulator
+from drivers.emulators.tti_pl import TtiEmulator
 from drivers.emulators.zaber import ZaberEmulator
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import RealClock, VirtualClock
+from labcal.bench.coils.state import NOT_CONFIRMED
 from labcal.bench.streams import reconnect
 from labcal.bench.streams.reconnect import BACK_S, Reconnecting, bring_back
 from labcal.errors import InstrumentError, Stopped
@@ -74,12 +76,19 @@ def sensor(kind: type[Hmr2300Emulator] = Hmr2300Emulator) -> Hmr2300Emulator:
     return kind(open_twin({}, 1), {}, SimpleNamespace(id=0))
 
 
+def supply() -> TtiEmulator:
+    return TtiEmulator(open_twin({}, 1), {"coil-x": {}}, SimpleNamespace())
+
+
 @contextmanager
 def bench_with(plug: Plug, role: str, silent_s: float = PATIENCE_S) -> Iterator[Bench]:
     """The example bench, with one instrument on a real line; its sensors may be silent for so long."""
     text = EXAMPLE.read_text().replace('role = "reference"', f'role = "reference"\n#{role}', 1)
-    head = {"reference": 'driver = "hmr2300"\nlink = ', "platform": 'driver = "zaber"\nlink = '}[role]
-    text = text[: text.rindex("[twin]")].replace(head + '"emulated://"', f'{head}"serial://{plug.path}?baud=115200"')
+    driver = {"reference": "hmr2300", "platform": "zaber", "coil-x": "tti-pl"}[role]
+    head, tail = f'driver = "{driver}"\nlink = ', f'\nrole = "{role}"'
+    text = text[: text.rindex("[twin]")].replace(
+        f'{head}"emulated://"{tail}', f'{head}"serial://{plug.path}?baud=115200"{tail}'
+    )
     text = text.replace('kind = "vector"', f'kind = "vector"\nsilent_s = {silent_s}')
     text = text.replace('serial = "SIM-0001"\nmodel', f'silent_s = {silent_s}\nserial = "SIM-0001"\nmodel', 1)
     path = plug.path.with_name("bench.toml")
@@ -166,6 +175,37 @@ def test_while_a_person_is_asked_with_the_coils_at_zero_a_cable_may_be_out_and_a
         bench.asking = True
         until_back(bench, name)  # else the way to rest has nobody to speak to
     plug.pull()
+
+
+def test_a_supply_may_be_out_at_such_a_question_and_the_run_goes_on_once_it_answers(tmp_path: Path) -> None:
+    plug = Plug(tmp_path / "ttyUSB0")
+    plug.put_in(supply())
+    with bench_with(plug, "coil-x") as bench:
+        bench.start()
+        bench.stream_until(bench.clock.now() + 1.5)
+        bench.asking = True
+        plug.pull()
+        until_gone(bench, "supply_x")
+        bench.stream_until(bench.clock.now() + 3.0)
+        assert bench.sentence() == NOT_CONFIRMED
+        assert "supply_x" in bench.still_wrong()  # no answer that energises is taken
+        plug.put_in(supply())
+        until_back(bench, "supply_x")
+        bench.stream_until(bench.clock.now() + 1.5)
+        assert all(coil.zero for coil in bench.state().coils)
+        assert bench.hands_near
+        bench.asking = False
+        bench.cage.set_currents([0.1, 0.0, 0.0], confirm_signs=False)  # the run goes on
+        bench.cage.zero()
+    plug.pull()
+
+
+def until_gone(bench: Bench, name: str) -> None:
+    """Wait until it is missed."""
+    deadline = bench.clock.now() + PATIENCE_S
+    while not {one.name: one.fault for one in bench.state().instruments}[name]:
+        assert bench.clock.now() < deadline
+        bench.stream_until(bench.clock.now() + 0.1)
 
 
 def until_back(bench: Bench, name: str) -> None:
