@@ -25,7 +25,8 @@ STUCK = 20  # readings, three axes each: noise and a converter's step leave no l
 NO_AMBIENT = "the reference has no ambient field to compare with yet"
 BEFORE_HANDS = "the reference's ambient field is from before hands were at the DUT"
 CHANGED = "the reference sees more change than a mounting makes"
-OF_BEFORE = (BEFORE_HANDS, CHANGED)  # so it says why, whichever verdict goes with it: not for a later comparison
+MOVED = "the reference was moved since its ambient field was measured"
+OF_BEFORE = (BEFORE_HANDS, CHANGED, MOVED)  # so it says why, whichever verdict goes with it: not for a later comparison
 NOT_YET = "the reference has sent nothing since the currents settled"
 NOT_STREAMING = "the reference is not streaming"
 UNHEARD = {
@@ -55,6 +56,7 @@ class FieldCheck:
         self._last: Array | None = None
         self._same = 0  # readings in a row
         self._unheard = ""  # why it sends no readings, as far as that is known
+        self._elsewhere = False  # it was moved, and no ambient field was measured since
         self._moved = False  # the reference itself: what it sees of the coils is not known any more
         self.streaming = False
         self.witness = Witness(why=blind or NO_AMBIENT)
@@ -78,6 +80,7 @@ class FieldCheck:
     def take_ambient(self, field_nT: Array, now_s: float) -> None:
         """The field (3,) [nT, C] that the reference saw with the coils at zero."""
         self._ambient, self._ambient_s, self._before = np.asarray(field_nT, dtype=float), now_s, None
+        self._elsewhere = False
         if self.witness.verdict == "not known":
             self.witness = Witness(why=self._why_not())
 
@@ -91,7 +94,7 @@ class FieldCheck:
         if reference_moved or not by_hands:
             self._before = None
         self._ambient, self._candidate, self._mounted_s, self._bad_s = None, None, now_s, None
-        self._moved |= reference_moved
+        self._moved, self._elsewhere = self._moved or reference_moved, self._elsewhere or reference_moved
         if self.witness.verdict != "disagrees":
             self.witness = Witness(why=self._why_not())
 
@@ -134,7 +137,8 @@ class FieldCheck:
 
     def _why_not(self) -> str:
         if self._blind or self._ambient is None:
-            return self._blind or (BEFORE_HANDS if self._had_ambient else NO_AMBIENT)
+            before = MOVED if self._elsewhere else BEFORE_HANDS
+            return self._blind or (before if self._had_ambient else NO_AMBIENT)
         if not self.streaming:
             return NOT_STREAMING
         return self._unheard or NOT_YET
@@ -157,8 +161,11 @@ class FieldCheck:
         if apart <= limit and hidden < self._matters_nT:
             expected = _vector(before.field_nT)
             self.witness = Witness("agrees", BEFORE_HANDS, _vector(seen), expected, apart, limit, now_s)
+        elif apart > hidden:
+            expected = _vector(before.field_nT)
+            self.witness = Witness("not known", CHANGED, _vector(seen), expected, apart, hidden, now_s)
         else:
-            self.witness = Witness(why=CHANGED if apart > hidden else BEFORE_HANDS)
+            self.witness = Witness(why=BEFORE_HANDS)
 
     def _judge(self, seen: Array, bad_since_s: float | None, now_s: float) -> None:
         assert self._ambient is not None

@@ -909,6 +909,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the reference was moved since its ambient field was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>coils at zero, by their supplies and by the field</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9570,6 +9574,10 @@ after this step …</source>
     </message>
     <message>
         <source>the declared mounting ({0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference sees {0} µT along {1} more than with the coils off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -909,6 +909,10 @@
         <translation>das Umgebungsfeld der Referenz ist von vor dem letzten Griff an den Prüfling</translation>
     </message>
     <message>
+        <source>the reference was moved since its ambient field was measured</source>
+        <translation>die Referenz wurde bewegt, seit ihr Umgebungsfeld gemessen wurde</translation>
+    </message>
+    <message>
         <source>coils at zero, by their supplies and by the field</source>
         <translation>Spulen auf null, nach ihren Netzgeräten und nach dem Feld</translation>
     </message>
@@ -9572,6 +9576,10 @@ diesem Schritt …</translation>
     <message>
         <source>the declared mounting ({0})</source>
         <translation>die angegebene Montage ({0})</translation>
+    </message>
+    <message>
+        <source>the reference sees {0} µT along {1} more than with the coils off</source>
+        <translation>die Referenz sieht {0} µT längs {1} mehr als bei ausgeschalteten Spulen</translation>
     </message>
 </context>
 <context>

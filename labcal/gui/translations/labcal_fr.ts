@@ -909,6 +909,10 @@
         <translation>le champ ambiant de la référence date d&apos;avant la dernière intervention sur le DUT</translation>
     </message>
     <message>
+        <source>the reference was moved since its ambient field was measured</source>
+        <translation>la référence a été déplacée depuis la mesure de son champ ambiant</translation>
+    </message>
+    <message>
         <source>coils at zero, by their supplies and by the field</source>
         <translation>bobines à zéro, selon leurs alimentations et selon le champ</translation>
     </message>
@@ -9572,6 +9576,10 @@ cette étape …</translation>
     <message>
         <source>the declared mounting ({0})</source>
         <translation>le montage déclaré ({0})</translation>
+    </message>
+    <message>
+        <source>the reference sees {0} µT along {1} more than with the coils off</source>
+        <translation>la référence voit {0} µT selon {1} de plus qu&apos;avec les bobines à zéro</translation>
     </message>
 </context>
 <context>

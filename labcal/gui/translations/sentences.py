@@ -49,6 +49,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "the reference does not answer"),
     QT_TRANSLATE_NOOP("Data", "the reference has no ambient field to compare with yet"),
     QT_TRANSLATE_NOOP("Data", "the reference's ambient field is from before hands were at the DUT"),
+    QT_TRANSLATE_NOOP("Data", "the reference was moved since its ambient field was measured"),
     QT_TRANSLATE_NOOP("Data", "coils at zero, by their supplies and by the field"),
     QT_TRANSLATE_NOOP("Data", "the reference sees more change than a mounting makes"),
     QT_TRANSLATE_NOOP("Data", "the reference has sent nothing since the currents settled"),

@@ -8,6 +8,7 @@ from labcal.bench.coils import state
 from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.field_witness import sees_more
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, mark_of, platform_mark
 
 TEXTS = (
@@ -63,6 +64,8 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """
     if left := left_words(now):
         return left, "bad"
+    if now.field_more_nT is not None:  # whatever a supply says, or does not
+        return translated("▲ Hands off: {0}").format(sees_more(now.field_more_nT)), "bad"
     said, mark = _hands_by_age(now)
     if mark != "bad" and now.coils_lost:
         return translated("▲ Hands off: the coils are not being read"), "bad"

@@ -8,7 +8,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from labcal.bench.coils import state
+from labcal.bench.coils.agreement import MOVED
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.viewmodels.field_witness import least_seen_nT, more_than_off
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
@@ -27,6 +29,7 @@ class KnownLab:
         self.state: state.LabState | None = None
         self._received_s = self._since_s = 0.0  # since when a coil is to be read back
         self._agreed: state.LabState | None = None  # as it was when a reference agreed last, of this mounting
+        self._off: state.LabState | None = None  # the same, whatever was mounted since: it tells of a coil still
         self.asked = False  # another worker was asked to switch the coils off, and has not answered
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
@@ -40,6 +43,16 @@ class KnownLab:
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
         if known.reference.verdict == "agrees" or mounted_anew(known):
             self._agreed = None if mounted_anew(known) else known
+
+        if known.reference.verdict == "agrees" or known.reference.why == MOVED:
+            self._off = None if known.reference.why == MOVED else known
+
+    def off_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
+        """What the reference saw with the coils off [nT, C], and the least change of it that tells of a coil."""
+        seen_s = None if self._off is None else self._off.reference.read_s
+        if self._off is None or facts is None or seen_s is None or (found := ambient_of(self._off, facts)) is None:
+            return None
+        return found[0], least_seen_nT(facts, seen_s, now_s)
 
     def ambient_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
         """What the reference is to see with the coils at zero [nT, C], and how far off that may be; soon out of date.
@@ -96,6 +109,7 @@ class KnownLab:
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run)
         now = replace(now, in_common=_in_common(known, facts))
+        now = replace(now, field_more_nT=None if known is None else more_than_off(known, facts))
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run

@@ -73,6 +73,7 @@ class LabNow:
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
+    field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
     coils_lost: bool = False  # a supply gives no answer now, whatever it said before

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import LIMIT_NT, NO_AMBIENT, OF_BEFORE
+from labcal.bench.coils.agreement import CHANGED, LIMIT_NT, NO_AMBIENT, OF_BEFORE
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.lab_messages import InstrumentRead
 
@@ -36,13 +36,30 @@ def mounted_anew(known: state.LabState) -> bool:
 
 
 def seconded(
-    known: state.LabState, said: tuple[InstrumentRead, ...], ambient: tuple[state.Vector, float] | None
+    known: state.LabState,
+    said: tuple[InstrumentRead, ...],
+    ambient: tuple[state.Vector, float] | None,
+    off: tuple[state.Vector, float] | None = None,
 ) -> state.LabState:
-    """`known` with what the reference, if it was among those just read, says of a zero; a doubt stands until lifted."""
+    """`known` with what the reference, if it was among those just read, says of a zero; a doubt stands until lifted.
+
+    `off`: what it saw with the coils off, however long ago, and the least change of it that tells of a coil.
+    """
     seen = next((one for one in said if one.role == "reference" and not one.held), None)
-    if seen is None or known.reference.verdict == "disagrees" or not all(coil.zero for coil in known.coils):
+    on = any(coil.current_A is not None and not coil.zero for coil in known.coils)
+    if seen is None or known.reference.verdict == "disagrees" or on:
         return known
-    return replace(known, reference=_witness(seen, ambient))
+    zero = all(coil.zero for coil in known.coils)
+    if zero and ambient is not None:
+        return replace(known, reference=_witness(seen, ambient))
+    if seen.field_nT is not None and off is not None:  # it tells of a supply that is silent, too
+        apart, least = float(np.linalg.norm(np.subtract(seen.field_nT, off[0]))), off[1]
+        if apart > least:
+            found = state.Witness("not known", CHANGED, seen.field_nT, off[0], apart, least, seen.read_s)
+            return replace(known, reference=found)
+    if zero:
+        return replace(known, reference=_witness(seen, ambient))
+    return replace(known, reference=state.Witness(why=NO_AMBIENT)) if known.reference.why == CHANGED else known
 
 
 def _witness(seen: InstrumentRead, ambient: tuple[state.Vector, float] | None) -> state.Witness:

@@ -90,7 +90,8 @@ def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
     sends = run.prompt is not None and run.prompt.acts and run.prompt.key != READY and DIAL not in run.prompt.drawing
     if not sends or now.coil_words in ("", state.NOT_YET):
         return "", "", False
-    rests = now.coil_words.startswith(state.NOT_BY_REFERENCE) and platform_mark(now.platform_words)[1] in ("", "good")
+    by_field = now.coil_words.startswith(state.NOT_BY_REFERENCE) or CHANGED in now.coil_words
+    rests = by_field and platform_mark(now.platform_words)[1] in ("", "good")
     past = run.virtual_time and max(now.coil_old_s or 0, now.platform_old_s or 0) > WATCHED_S
     return words, mark, mark == "bad" and not (rests or past or now.as_set)
 
