@@ -50,6 +50,8 @@ from labcal.system.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
+MOVES = QEvent.Type.MouseMove, QEvent.Type.Wheel, QEvent.Type.TouchBegin
+SOMEBODY = QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress, *MOVES
 
 
 def signed_file(path: str) -> str:
@@ -251,6 +253,8 @@ class Window(Frame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Style what comes up new; then handle the keys."""
+        if event.type() in SOMEBODY:
+            self.app_state.watch.touched()
         if event.type() in (QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress):
             self.app_state.login.touched()
         if event.type() == QEvent.Type.MouseButtonPress:

@@ -8897,6 +8897,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ Hands off: not read since {0}; move the mouse, and it is read again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ Hands off: the coils are not being read</source>
         <translation type="unfinished"></translation>
     </message>

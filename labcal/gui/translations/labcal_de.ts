@@ -8898,6 +8898,10 @@ diesem Schritt …</translation>
         <translation>▲ Hände weg: noch nicht gelesen</translation>
     </message>
     <message>
+        <source>▲ Hands off: not read since {0}; move the mouse, and it is read again</source>
+        <translation>▲ Hände weg: seit {0} nicht gelesen; die Maus bewegen, dann wird wieder gelesen</translation>
+    </message>
+    <message>
         <source>▲ Hands off: the coils are not being read</source>
         <translation>▲ Hände weg: die Spulen werden nicht gelesen</translation>
     </message>

@@ -8898,6 +8898,10 @@ cette étape …</translation>
         <translation>▲ Mains loin : pas encore lu</translation>
     </message>
     <message>
+        <source>▲ Hands off: not read since {0}; move the mouse, and it is read again</source>
+        <translation>▲ Mains loin : pas lu depuis {0} ; bougez la souris et la lecture reprend</translation>
+    </message>
+    <message>
         <source>▲ Hands off: the coils are not being read</source>
         <translation>▲ Mains loin : les bobines ne sont pas lues</translation>
     </message>

@@ -14,6 +14,7 @@ from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, mark_of,
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read yet"),
+    QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read since {0}; move the mouse, and it is read again"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: the coils are not being read"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: the platform is not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
@@ -71,6 +72,9 @@ def hands_of(now: LabNow) -> tuple[str, str]:
         return translated("▲ Hands off: the coils are not being read"), "bad"
     if mark != "bad" and now.platform_lost:
         return translated("▲ Hands off: the platform is not being read"), "bad"
+    if mark != "bad" and now.unread_since:
+        words = translated("▲ Hands off: not read since {0}; move the mouse, and it is read again")
+        return words.format(now.unread_since), "warning"
     return said, mark
 
 

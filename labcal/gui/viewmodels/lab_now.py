@@ -78,6 +78,7 @@ class LabNow:
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
     coils_lost: bool = False  # a supply gives no answer now, whatever it said before
     platform_lost: bool = False
+    unread_since: str = ""  # by the clock on the wall: nobody has been at the window for long, and nobody reads
     left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
     driven_elsewhere: bool = False  # that run goes on in another process
 

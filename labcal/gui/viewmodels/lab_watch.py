@@ -1,11 +1,15 @@
 """The lab is looked at on while no run goes on, until the coils are read back at zero and everybody answers.
 
-Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once.
+Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once. Where nobody has been
+at the window for `ALONE_S` and hands may go in, nobody reads on: supplies are not asked all night for nobody.
 """
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
+from datetime import datetime
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -13,8 +17,10 @@ from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.lab_now import LabNow
 
 LOOK_MS = 2000
+ALONE_S = 15 * 60.0  # since the last key, mouse, order or run
 Readings = tuple[InstrumentRead, ...]
 
 
@@ -33,6 +39,8 @@ class LabWatch(QObject):
     ) -> None:
         super().__init__()
         self._worker, self._lab, self._bench, self._wrong, self._take = worker, lab, bench, wrong, take
+        self._touched_s = time.monotonic()
+        self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
         self._asked: ReadLab | None = None
         self.timer = QTimer(self, interval=LOOK_MS)
         self.timer.timeout.connect(self.look)
@@ -40,8 +48,27 @@ class LabWatch(QObject):
 
     def look(self) -> None:
         """Read again what is wrong, if anything is, and nobody else has the lab."""
-        if self._asked is None and (bench := self._bench()) and (names := self._wrong()):
+        if not self._bench():  # a run goes on, or another one has the lab: that is somebody
+            self._touched_s, self.alone_since = time.monotonic(), ""
+        elif not self.alone_since and time.monotonic() - self._touched_s > ALONE_S and self._confirmed:
+            self.alone_since = f"{datetime.now():%H:%M}"
+        if not self.alone_since and self._asked is None and (bench := self._bench()) and (names := self._wrong()):
             self._ask(ReadLab(bench, names))
+
+    @property
+    def _confirmed(self) -> bool:
+        """Whether hands may go in by what was read last: as long as they may not, it is read on."""
+        return self._lab.state.hands[1] == "good"
+
+    def touched(self) -> None:
+        """Somebody is at the window: it is read on, at once."""
+        self._touched_s, alone, self.alone_since = time.monotonic(), self.alone_since, ""
+        if alone:
+            self.look()
+
+    def seen_in(self, now: LabNow) -> LabNow:
+        """The lab, with since when nobody reads it."""
+        return replace(now, unread_since=self.alone_since) if self.alone_since else now
 
     def read_all(self) -> None:
         """Everybody, whatever is known of them; a person asked."""
