@@ -116,7 +116,8 @@ class Bench:
         coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
         heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
-        field = self._listening.field.since(self.cage.settled_s).asked(self.cage.asked_nT)
+        field = self._listening.field.since(self.cage.settled_s)
+        field = field.asked(self.cage.asked_nT, changing=self.cage.changing)
         return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard), field, self._stands)
 
     def sentence(self) -> str:

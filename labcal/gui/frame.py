@@ -29,7 +29,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of, platform_drawn, shown_name
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, mark_of, platform_drawn, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
 from labcal.gui.widgets.common import ReadoutGrid, Surface, TwoLines, button, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
@@ -144,8 +144,8 @@ class SidePanel(Surface):
             return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
 
         now = state.now
-        set_old, old = ("" if one is None else "old" for one in (now.coil_old_s, now.field_old_s))
-        self.field_age.setText(age_words(now.field_old_s))
+        set_old, old = ("old" if one else "" for one in (age_words(now.coil_old_s), field_age(now)))
+        self.field_age.setText(field_age(now))
         self.field_age.setVisible(bool(self.field_age.text()))
         self.field.show_row(0, size(now.field_set_nT), state=set_old)
         self.field.show_row(1, size(now.field_measured_nT), state=old)

@@ -144,6 +144,11 @@ class Cage:
         return np.array([supply.set_point() for supply in self.supplies.values()])
 
     @property
+    def changing(self) -> bool:
+        """Whether the currents are on their way, up or to zero."""
+        return self.to_zero_since_s is not None or (self.on and self._held_A is None)
+
+    @property
     def flowing_A(self) -> Array:
         """Signed currents (3,), as last read."""
         return self.flown.last_A

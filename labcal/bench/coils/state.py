@@ -90,11 +90,15 @@ class Heard:
 
 @dataclass(frozen=True, slots=True)
 class FieldReading:
-    """The field at the DUT in C: as it was asked for (None: it was not), and as the reference saw it last, `read_s`."""
+    """The field at the DUT in C: as it was asked for (None: it was not), and as the reference saw it last, `read_s`.
+
+    `changing`: the coils are on their way, and what was seen is neither the field before nor the one to come.
+    """
 
     set_nT: Vector | None = None
     seen_nT: Vector | None = None
     read_s: float | None = None
+    changing: bool = False
 
     def seen(self, t_s: Any, field_nT: Any) -> FieldReading:
         """With the mean of the last of what the reference sent, (n, 3) at `t_s` (n,); none changes nothing."""
@@ -107,12 +111,12 @@ class FieldReading:
         """Without what was seen before `t_s`: on a ramp, of currents that flow no more."""
         return replace(self, seen_nT=None, read_s=None) if self.read_s is not None and self.read_s < t_s else self
 
-    def asked(self, field_nT: Any) -> FieldReading:
+    def asked(self, field_nT: Any, *, changing: bool = False) -> FieldReading:
         """With what was asked for (3,), or None."""
         if field_nT is None:
-            return replace(self, set_nT=None)
+            return replace(self, set_nT=None, changing=changing)
         x, y, z = map(float, field_nT)
-        return replace(self, set_nT=(x, y, z))
+        return replace(self, set_nT=(x, y, z), changing=changing)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, old_s
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, old_s
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
@@ -321,7 +321,7 @@ class BenchPage(QWidget):
                 words = "–" if current is None else f"{format_number(current, 3)} A"
                 age = age_words(now.coil_old_s)
             elif role == "reference" and seen is not None:
-                words, age = reading_text(role, seen), age_words(now.field_old_s)
+                words, age = reading_text(role, seen), field_age(now)
             elif role == "platform" and now.platform_deg is not None:
                 words, age = reading_text(role, (now.platform_deg,)), age_words(now.platform_old_s)
             elif said is not None:
@@ -353,7 +353,9 @@ class BenchPage(QWidget):
             return
         applied, reference = applied_field(now.coil_A, facts.cage.matrix), now.field_measured_nT
         ambient: Triple | None = None
-        if applied is not None and reference is not None and abs((ages[0] or 0) - (ages[1] or 0)) <= TOGETHER_S:
+        if now.field_changing:
+            reference = None
+        elif applied is not None and reference is not None and abs((ages[0] or 0) - (ages[1] or 0)) <= TOGETHER_S:
             ambient = (reference[0] - applied[0], reference[1] - applied[1], reference[2] - applied[2])
         self.cage.show_vectors(applied, ambient, reference)
         words = self._legend((applied, ambient, reference)), self._expected(facts.earth), self._limits(facts.cage)

@@ -8886,6 +8886,10 @@ diesem Schritt …</translation>
         <translation>vor {0} h</translation>
     </message>
     <message>
+        <source>changing</source>
+        <translation>ändert sich</translation>
+    </message>
+    <message>
         <source>lost</source>
         <translation>verloren</translation>
     </message>

@@ -8886,6 +8886,10 @@ cette étape …</translation>
         <translation>il y a {0} h</translation>
     </message>
     <message>
+        <source>changing</source>
+        <translation>en changement</translation>
+    </message>
+    <message>
         <source>lost</source>
         <translation>perdu</translation>
     </message>

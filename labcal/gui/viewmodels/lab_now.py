@@ -39,6 +39,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} s ago"),
     QT_TRANSLATE_NOOP("Words", "{0} min ago"),
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
+    QT_TRANSLATE_NOOP("Words", "changing"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
@@ -73,6 +74,7 @@ class LabNow:
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
+    field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
@@ -139,6 +141,7 @@ def lab_now(
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=seen_nT,
         field_old_s=old_s(seen_s, now_s),
+        field_changing=driven and lab.field.changing and old_s(seen_s, now_s) is None,
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
         coils_lost=any(role.startswith("coil-") for role in lost),
@@ -177,6 +180,11 @@ def age_words(old_s: int | None) -> str:
     if old_s < 120:
         return translated("{0} s ago").format(old_s)
     return translated("{0} min ago" if old_s < 7200 else "{0} h ago").format(old_s // (60 if old_s < 7200 else 3600))
+
+
+def field_age(now: LabNow) -> str:
+    """Of the measured field: what is seen while the coils are on their way is no settled value, however fresh."""
+    return translated("changing") if now.field_changing else age_words(now.field_old_s)
 
 
 def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:
