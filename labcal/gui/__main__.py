@@ -19,7 +19,7 @@ GARBAGE_MS = 500  # between two looks whether there is enough of it
 
 
 def main() -> int:
-    """Open the window; exit 2 with one sentence where Qt's system libraries are missing."""
+    """Open the window; exit 2 with one sentence where Qt's system libraries are missing, or one is open already."""
     parser = argparse.ArgumentParser(prog="labcal gui", description="The technician's window.")
     parser.add_argument("--bench", help="the bench file; else the last one that was used")
     parser.add_argument("--once", type=Path, metavar="PNG", help="build every page, keep a picture, and close")
@@ -43,6 +43,7 @@ def main() -> int:
     from PySide6.QtCore import QLocale, QTimer
 
     from labcal.gui.once import keep_picture
+    from labcal.gui.one_window import OneWindow, to_front
     from labcal.gui.reopened import Shown
     from labcal.gui.standing import Standing, come_back
     from labcal.gui.translations.translate import install_translator
@@ -57,10 +58,15 @@ def main() -> int:
     garbage.start(GARBAGE_MS)
     chosen = str(window_settings().value("language", "") or "")
     install_translator(application, QLocale(chosen) if chosen else QLocale.system())
+    only = OneWindow()
+    if given.once is None and (other := only.take()):
+        print(f"labcal gui: {other}", file=sys.stderr)
+        return 2
     if not given.after_crash:
         window_settings().remove(KEPT)
     window = open_window(given.bench, watched=given.state is not None, worker=given.worker)
     shown = Shown(window, lambda window: Standing(window, given.state))
+    only.knocked.connect(lambda: to_front(shown.window))
     sys.excepthook = shown.window.app_state.handle_exception
     # Ctrl-C is no exception within whatever Qt just calls, where it would be lost, but what closing the window is.
     signal.signal(signal.SIGINT, lambda *_: QTimer.singleShot(0, lambda: shown.window.leave(resumed_later=True)))
@@ -70,6 +76,7 @@ def main() -> int:
         return application.exec() if given.once is None else keep_picture(shown.window, given.once)
     finally:
         shown.window.app_state.close()
+        only.let_go()
 
 
 if __name__ == "__main__":
