@@ -12,8 +12,8 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.bench.at_a_question import currents_or_away, zero_anew
 from labcal.bench.clock import Clock
-from labcal.bench.coils.at_a_question import currents_or_away, zero_anew
 from labcal.bench.coils.at_zero import AtZero, words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
