@@ -11,16 +11,18 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import closing, suppress
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 import pytest
 from served_lab import EXAMPLE, until
 
-from labcal.bench.guardian import wire
+from labcal.bench.guardian import server, wire
 from labcal.bench.guardian.client import Connection
 from labcal.bench.guardian.server import CALLERS, LINE_BYTES, ORDERS, Server
 from labcal.bench.links import ports
+from labcal.bench.links.holders import Process
 from labcal.errors import InstrumentError
 
 BENCH = "f" * 64
@@ -153,6 +155,15 @@ def test_an_order_that_is_none_is_answered_with_an_error_and_the_next_is_heard(e
         assert "error" in told(caller, order)
         assert "value" in told(caller, {"order": "set_current", "with": {"axis": "x", "current_A": 0.5}})
     assert ear.coils.heard == [("x", 0.5)]
+
+
+def test_a_window_that_drives_the_bench_is_called_one(ear: Ear, monkeypatch: pytest.MonkeyPatch) -> None:
+    worker = Process(7, os.getuid(), "python3 -P -m labcal.gui.ipc.worker", datetime.now(UTC))
+    monkeypatch.setattr(server, "process", lambda pid: worker)
+    with ear.call() as caller:
+        told(caller, {"order": "hello", "with": {"who": "session 7", "bench": BENCH}})
+        (second,) = ear.asked({"order": "hello", "with": {"who": "session 8", "bench": BENCH}})
+    assert second["error"]["what"] == "labcal's window (session 7) drives this bench."
 
 
 def test_only_the_session_sets_currents_and_anybody_says_zero(ear: Ear) -> None:

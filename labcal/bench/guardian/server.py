@@ -24,12 +24,15 @@ from labcal.bench.guardian.wire import (
     fault_message,
     packed,
     peer,
+    peer_process,
     zero_message,
 )
+from labcal.bench.links.holders import process
 from labcal.bench.links.places import user, user_name
 from labcal.errors import InstrumentError
 
 LINE_BYTES = 65536  # no order is longer
+WINDOW = " labcal.gui."  # in what was typed to begin its worker
 TOKEN_S = 5.0  # to say who one is
 CALLERS, ORDERS = 32, 64  # at once; and of one caller not worked off yet: then it is not listened to
 STALE_S = 3.0  # a session that has been silent so long, with the coils at zero, makes room for another
@@ -224,10 +227,17 @@ class Server:
             ("another bench at these ports", "its coils to ") if bench != self._fingerprint else ("this bench", "")
         )
         raise InstrumentError(
-            f"{other.who}{whose} drives {which}{f' since {other.since:%Y-%m-%d %H:%M} UTC' if whose else ''}.",
+            f"{_named(other)}{whose} drives {which}{f' since {other.since:%Y-%m-%d %H:%M} UTC' if whose else ''}.",
             fault="in use",
             remedy=f"{'Ask for it to be ended' if whose else 'End it'} first; `labcal bench off` sets {its}zero now.",
         )
+
+
+def _named(caller: Caller) -> str:
+    """With the word of the kernel on who that is: a person who looks for a session finds a window."""
+    there = process(peer_process(caller.socket))
+    window = there is not None and WINDOW in there.program
+    return f"labcal's window ({caller.who})" if window else caller.who
 
 
 def _why(caller: Caller, message: Message) -> str:
