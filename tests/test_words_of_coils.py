@@ -53,6 +53,7 @@ NO_CLAIM = {
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
     "▲ Hands off: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
+    "the reference sees {0} µT along {1} more than with the coils off": READ,
     "With the window closed the guardian keeps trying to bring every coil to zero; "
     "nobody sees whether it does.": NOT_KNOWN,
     "No guardian holds the supplies: COILS OFF is given once more on closing; "

@@ -19,7 +19,7 @@ from labcal.gui.viewmodels.lab_watch import ALONE_S
 def asked(window):
     """Whether the watch, which looks now, asks anybody."""
     watch = window.app_state.watch
-    watch._over()
+    watch.stop()
     window.app_state.watch_worker.asked.clear()
     watch.look()
     return bool(window.app_state.watch_worker.commands(ReadLab))
