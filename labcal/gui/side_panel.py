@@ -58,11 +58,14 @@ class InstrumentRow(QWidget):
         row.addWidget(self.name, 1)
         row.addWidget(self.age)
 
-    def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool) -> None:
-        """`aged`: its `words` are its age. Who answers is in no colour but its mark's: what is wrong stands out."""
+    def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool) -> None:
+        """`aged`: its `words` are its age, said here where it stands `alone` with that.
+
+        Who answers is in no colour but its mark's: what is wrong stands out.
+        """
         self.mark.setText(shape)
         self.age.setText(words if aged else "")
-        self.age.setVisible(aged)
+        self.age.setVisible(aged and alone)
         self.name.say(f"{shape} {name}  {words}".strip(), name if aged else f"{name}  {words}".strip())
         set_state(self.mark, colour)
         set_state(self.name, "" if colour == "good" else colour)
@@ -112,13 +115,13 @@ class SidePanel(Surface):
         self.keep_off = label("", "ask", wrap=True)
         self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
         self.may_go_in, self.hands, self.zero_words = label("", "title", wrap=True), WholeWords(), label("", wrap=True)
-        holder = QWidget()
-        column = QVBoxLayout(holder)
+        self.hands_group = QWidget()
+        column = QVBoxLayout(self.hands_group)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(GRID // 2)
         for said in (self.keep_off, self.may_go_in, self.hands, self.zero_words):
             column.addWidget(said)
-        return holder
+        return self.hands_group
 
     def _instruments(self) -> QScrollArea:
         """Who answers. In a low window these roll, so that what is said of the coils above is always whole."""
@@ -184,6 +187,7 @@ class SidePanel(Surface):
             set_state(place, mark)
         again = mark == "good" or why.strip() == in_words(coils) or coils.startswith(ON)
         self.zero_words.setVisible(bool(coils) and not again)
+        self.hands_group.setVisible(bool(off or said or (coils and not again)))
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:
@@ -218,9 +222,8 @@ class SidePanel(Surface):
             self.rows.append(InstrumentRow())
             self._lights.addWidget(self.rows[-1])
         others = dict(state.other_serials)
-        lights = {light for _, light, _ in state.now.lights}
-        legend = self.tr("All answer.") if lights == {"ok"} and not others else ""
-        self.legend.setText(state.now.in_common or legend if state.bench else self.tr("No bench is open."))
+        of_all = self._of_all(state)
+        self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))
         self.legend.setVisible(bool(self.legend.text()))
         set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.rows, state.now.lights, strict=False):
@@ -229,8 +232,18 @@ class SidePanel(Surface):
             words = words or (translated(plain) if aged else "")
             if light != "fault" and name in others:
                 shape, colour, words, aged = "▲", "warning", others[name], False
-            row.show_light(shape, colour, shown_name(name), words, aged=aged)
+            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=words != of_all)
             row.name.setToolTip(guardian_is(name))
             row.show()
         for row in self.rows[len(state.now.lights) :]:
             row.hide()
+
+    def _of_all(self, state: LabState) -> str:
+        """What holds for every instrument is said once, above them."""
+        lights = {(light, words) for _, light, words in state.now.lights}
+        if len(lights) != 1 or state.other_serials:
+            return ""
+        ((light, words),) = lights
+        if light == "fault":
+            return ""
+        return self.tr("all answer") if light == "ok" else words or translated(LIGHT_SHAPES[light][2])

@@ -20,7 +20,7 @@ def test_the_start_page_says_what_holds(qtbot, lab):
     page = lab.page("Start")
     qtbot.waitUntil(lambda: "PASS" in page.facts["closing"][0].text(), timeout=LONG_MS)
     assert "closure" in page.facts["closing"][1].text()
-    assert "1 in the store" in page.facts["runs"][0].text()
+    assert "1 in the store" in page.counted.text()
     assert page.interrupted.isHidden()
     qtbot.waitUntil(page.morning.isEnabled, timeout=LONG_MS)
 
