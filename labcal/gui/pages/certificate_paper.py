@@ -62,7 +62,7 @@ class Paper(StepCard):
         row.addLayout(words, 1)
         for widget in (self.apply, self.report, self.export):
             row.addWidget(widget, 0, Qt.AlignmentFlag.AlignTop)
-        self.body.insertLayout(1, row)
+        self.body.insertLayout(0, row)
         self.button = self.export
 
     def _menu(self) -> QMenu:

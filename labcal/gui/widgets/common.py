@@ -98,7 +98,12 @@ def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
 
 def set_primary(widget: QPushButton, primary: bool) -> None:
     """Make a button the one thing to do, or one of several."""
-    if (name := "primary" if primary else "") != widget.objectName():
+    rename(widget, "primary" if primary else "")
+
+
+def rename(widget: QWidget, name: str) -> None:
+    """Give a widget that is shown already another style by its name."""
+    if name != widget.objectName():
         widget.setObjectName(name)
         widget.style().unpolish(widget)
         widget.style().polish(widget)
@@ -176,11 +181,11 @@ class Card(Surface):
         self.heading = named(OneLine(), "title")
         self.heading.setText(title)
         self.unit = label(unit, "caption")
-        head = QHBoxLayout()
-        head.addWidget(self.heading, 1)
-        head.addWidget(self.unit)
+        self.head = QHBoxLayout()
+        self.head.addWidget(self.heading, 1)
+        self.head.addWidget(self.unit)
         if title or unit:
-            outer.addLayout(head)
+            outer.addLayout(self.head)
         self.body = QVBoxLayout()
         self.body.setSpacing(GRID)
         outer.addLayout(self.body, 1)

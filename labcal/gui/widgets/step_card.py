@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, SigningStep
-from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, button, label, named, rename, set_primary, set_state
 
 LETTERS = 28  # a card is at least as wide: with less room they stand below each other
 
@@ -19,7 +19,7 @@ LETTERS = 28  # a card is at least as wide: with less room they stand below each
 class StepCard(Card):
     """Fields, the button below them at one height in every card of a row, then words.
 
-    Where cards stand below each other, or none of them is to be done, those that are not are folded to their headings.
+    Where cards stand below each other, or none of them is to be done, those that are not are folded to one line.
     """
 
     def __init__(self, title: str, rules: str = "") -> None:
@@ -33,11 +33,12 @@ class StepCard(Card):
         self.fields.setSpacing(GRID)
         self.fields.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.stacked = self.opened = self.now = False
-        self.unfold = button(self.tr("Show"), self.tr("What is done in this step"))
+        self.step, self.while_open = "", list[QWidget]()
+        self.unfold = named(button(self.tr("Show"), self.tr("What is done in this step")), "small")
         self.unfold.clicked.connect(self._unfold)
         self.unfold.hide()
-        self.body.addWidget(self.mark)
-        self.body.addWidget(self.unfold, 0, Qt.AlignmentFlag.AlignLeft)
+        self.head.addWidget(self.mark)
+        self.head.addWidget(self.unfold)
         self.body.addWidget(self.holder)
         for part in (self.wrong, self.asked, self.words, self.done, self.rules):
             self.body.addWidget(part)
@@ -75,10 +76,20 @@ class StepCard(Card):
     def fold(self) -> None:
         """Show the whole card, or its heading alone."""
         self.unfold.setVisible(self.folded)
+        rename(self.heading, "" if self._over else "title")
         self.holder.setVisible(not self.folded and self.fields.count() > 0)
         self.button.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
         self.rules.setVisible(self.now and bool(self.rules.text()))
-        self.words.setVisible(bool(self.words.text()))
+        self.words.setVisible(bool(self.words.text()) and not self._over)
+        self.done.setVisible(bool(self.done.text()) and not self._over)
+        for part in self.while_open:
+            part.setVisible(not self._over)
+        self.setToolTip(self.words.text() if self._over else "")
+
+    @property
+    def _over(self) -> bool:
+        """Folded, with nothing that is still to come of it: its mark says all."""
+        return self.folded and self.step in ("done", "never")
 
     def show_step(self, step: SigningStep) -> None:
         """How it stands; what is to be done now has an edge in the accent, and the blue button."""
@@ -86,7 +97,7 @@ class StepCard(Card):
         self.mark.setText(f"{shape} {translated(str(name))}")
         set_state(self.mark, state)
         self.words.setText(step.words)
-        now = step.mark == "now"
+        now, self.step = step.mark == "now", step.mark
         self.opened = self.opened and now is self.now
         self.now = now
         self.fold()
@@ -97,7 +108,7 @@ class StepCard(Card):
     def say_done(self, words: str) -> None:
         """What was done in this step just now."""
         self.done.setText(words)
-        self.done.setVisible(bool(words))
+        self.fold()
 
     def ask(self, words: str) -> None:
         """What is to be known before its button is pressed once more."""
