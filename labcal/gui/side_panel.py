@@ -164,7 +164,8 @@ class SidePanel(Surface):
         for row, axis in enumerate(now.coil_A):
             self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
         shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
-        self.coils_on.setText(f"{shape} {self.tr('on')}" if now.coil_words.startswith(ON) else "")
+        on = self.tr("on")
+        self.coils_on.setText(f"{shape} {on}" if now.coil_words.startswith(ON) else "")
         set_state(self.coils_on, mark)
         self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
         set_state(self.zero_words, mark)
