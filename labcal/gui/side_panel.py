@@ -15,7 +15,7 @@ from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, LabNow, age_words, mark_of, platform_mark, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number
-from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state
+from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
 
 UNITS = ("nT", "µT", "mG")
 SET, MEASURED, U, AXES = 0, 1, 2, 3  # rows of the field
@@ -89,7 +89,8 @@ class SidePanel(Surface):
             self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
         )
         self.read_all.setObjectName("small")
-        self.coils_on, self.stands = label("", "caption"), ReadoutGrid((self.tr("angle"),))
+        self.coils_on, self.angle = label("", "caption"), label()
+        self.angle.setFont(tabular_font())
         self.coils, self.field = (
             ReadoutGrid(("x", "y", "z")),
             ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z")),
@@ -97,7 +98,10 @@ class SidePanel(Surface):
         coils = Group(self.tr("COILS   A"), self.coils_on).add(self.coils)
         field = Group(self.tr("FIELD"), self.unit).add(self.field)
         self.platform = WholeWords()
-        self.platform_group = Group(self.tr("PLATFORM")).add(self.platform, self.stands)
+        self.platform_group, stands = Group(self.tr("PLATFORM")), QHBoxLayout()
+        stands.addWidget(self.platform, 1)
+        stands.addWidget(self.angle)
+        self.platform_group.body.addLayout(stands)
         self.coils_age, self.field_age = coils.age, field.age
         column.addWidget(self._hands())
         for group in (coils, field, self.platform_group):
@@ -210,13 +214,17 @@ class SidePanel(Surface):
         shape, mark = platform_mark(now.platform_words, now.coil_words)
         whole = f"{shape} {in_words(now.platform_words)}".strip()
         plainly = {"platform stands": self.tr("stands"), "platform turns": self.tr("turns")}
-        short = plainly.get(" ".join(now.platform_words.split()[:2])) if now.platform_deg is not None else None
+        short = (
+            plainly.get(" ".join(now.platform_words.partition(",")[0].split()[:2]))
+            if now.platform_deg is not None
+            else None
+        )
         self.platform.say(whole, f"{shape} {short}" if short else whole)
         set_state(self.platform, mark)
         self.platform_group.setVisible(bool(whole))
         self.platform_group.age.setText(age_words(now.platform_old_s) if short else "")
-        self.stands.show_row(0, f"{now.platform_deg:.0f}°" if short else "–", state="old" if mark == "old" else "")
-        self.stands.setVisible(short is not None)
+        self.angle.setText(f"{now.platform_deg:.0f}°" if short else "")
+        set_state(self.angle, "old" if mark == "old" else "")
 
     def _show_lights(self, state: LabState) -> None:
         while len(self.rows) < len(state.now.lights):

@@ -7395,10 +7395,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>angle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>PLATFORM</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8794,6 +8790,10 @@ after this step …</source>
     </message>
     <message>
         <source>non-orthogonality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped by COILS OFF</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7396,10 +7396,6 @@ diesem Schritt …</translation>
         <translation>Jetzt jedes Gerät lesen: Ströme, Feld, Winkel, wer antwortet. Nichts wird gestellt oder bewegt.</translation>
     </message>
     <message>
-        <source>angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
         <source>PLATFORM</source>
         <translation>TISCH</translation>
     </message>
@@ -8854,6 +8850,10 @@ diesem Schritt …</translation>
         <translation>geschlossener Kreis</translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation>durch SPULEN AUS gestoppt</translation>
+    </message>
+    <message>
         <source>broken off</source>
         <translation>unterbrochen</translation>
     </message>
@@ -9595,7 +9595,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
-        <translation>Das meiste von U einer Feldkomponente, {0} von {1} nT (k = 2), ist die Montage: Der Lauf gibt sie auf {2}° genau an (u_mounting_deg). Kleiner wird es, wenn genauer montiert und das angegeben wird: docs/certificate.md</translation>
+        <translation>Das meiste von U einer Feldkomponente, {0} von {1} nT (k = 2), ist die Montage: Die Messung gibt sie auf {2}° genau an (u_mounting_deg). Kleiner wird es, wenn genauer montiert und das angegeben wird: docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>

@@ -7396,10 +7396,6 @@ cette étape …</translation>
         <translation>Lire chaque appareil maintenant : courants, champ, angle, qui répond. Rien n&apos;est réglé ni déplacé.</translation>
     </message>
     <message>
-        <source>angle</source>
-        <translation>angle</translation>
-    </message>
-    <message>
         <source>PLATFORM</source>
         <translation>PLATE-FORME</translation>
     </message>
@@ -8852,6 +8848,10 @@ cette étape …</translation>
     <message>
         <source>closed loop</source>
         <translation>boucle fermée</translation>
+    </message>
+    <message>
+        <source>stopped by COILS OFF</source>
+        <translation>arrêtée par BOBINES À ZÉRO</translation>
     </message>
     <message>
         <source>broken off</source>

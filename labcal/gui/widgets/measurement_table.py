@@ -146,6 +146,8 @@ class Measurements(Table):
     def __init__(self, theme: Theme) -> None:
         super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
         self.right_heading(1, 2, 4)
+        self.horizontalHeader().setStretchLastSection(False)
+        self.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         self.setWordWrap(True)  # names differ at their ends
         self.horizontalHeader().moveSection(5, 1)  # the verdict is seen in a narrow window too
         self.horizontalHeader().sectionResized.connect(self._fit_rows)
