@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.bench.coils.state import ON
 from labcal.gui.theming.theme import GRID
@@ -16,6 +16,7 @@ from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, LabNow, age_words, mark_of, platform_mark, shown_name
 from labcal.gui.viewmodels.number_format import format_field, format_number
 from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
+from labcal.gui.widgets.flow import Flow
 
 UNITS = ("nT", "µT", "mG")
 SET, MEASURED, U, AXES = 0, 1, 2, 3  # rows of the field
@@ -137,13 +138,16 @@ class SidePanel(Surface):
         area.setMinimumHeight(GRID)
         area.viewport().setAutoFillBackground(False)
         self.legend = label("", "caption", wrap=True)
-        group = Group(self.tr("INSTRUMENTS"))
-        group.head.addWidget(self.read_all)  # above what may be longer than the room
-        group.add(self.legend)
-        self._lights = group.body
+        title = label(self.tr("INSTRUMENTS"), "caption")
+        title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._lights = QVBoxLayout()
+        self._lights.setSpacing(GRID // 2)
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(group)
+        column.setSpacing(GRID // 2)
+        column.addLayout(Flow(title, self.read_all))  # above what may be longer than the room
+        column.addWidget(self.legend)
+        column.addLayout(self._lights)
         column.addStretch()
         area.setWidget(holder)
         holder.setAutoFillBackground(False)

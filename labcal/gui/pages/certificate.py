@@ -302,7 +302,11 @@ class CertificatePage(QWidget):
             self.said.clear()
         shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
-        words = " ".join([*map(in_words, said.sentences), *faults])
+        beside = self.tr(
+            "Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again."
+        )
+        lost = [] if said.signatures else [beside.format(Path(said.path).name)]
+        words = " ".join([*map(in_words, said.sentences), *faults, *lost])
         verified = self.tr("verified at {0}").format(f"{datetime.now():%H:%M:%S}")
         self.drop.say(f"{shape} {Path(said.path).name} · {verified}: {words}", state_of(said))
         if (one := self._files.get(self._copies.get(said.path, said.path))) is not None and said.valid:

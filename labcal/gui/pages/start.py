@@ -32,7 +32,7 @@ from labcal.gui.widgets.run_chooser import run_title
 DUE_DAYS = 365
 LISTED = 3  # interrupted runs
 LAST, LAST_WIDE = 3, 10  # runs, where their card has the width of half the page, and of all of it
-LAST_RUNS = ("started", "DUT", "procedure", "result", "calibration")
+LAST_RUNS = ("started", "DUT", "result", "calibration", "procedure")
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 
@@ -310,8 +310,8 @@ class StartPage(QWidget):
     def _write_run(self, row: int, one: RunLine) -> None:
         word, state = self.results.word(one)
         started, dut, procedure, _, result, calibration, _ = cells(one, self._app_state.path.stands(one.run_id), word)
-        for column, text in enumerate((started, dut, procedure, result, calibration or "–")):
-            ink = {3: state, 4: "warning" if doubtful(text) else ""}.get(column) or "text"
+        for column, text in enumerate((started, dut, result, calibration or "–", procedure)):
+            ink = {2: state, 3: "warning" if doubtful(text) else ""}.get(column) or "text"
             self.runs.set_cell(row, column, text, colour=getattr(self._theme, ink), tip=run_title(one))
 
     def _list_interrupted(self, broken: list[RunLine]) -> None:

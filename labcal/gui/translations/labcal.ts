@@ -440,6 +440,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>verified at {0}</source>
         <translation type="unfinished"></translation>
     </message>

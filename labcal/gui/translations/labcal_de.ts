@@ -440,6 +440,10 @@
         <translation>{0} ist ausgegeben.</translation>
     </message>
     <message>
+        <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
+        <translation>Die Signaturen sind Dateien daneben, {0}.sshsig: in denselben Ordner kopieren und neu prüfen.</translation>
+    </message>
+    <message>
         <source>verified at {0}</source>
         <translation>geprüft um {0}</translation>
     </message>

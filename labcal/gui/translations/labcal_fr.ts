@@ -440,6 +440,10 @@
         <translation>{0} est remis.</translation>
     </message>
     <message>
+        <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
+        <translation>Ses signatures sont des fichiers à côté, {0}.sshsig : les copier dans le même dossier et vérifier à nouveau.</translation>
+    </message>
+    <message>
         <source>verified at {0}</source>
         <translation>vérifié à {0}</translation>
     </message>

@@ -24,6 +24,7 @@ class StepCard(Card):
 
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
+        self._title = title
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
         self.done, self.asked = label("", "caption", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
@@ -76,7 +77,7 @@ class StepCard(Card):
     def fold(self) -> None:
         """Show the whole card, or its heading alone."""
         self.unfold.setVisible(self.folded)
-        rename(self.heading, "" if self._over else "title")
+        self._head_in_short()
         self.holder.setVisible(not self.folded and self.fields.count() > 0)
         self.button.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
         self.rules.setVisible(self.now and bool(self.rules.text()))
@@ -85,6 +86,20 @@ class StepCard(Card):
         for part in self.while_open:
             part.setVisible(not self._over)
         self.setToolTip(self.words.text() if self._over else "")
+
+    def name_it(self, title: str) -> None:
+        """Another title."""
+        self._title = title
+        self._head_in_short()
+
+    def _head_in_short(self) -> None:
+        """Over and folded: its mark before its name, on one line however narrow the card is."""
+        shape, _, state = MARKS.get(self.step, ("", "", ""))
+        rename(self.heading, "" if self._over else "title")
+        set_state(self.heading, state if self._over else "")
+        self.heading.setText(f"{shape} {self._title}" if self._over else self._title)
+        self.heading.setToolTip(self.mark.text() if self._over else "")
+        self.mark.setVisible(not self._over)
 
     @property
     def _over(self) -> bool:
