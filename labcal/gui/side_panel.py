@@ -22,7 +22,7 @@ UNITS = ("nT", "µT", "mG")
 SET, MEASURED, U, AXES = 0, 1, 2, 3  # rows of the field
 
 
-class Group(QWidget):
+class PanelGroup(QWidget):
     """A title with what holds for all its rows at the right: how old they are."""
 
     def __init__(self, title: str, *beside: QWidget) -> None:
@@ -39,7 +39,7 @@ class Group(QWidget):
         self.body.setSpacing(GRID // 2)
         self.body.addLayout(self.head)
 
-    def add(self, *rows: QWidget) -> Group:
+    def add(self, *rows: QWidget) -> PanelGroup:
         """Below what is there."""
         for row in rows:
             self.body.addWidget(row)
@@ -80,8 +80,8 @@ class SidePanel(Surface):
     def __init__(self) -> None:
         super().__init__(Qt.Edge.LeftEdge)
         column = QVBoxLayout(self)
-        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, GRID)
-        column.setSpacing(2 * GRID)
+        column.setContentsMargins(2 * GRID, 3 * GRID // 2, 2 * GRID, GRID)
+        column.setSpacing(3 * GRID // 2)
         self.unit = named(QPushButton("nT"), "small")
         self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
         self.unit.clicked.connect(self._next_unit)
@@ -96,10 +96,10 @@ class SidePanel(Surface):
             ReadoutGrid(("x", "y", "z")),
             ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z")),
         )
-        coils = Group(self.tr("COILS   A"), self.coils_on).add(self.coils)
-        field = Group(self.tr("FIELD"), self.unit).add(self.field)
+        coils = PanelGroup(self.tr("COILS   A"), self.coils_on).add(self.coils)
+        field = PanelGroup(self.tr("FIELD"), self.unit).add(self.field)
         self.platform = WholeWords()
-        self.platform_group, stands = Group(self.tr("PLATFORM")), QHBoxLayout()
+        self.platform_group, stands = PanelGroup(self.tr("PLATFORM")), QHBoxLayout()
         stands.addWidget(self.platform, 1)
         stands.addWidget(self.angle)
         self.platform_group.body.addLayout(stands)

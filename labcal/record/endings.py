@@ -8,7 +8,7 @@ from __future__ import annotations
 
 STOPPED, BROKEN_OFF = "stopped", "broken off"
 STOPPED_BY = "stopped_by"  # in the data of the last read-back: that a person ended the run
-BY_ABORT = "operator, coils to zero first"  # there, where it was by COILS OFF in the window
+BY_ABORT = "operator, by abort"  # there, where it was by COILS OFF in the window
 BY_OFF = "stopped by COILS OFF"
 BY_OPERATOR = "stopped by the operator"
 NO_END = ("interrupted", "failed")  # states, or what begins them

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, SigningStep
 from labcal.gui.widgets.common import Card, button, label, named, rename, set_primary, set_state
+from labcal.gui.widgets.flow import Flow
 
 LETTERS = 28  # a card is at least as wide: with less room they stand below each other
 
@@ -38,8 +39,10 @@ class StepCard(Card):
         self.unfold = named(button(self.tr("Show"), self.tr("What is done in this step")), "small")
         self.unfold.clicked.connect(self._unfold)
         self.unfold.hide()
-        self.head.addWidget(self.mark)
-        self.head.addWidget(self.unfold)
+        self.heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.head.removeWidget(self.heading)
+        self.head.addLayout(Flow(self.heading, self.mark, self.unfold), 1)
+        self.unit.hide()
         self.body.addWidget(self.holder)
         for part in (self.wrong, self.asked, self.words, self.done, self.rules):
             self.body.addWidget(part)
