@@ -241,11 +241,11 @@ class SidePanel(Surface):
         set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.rows, state.now.lights, strict=False):
             shape, colour, plain = LIGHT_SHAPES[light]
-            aged = light in ("old", "waiting", "absent")
+            aged = light != "fault"
             words = words or (translated(plain) if aged else "")
             if light != "fault" and name in others:
                 shape, colour, words, aged = "▲", "warning", others[name], False
-            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=words != of_all)
+            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=not of_all)
             row.name.setToolTip(guardian_is(name))
             row.show()
         for row in self.rows[len(state.now.lights) :]:
