@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from math import hypot
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent, QShortcut
@@ -13,25 +12,22 @@ from PySide6.QtWidgets import (
     QDialog,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QMainWindow,
     QMenu,
     QPushButton,
-    QScrollArea,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
 
+from labcal.gui.side_panel import SidePanel
 from labcal.gui.theming.theme import GRID
 from labcal.gui.top_bar import TopBar
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, mark_of, platform_drawn, shown_name
-from labcal.gui.viewmodels.number_format import format_field, format_number, turns_written
-from labcal.gui.widgets.common import ReadoutGrid, Surface, TwoLines, button, label, named, plain, set_state
+from labcal.gui.viewmodels.number_format import turns_written
+from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -40,141 +36,7 @@ from labcal.gui.widgets.next_button import NextButton
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
-UNITS = ("nT", "µT", "mG")
 NO_MARK = "\N{EM SPACE}\N{SIX-PER-EM SPACE}"  # as wide as a mark and the blank behind it
-
-
-class SidePanel(Surface):
-    """The field now, the coil currents and the instruments."""
-
-    unit_asked = Signal(str)
-
-    def __init__(self) -> None:
-        super().__init__(Qt.Edge.LeftEdge)
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
-        self._column.setSpacing(GRID)
-        self.keep_off = label("", "ask", wrap=True)  # on every page here, and the largest words of this panel
-        self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
-        self._column.addWidget(self.keep_off)
-        self.unit = QPushButton("nT")
-        self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
-        self.unit.clicked.connect(self._next_unit)
-        head, words = QHBoxLayout(), QVBoxLayout()
-        words.setSpacing(0)
-        self.field_age = label("", "caption")
-        for caption in (label(self.tr("FIELD"), "caption"), self.field_age):
-            words.addWidget(caption)
-        head.addLayout(words, 1)
-        head.addWidget(self.unit)
-        self._column.addLayout(head)
-        self.field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
-        self._column.addWidget(self.field)
-        coils_head = QHBoxLayout()
-        self.coils_age = label("", "caption")
-        coils_head.addWidget(label(self.tr("COILS   A"), "caption"))
-        coils_head.addWidget(self.coils_age)
-        coils_head.addStretch()
-        self._column.addLayout(coils_head)
-        self.coils = ReadoutGrid(("x", "y", "z"))
-        self._column.addWidget(self.coils)
-        self.hands, self.zero_words, self.platform = (label("", wrap=True) for _ in range(3))
-        self.hands.setAccessibleName(self.tr("Whether hands may go in"))
-        for said in (self.hands, self.zero_words, self.platform):
-            self._column.addWidget(said)
-        self.read_all = button(
-            self.tr("Read all"),
-            self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
-        )
-        self._column.addWidget(self._instruments(), 1)
-        self.instrument_rows: list[QLabel] = []
-
-    def _instruments(self) -> QScrollArea:
-        """Who answers. In a low window these roll, so that what is said of the coils above is always whole."""
-        area, holder = QScrollArea(), QWidget()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QScrollArea.Shape.NoFrame)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setMinimumHeight(GRID)
-        area.viewport().setAutoFillBackground(False)
-        self._lights = QVBoxLayout()
-        self._lights.setSpacing(GRID // 4)
-        self.legend = label("", "caption", wrap=True)
-        column = QVBoxLayout(holder)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
-        column.addWidget(self.read_all)  # above what may be longer than the room
-        column.addLayout(self._lights)
-        column.addWidget(self.legend)
-        column.addStretch()
-        area.setWidget(holder)
-        holder.setAutoFillBackground(False)
-        return area
-
-    def _next_unit(self) -> None:
-        self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])
-
-    def show_state(self, state: LabState) -> None:
-        """Write the field, the coils and the lights."""
-        self.keep_off.setText(state.keep_off[0])
-        set_state(self.keep_off, state.keep_off[1])
-        self.keep_off.setVisible(bool(state.keep_off[0]))
-        self.unit.setText(state.unit)
-        self._show_field(state)
-        now = state.now
-        old = "" if now.coil_old_s is None else "old"
-        self.coils_age.setText(age_words(now.coil_old_s))
-        for row, axis in enumerate(now.coil_A):
-            self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        coils = mark_of(now.coil_words, at_rest=now.at_rest)
-        platform = platform_drawn(now.platform_words, now.coil_words)
-        hands = ("", "") if coils[1] == "bad" else state.hands  # HANDS OFF above, and why below, take the room
-        said = (f"{coils[0]} {in_words(now.coil_words)}", f"{platform[0]} {in_words(now.platform_words)}", hands[0])
-        marks = coils[1], platform[1], hands[1]
-        for place, words, mark in zip((self.zero_words, self.platform, self.hands), said, marks, strict=True):
-            place.setText(words.strip())
-            place.setVisible(bool(words.strip()))
-            set_state(place, mark)
-        self._show_lights(state)
-        self.read_all.setEnabled(bool(state.bench) and not now.driven and not state.reading)
-
-    def _show_field(self, state: LabState) -> None:
-        def size(vector: tuple[float, float, float] | None) -> str:
-            return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
-
-        now = state.now
-        set_old, old = ("old" if one else "" for one in (age_words(now.coil_old_s), field_age(now)))
-        self.field_age.setText(field_age(now))
-        self.field_age.setVisible(bool(self.field_age.text()))
-        self.field.show_row(0, size(now.field_set_nT), state=set_old)
-        self.field.show_row(1, size(now.field_measured_nT), state=old)
-        u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
-        self.field.show_row(2, u, state=old)
-        for row, axis in enumerate(now.field_measured_nT or (None,) * 3):
-            self.field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit), state=old)
-
-    def _show_lights(self, state: LabState) -> None:
-        while len(self.instrument_rows) < len(state.now.lights):
-            self.instrument_rows.append(label("", wrap=True))
-            self._lights.addWidget(self.instrument_rows[-1])
-        others = dict(state.other_serials)
-        wordless = {light for _, light, words in state.now.lights if not words}
-        legend = "   ".join(
-            f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
-        )
-        self.legend.setText(state.now.in_common or legend if state.bench else self.tr("No bench is open."))
-        set_state(self.legend, "bad" if state.now.in_common else "")
-        for row, (name, light, words) in zip(self.instrument_rows, state.now.lights, strict=False):
-            shape, colour, _ = LIGHT_SHAPES[light]
-            if light != "fault" and name in others:
-                shape, colour, words = "▲", "warning", others[name]
-            row.setText(f"{shape} {shown_name(name)}  {words}".strip())
-            row.setToolTip(guardian_is(name))
-            set_state(row, colour)
-            row.show()
-        for row in self.instrument_rows[len(state.now.lights) :]:
-            row.hide()
 
 
 def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:

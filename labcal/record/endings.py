@@ -8,6 +8,8 @@ from __future__ import annotations
 
 STOPPED, BROKEN_OFF = "stopped", "broken off"
 STOPPED_BY = "stopped_by"  # in the data of the last read-back: that a person ended the run
+BY_ABORT = "operator, by abort"  # there, where it was by COILS OFF in the window
+BY_OFF = "stopped by COILS OFF"
 BY_OPERATOR = "stopped by the operator"
 NO_END = ("interrupted", "failed")  # states, or what begins them
 BY_A_PERSON = (f": {BY_OPERATOR}", ": aborted by the operator")
@@ -28,7 +30,9 @@ def ended_words(status: str, *, stopped: bool = False) -> str:
     return status
 
 
-def ended_word(status: str, *, stopped: bool = False) -> str:
-    """The one word for it."""
+def ended_word(status: str, *, stopped: bool = False, by_off: bool = False) -> str:
+    """The one word for it; `by_off`: the record says that it was by COILS OFF, which is said."""
     words = ended_words(status, stopped=stopped)
+    if by_off and words.startswith(STOPPED):
+        return BY_OFF
     return next((word for word in (STOPPED, BROKEN_OFF) if words.startswith(word)), status.partition(":")[0])

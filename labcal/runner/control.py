@@ -7,7 +7,7 @@ from queue import Empty, SimpleQueue
 from threading import Event
 
 from labcal.errors import Stopped
-from labcal.record.endings import STOPPED_BY
+from labcal.record.endings import BY_ABORT, STOPPED_BY
 
 
 class Aborted(Stopped):
@@ -33,7 +33,7 @@ class NotKept(Aborted):
 def stopped_by(fault: BaseException | None) -> dict[str, str]:
     """What the last word of a record says of a run that a person ended; nothing of all others."""
     person = isinstance(fault, Stopped | KeyboardInterrupt) and not isinstance(fault, Left | NotKept)
-    return {STOPPED_BY: "operator"} if person else {}
+    return {STOPPED_BY: BY_ABORT if isinstance(fault, Aborted) else "operator"} if person else {}
 
 
 class Control:

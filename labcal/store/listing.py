@@ -10,7 +10,7 @@ from typing import Any
 
 from labcal.errors import InputError
 from labcal.files.home import home
-from labcal.record.endings import STOPPED, STOPPED_BY, ended_word
+from labcal.record.endings import BY_ABORT, STOPPED, STOPPED_BY, ended_word
 from labcal.record.run_id import as_file_name
 from labcal.store.database import Connection, connect, named_faults
 from labcal.store.liveness import is_alive
@@ -25,15 +25,15 @@ HEAD = "CASE WHEN json_valid(header) THEN json_extract(header, {}) END".format(
 )  # of a header, what a list shows: a bench file and more stand in it too
 LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
 
-BY_A_PERSON = f"""(SELECT kind = 'event' AND content LIKE '%"{STOPPED_BY}"%' FROM item WHERE item.run = run.number
-ORDER BY item.number DESC LIMIT 1)"""  # by its last word
+BY_A_PERSON = f"""(SELECT (kind = 'event') * ((content LIKE '%"{STOPPED_BY}"%') + (content LIKE '%"{BY_ABORT}"%'))
+FROM item WHERE item.run = run.number ORDER BY item.number DESC LIMIT 1)"""  # by its last word; 2 where by COILS OFF
 
 
 @dataclass(frozen=True, slots=True)
 class RunSummary:
     """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported.
 
-    `stopped`: a person ended it, whether or not it can be gone on with.
+    `stopped`: a person ended it, whether or not it can be gone on with; `by_off`: by COILS OFF in the window.
     """
 
     run_id: str
@@ -44,6 +44,7 @@ class RunSummary:
     procedure: str
     simulated: bool
     stopped: bool = False
+    by_off: bool = False
 
 
 def list_runs(path: Path | None = None) -> list[RunSummary]:
@@ -95,5 +96,6 @@ def _summary(
         operator=operator or "",
         procedure=procedure or "",
         simulated=simulated,
-        stopped=ended_word(status, stopped=bool(by_person)) == STOPPED,
+        stopped=(stopped := ended_word(status, stopped=bool(by_person)) == STOPPED),
+        by_off=stopped and (by_person or 0) > 1,
     )

@@ -196,7 +196,7 @@ def test_what_the_sensor_indicates_is_what_its_map_reads_in_that_field(issued: C
     _, high = issued.validity.field_nT
     made = replace(issued, affine=affine, effects=(), dut=replace(issued.dut, unit="nT", nominal_nT_per_unit=1.0))
     results = page_of(tmp_path / "cal.json", made).sections[0].blocks[0]
-    assert results.header == ("Field", "Component", "Applied nT", "Indicated nT", "Error nT", "U nT", "k")
+    assert results.header == ("Field", "Component", "Applied (nT)", "Indicated (nT)", "Error (nT)", "U (nT)", "k")
     assert [row[:2] for row in results.rows[:4]] == [
         ("60 µT along +x", "b x"),
         ("", "b y"),

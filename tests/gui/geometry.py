@@ -122,7 +122,9 @@ def _needed(one: QWidget) -> QRect:
         if one.textFormat() != Qt.TextFormat.PlainText:
             return QRect(QPoint(), one.minimumSizeHint())
         width = one.contentsRect().width() if one.wordWrap() else 100_000
-        lines = one.fontMetrics().boundingRect(QRect(0, 0, width, 100_000), WRAP if one.wordWrap() else 0, one.text())
+        lines = one.fontMetrics().boundingRect(
+            QRect(0, 0, width, 100_000), WRAP if one.wordWrap() else 0, QLabel.text(one)
+        )
         return QRect(0, 0, lines.width(), lines.height() - one.fontMetrics().leading())
     if isinstance(one, QLineEdit):
         frame = one.sizeHint().height() - one.fontMetrics().height()

@@ -174,7 +174,12 @@ def test_one_line_says_what_makes_most_of_U():
     """27 nT on the Loop page, and U = 870 nT on the certificate, said nothing of each other."""
     words = largest_of_U(replace(SHORT, budget=(NOISY, MOUNTED)))
     assert words == (
-        "U of one component of the field is up to 874 nT (k = 2), 97 % of it from the declared mounting "
+        "Most of U of one component of the field, 860 of 874 nT (k = 2), is the mounting: the run declares it good to "
+        "0.5° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md"
+    )
+    shared = replace(MOUNTED, sources=(("rotation axes in the body about z", 0.4), ("noise of one reading", 0.3)))
+    assert largest_of_U(replace(SHORT, budget=(shared,))) == (
+        "U of one component of the field is up to 874 nT (k = 2), 40 % of it from the declared mounting "
         "(rotation axes in the body about z): docs/certificate.md"
     )
     assert largest_of_U(replace(SHORT, budget=())) == largest_of_U(None) == ""

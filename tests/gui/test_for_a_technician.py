@@ -13,7 +13,7 @@ from test_path import calibration
 from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListKeys, LookAt, NewKey
 from labcal.gui.theming.chosen import chosen_theme
 from labcal.gui.theming.theme import DARK, LIGHT
-from labcal.gui.viewmodels.loop_words import MEANS, as_a_drop, said_plainly
+from labcal.gui.viewmodels.loop_words import MEANS, as_a_drop, plain_reason, said_plainly
 from labcal.gui.widgets import secret
 from labcal.loop.narrative import why_accepted, why_rejected
 
@@ -47,6 +47,14 @@ def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbo
     page.others.setCurrentRow(0)
     assert page.change_why.text() == as_a_drop(reasons[2])
     assert "728.0 nats" in page.change_why.text()
+
+
+def test_a_cause_that_is_not_named_says_so_without_the_square_of_the_noise():
+    step = SimpleNamespace(evidence=900.0, drop=26.0)
+    assert plain_reason(why_rejected(step)) == "explains nothing beyond what is named already"
+    step = SimpleNamespace(evidence=900.0, drop=1e-6)
+    assert plain_reason(why_rejected(step)) == "explains too little to be worth its parameters"
+    assert plain_reason("of its own") == "of its own"
 
 
 def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):

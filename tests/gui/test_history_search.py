@@ -12,6 +12,8 @@ from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.ipc.record_messages import RunResult, TellResults
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.run_search import HEADINGS, cells, file_name, matches
+from labcal.gui.viewmodels.run_verdict import end_result
+from labcal.gui.widgets.run_chooser import run_label, run_title
 
 RUN = RunLine("r1", "2026-11-22T23:30:00Z", "finished", "EM-07", "J. Doe", "preflight", simulated=True)
 BEFORE = replace(
@@ -106,3 +108,14 @@ def test_the_result_is_that_of_the_card_at_the_end_of_the_run_and_is_sorted_and_
     page.sort_by(0)
     seen = [page.table.horizontalHeader().logicalIndex(n) for n in range(4)]
     assert [HEADINGS[n] for n in seen] == ["started", "DUT", "result", "calibration"]
+
+
+def test_a_run_that_coils_off_ended_says_so_in_the_same_words_in_every_list():
+    ended = replace(RUN, status="interrupted", stopped=True)
+    by_off = replace(ended, by_off=True)
+    assert end_result("interrupted", stopped=True, by_off=True) == ("■ stopped by COILS OFF", "warning")
+    assert end_result("interrupted", stopped=True) == ("■ STOPPED", "warning")
+    assert run_title(by_off).endswith(" · stopped by COILS OFF")
+    assert run_label(by_off).startswith("■ stopped by COILS OFF · ")
+    assert run_label(ended).startswith("■ stopped · ")
+    assert cells(by_off)[4] == "stopped by COILS OFF"

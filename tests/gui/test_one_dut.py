@@ -146,7 +146,7 @@ def test_what_is_kept_of_a_run_is_said_where_it_is_opened_and_in_the_lists(liste
     assert listed.app_state.path.stands("r21") == "✓ handed out"
     listed.open_page("Start")
     listed.app_state.quick_worker.answer(ListRuns, (OF_21,))
-    assert listed.page("Start").facts["runs"][1].text().endswith("✓ handed out")
+    assert listed.page("Start").runs.text(0, 3).endswith("✓ handed out")
 
 
 def test_the_certificate_is_of_the_dut_at_the_top(listed):
@@ -200,8 +200,10 @@ def test_the_count_and_the_run_are_said_alike_on_every_page(listed):
     assert name.startswith("EM-21 · ")
     listed.open_page("Start")
     worker.answer(ListRuns, (OF_22, OF_21))
-    counted, lines = listed.page("Start").facts["runs"]
-    assert (counted.text(), name in lines.text()) == ("2 in the store", True)
+    start = listed.page("Start")
+    assert start.counted.text() == "2 in the store"
+    assert [start.runs.text(row, 1) for row in range(2)] == ["EM-22", "EM-21"]
+    assert start.runs.item(1, 1).toolTip().startswith(name)
     listed.open_page("Certificate")
     worker.answer(ListCalibrations, (released,))
     assert listed.page("Certificate").list.itemText(0).endswith(name)

@@ -69,7 +69,11 @@ def test_instruments_have_words_beside_their_lights(still):
     assert "No bench is open." in [one.text() for one in still.side.findChildren(QLabel) if one.isVisible()]
     lights = (("dut", "absent", ""), ("ref", "waiting", ""), ("stage", "ok", ""))
     still.show_state(LabState(bench="bench.toml", now=LabNow(lights=lights)))
-    assert "✓ answers   … not heard yet   ○ not asked" in words_in(still.side)
+    rows = [(row.mark.text(), row.age.text()) for row in still.side.rows if row.isVisible()]
+    assert rows == [("○", "not asked"), ("…", "not heard yet"), ("✓", "answers")]
+    still.show_state(LabState(bench="bench.toml", now=LabNow(lights=(("dut", "ok", ""), ("stage", "ok", "")))))
+    assert "all answer" in words_in(still.side)
+    assert not any(row.age.isVisible() for row in still.side.rows), "said once"
 
 
 def test_of_a_long_serial_the_beginning_is_seen_and_the_whole_is_in_its_tip(still):

@@ -103,7 +103,8 @@ def test_after_coils_off_what_it_has_reached_is_read_first_and_watched(still):
     assert word == "✓ COILS OFF: coils at zero, platform stands"
     assert not live.verdict.serial.isVisible(), "it stands at the top"
     assert live.verdict.rule.text().startswith("■ STOPPED.")
-    assert state.lab.state.message == "Run r1: stopped by COILS OFF"
+    assert state.lab.state.message.startswith("EM-07 · ")
+    assert state.lab.state.message.endswith(": stopped by COILS OFF")
     supplies = {name for name, one in state.facts.instruments.items() if one.role.startswith("coil-")}
     state.watch.look()
     (looked,) = state.watch_worker.commands(ReadLab)

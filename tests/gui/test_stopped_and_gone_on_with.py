@@ -113,7 +113,7 @@ def test_who_goes_on_before_it_is_mended_finds_the_run_as_it_was(still, kind, wo
     run = still.app_state.run
     assert run_verdict(run).word == word
     assert run_verdict(run).next.endswith("then Go on.") == (kind == "instrument")
-    assert run.message.startswith("Run r1: ")
+    assert run.message.startswith("EM-07 · ")
 
 
 def test_a_failed_step_is_asked_by_the_instrument_s_name_and_the_way_on_is_the_blue_one(running):

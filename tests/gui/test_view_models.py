@@ -180,4 +180,4 @@ def test_any_cause_is_looked_at_once_and_a_filter_that_refuses_is_not_asked_agai
 def test_the_last_line_of_a_run_says_what_its_store_did(run, worker):
     why = "interrupted by its store: runs.sqlite: the disk is full; every row is kept by now"
     worker.answer(RunProcedure, Ended("r1", "interrupted", None, (), why))
-    assert run.message == f"Run r1: {why.replace('interrupted', 'broken off')}"
+    assert run.message.endswith(why.replace("interrupted", "broken off"))

@@ -18,6 +18,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.steps import Procedure, energise, record
 from labcal.errors import InstrumentError
+from labcal.record.endings import BY_ABORT
 from labcal.record.stream import FAULT, Event, Item, Step
 from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
 from labcal.runner.drive import Drive
@@ -140,9 +141,12 @@ def test_an_abort_zeroes_the_coils_before_the_procedure_undoes_anything_and_a_st
             seen.append(float(np.abs(bench.cage.currents_A()).max()))
 
     with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
-        ending = Drive(bench, list[Item]().append, yes_to_all(True), control).run(procedure())
+        told = list[Item]()
+        ending = Drive(bench, told.append, yes_to_all(True), control).run(procedure())
         assert np.abs(bench.cage.currents_A()).max() < 0.002
     assert ending.status == ("stopped" if say is Control.stop else "failed: aborted by the operator")
+    last = next(one for one in reversed(told) if isinstance(one, Event) and "stopped_by" in one.data)
+    assert last.data["stopped_by"] == ("operator" if say is Control.stop else BY_ABORT)
     assert seen == [pytest.approx(on_the_way_out, abs=0.01)]
 
 

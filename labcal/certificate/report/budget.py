@@ -50,7 +50,7 @@ def indication_blocks(c: Calibration, run: Run | None) -> list[Block]:
     )
     at = f", {c.k_means()}" if c.k_means() else ""
     note = f"Before correction{at}: what it indicates is {unit}; components in its own axes. U is that of the error."
-    header = ("Field", "Component", "Applied nT", "Indicated nT", "Error nT", "U nT", "k")
+    header = ("Field", "Component", "Applied (nT)", "Indicated (nT)", "Error (nT)", "U (nT)", "k")
     return [Table(header, tuple(rows), frozenset({2, 3, 4, 5, 6}), note)] if rows else []
 
 
@@ -89,7 +89,7 @@ def _field_table(field: Sequence[One], units: Mapping[str, str]) -> Table:
         worst = max(of_point, key=lambda b: b["U"])
         k = _k(worst) if len({_k(b) for b in of_point}) == 1 else ", ".join(map(_k, of_point))
         rows.append((_with_units(point, units), *(two_digits(b["U"]) for b in of_point), k, largest(worst)))
-    header = ("At", "U(b x) nT", "U(b y) nT", "U(b z) nT", "k", "Largest contributions (to the largest U)")
+    header = ("At", "U(b x) (nT)", "U(b y) (nT)", "U(b z) (nT)", "k", "Largest contributions (to the largest U)")
     note = "U of each component of the field from one reading; about 95 %. Every budget is in the file."
     return Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note)
 

@@ -214,9 +214,9 @@ def _parameters(c: Calibration) -> list[Block]:
     for axis, value, spread in zip("xyz", values, U, strict=True):
         cells = [with_uncertainty(*pair) for pair in zip(value, spread, strict=True)]
         rows += [(f"b {axis}", *(cell[0] for cell in cells)), ("U", *(cell[1] for cell in cells))]
-    header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "k (nT)")
+    header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "offset k (nT)")
     note = _coverage(c) if u is not None else "No covariance stated."
-    note += f" The column k is the offset {c.k_means()}." if c.k_means() else ""
+    note += f" Offset k is that {c.k_means()}." if c.k_means() else ""
     return [Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note), sensor_figures(c, COVERAGE)]
 
 

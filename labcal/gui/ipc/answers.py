@@ -305,6 +305,7 @@ class RunLine:
     sha256: str = ""
     left_nT: tuple[float, float, float] | None = None  # by its loop: before, after, and noise alone
     stopped: bool = False  # by a person
+    by_off: bool = False  # and that by COILS OFF
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import ChangedSince, ListCalibrations, ListKeys, VerifyFile
@@ -119,22 +119,31 @@ class CertificatePage(QWidget):
         """How the chosen one stands, in a word and in sentences."""
         self.detail = Card()
         self.word, self.standing = label("", "ask", wrap=True), label("", wrap=True)
-        self.stage, self.to_do = label("", wrap=True), label("", "title", wrap=True)
+        self.stage, self.to_do = label("", wrap=True), label("", "title")
         self.named = label("", "caption", wrap=True)
         self.doubt = label("", wrap=True)  # of the cause: no signature takes it away
         self.open = label("", wrap=True)  # of the run's own checks, before anybody approves
         for part in (self.doubt, self.open):
             set_state(part, "warning")
-        for part in (self.word, self.stage, self.to_do, self.doubt, self.standing, self.open, self.named):
+        head = QHBoxLayout()
+        head.addWidget(self.word, 1)
+        head.addWidget(self.to_do)
+        self.detail.body.addLayout(head)
+        for part in (self.stage, self.doubt, self.standing, self.open, self.named):
             self.detail.body.addWidget(part)
         return self.detail
 
     def _figures_card(self, theme: Theme) -> Card:
-        card = Card(self.tr("Figures"), self.tr("U: k=2"))
+        card = Card()  # its tabs are its heading
         self.table = Table(PARAMETERS)
         self.table.show_rows(MOST_ROWS)
         self.views = CalibrationViews(self.table, theme)
-        for part in (self.views, self.table, self.views.remark):
+        card.unit.setText(self.tr("U: k=2"))
+        head = QHBoxLayout()
+        head.addWidget(self.views, 1)
+        head.addWidget(card.unit, 0, Qt.AlignmentFlag.AlignTop)
+        card.body.addLayout(head)
+        for part in (self.table, self.views.remark):
             card.body.addWidget(part)
         card.body.addStretch()
         return card
@@ -293,7 +302,11 @@ class CertificatePage(QWidget):
             self.said.clear()
         shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
-        words = " ".join([*map(in_words, said.sentences), *faults])
+        beside = self.tr(
+            "Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again."
+        )
+        lost = [] if said.signatures else [beside.format(Path(said.path).name)]
+        words = " ".join([*map(in_words, said.sentences), *faults, *lost])
         verified = self.tr("verified at {0}").format(f"{datetime.now():%H:%M:%S}")
         self.drop.say(f"{shape} {Path(said.path).name} · {verified}: {words}", state_of(said))
         if (one := self._files.get(self._copies.get(said.path, said.path))) is not None and said.valid:

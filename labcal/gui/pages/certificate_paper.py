@@ -34,7 +34,7 @@ class Paper(StepCard):
 
     def __init__(self, app_state: AppState, chosen: Callable[[], CalibrationFile | None], fault: FaultCard) -> None:
         super().__init__(" ")
-        self.heading.setText(self.tr("4  Hand it out"))
+        self.name_it(self.tr("4  Hand it out"))
         self._app_state, self._chosen, self._fault = app_state, chosen, fault
         self.said, self.folder = label("", "caption", wrap=True), FolderButton()
         self.printer = Printer(self)
@@ -62,7 +62,7 @@ class Paper(StepCard):
         row.addLayout(words, 1)
         for widget in (self.apply, self.report, self.export):
             row.addWidget(widget, 0, Qt.AlignmentFlag.AlignTop)
-        self.body.insertLayout(1, row)
+        self.body.insertLayout(0, row)
         self.button = self.export
 
     def _menu(self) -> QMenu:

@@ -103,6 +103,7 @@ class SigningSteps(StepRow):
         self.valid.setAccessibleName(self.tr("Until when it is good"))
         card.put((self.signer, self.passphrase), self.sign)
         card.body.insertWidget(card.body.indexOf(card.words), self.valid)
+        card.while_open.append(self.valid)
         return card
 
     def _secret(self, name: str, tip: str) -> QLineEdit:

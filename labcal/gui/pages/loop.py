@@ -17,7 +17,7 @@ from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.largest_of_U import largest_of_U
 from labcal.gui.viewmodels.loop_causes import Cause, candidates, cause
-from labcal.gui.viewmodels.loop_words import VERDICTS, of_which_error, said_plainly, without_evidence
+from labcal.gui.viewmodels.loop_words import VERDICTS, of_which_error, plain_reason, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
@@ -294,7 +294,7 @@ class LoopPage(QWidget):
         words = {"accepted": self.tr("✓ {0}: named"), "rival": self.tr("? {0}: a rival"),
                  "rejected": self.tr("– {0}: not named")}  # fmt: skip
         inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
-        listed = candidates(self._study.loop, without_evidence)
+        listed = candidates(self._study.loop, plain_reason)
         whole = [why for *_, why in candidates(self._study.loop)]
         while self.others.count() > len(listed):
             self.others.takeItem(len(listed))

@@ -19,17 +19,21 @@ from labcal.gui.viewmodels.left_without_end import AGAIN_MS
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
 from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_count import count_words
-from labcal.gui.viewmodels.run_search import local_time
+from labcal.gui.viewmodels.run_results import RunResults
+from labcal.gui.viewmodels.run_search import cells, local_time
+from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.laboratory import Logo
+from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
 LISTED = 3  # interrupted runs
 LAST, LAST_WIDE = 3, 10  # runs, where their card has the width of half the page, and of all of it
+LAST_RUNS = ("started", "DUT", "result", "calibration", "procedure")
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 
@@ -54,6 +58,8 @@ class StartPage(QWidget):
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
         self.grid.laid_out.connect(lambda: self._say_runs(self._app_state.path.runs))
+        self._theme, self.results = theme, RunResults(app_state.quick_worker)
+        self.results.changed.connect(lambda: self._say_runs(self._app_state.path.runs))
         self.facts: dict[str, tuple[QLabel, QLabel]] = {}
         self.check_cage = button(self.tr("Check the cage"), self.tr("The procedure cage-calibration, on the Run page"))
         self.check_cage.clicked.connect(lambda: self._app_state.open_procedure("cage-calibration"))
@@ -61,9 +67,9 @@ class StartPage(QWidget):
             "closing": self.tr("Last closing check"),
             "reference": self.tr("Reference sensor"),
             "cage": self.tr("Cage calibration"),
-            "runs": self.tr("Last runs"),
         }
-        self.grid.take([self._fact_card(key, title) for key, title in titles.items()])
+        cards = [self._fact_card(key, title) for key, title in titles.items()]
+        self.grid.take([*cards, self._runs_card()])
         column.addWidget(flat(self.grid))
         column.addStretch()
         app_state.bench_changed.connect(self._bench_known)
@@ -72,6 +78,7 @@ class StartPage(QWidget):
         app_state.scan_vm.changed.connect(self._enable)
         app_state.run.ended.connect(self.refresh)
         app_state.left.changed.connect(self.refresh)
+        app_state.path.changed.connect(self._point)
         self._bench_known()
 
     def showEvent(self, event: object) -> None:
@@ -89,7 +96,10 @@ class StartPage(QWidget):
     def _hello_card(self) -> Card:
         card = Card()
         today = QLocale().toString(QDate.currentDate(), QLocale.FormatType.LongFormat)
-        self.date, self.question = label(today, "large", wrap=True), label("", wrap=True)
+        self.date, self.question = label(today, "caption"), label("", wrap=True)
+        self.to_do = label("", "ask", wrap=True)
+        self.go_on = button("", self.tr("The page where that is done"), primary=True)
+        self.go_on.clicked.connect(self._app_state.next_requested)
         self.morning = button(
             translated(MORNING),
             self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
@@ -106,13 +116,15 @@ class StartPage(QWidget):
         row.setSpacing(GRID)
         row.addWidget(self.logo)
         words = QVBoxLayout()
-        words.addWidget(self.laboratory)
-        words.addWidget(self.date)
-        words.addWidget(self.question)
+        words.setSpacing(GRID)
+        for said in (self.laboratory, self.date, self.to_do, self.question):
+            words.addWidget(said)
+        words.addStretch()
         row.addLayout(words, 1)
         acts = QVBoxLayout()  # below each other: beside each other they are wider than a small window
-        for widget in (self.simulated, self.open, self.calibrate, self.morning):
+        for widget in (self.go_on, self.simulated, self.open, self.calibrate, self.morning):
             acts.addWidget(widget)
+        acts.addStretch()
         row.addLayout(acts)
         card.body.addLayout(row)
         return card
@@ -127,6 +139,20 @@ class StartPage(QWidget):
             card.body.addWidget(self.check_cage, 0, Qt.AlignmentFlag.AlignLeft)
         card.body.addStretch()
         return card
+
+    def _runs_card(self) -> Card:
+        card = Card(self.tr("Last runs"), " ")
+        self.counted, self.no_runs, self.runs = card.unit, label("", wrap=True), Table(LAST_RUNS, len(LAST_RUNS) - 1)
+        self.runs.show_rows(LAST_WIDE, LAST)
+        card.body.addWidget(self.no_runs)
+        card.body.addWidget(self.runs)
+        card.body.addStretch()
+        return card
+
+    def set_theme(self, theme: Theme) -> None:
+        """Results in the theme's colours."""
+        self._theme = theme
+        self._say_runs(self._app_state.path.runs)
 
     def _say(self, key: str, word: str, detail: str, state: str = "") -> None:
         shown, beside = self.facts[key]
@@ -246,6 +272,7 @@ class StartPage(QWidget):
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self._app_state.path.take_runs(runs)
         self._app_state.propose_dut()
+        self.results.ask(runs[:LAST_WIDE])
         self._say_runs(runs)
         if any(one.status == "running" for one in runs) and not self._app_state.run.alive:  # in another process
             self.again.start()
@@ -270,15 +297,23 @@ class StartPage(QWidget):
         self._say_runs(self._app_state.path.runs)
 
     def _say_runs(self, runs: tuple[RunLine, ...]) -> None:
-        """The last ones, and what became of their calibrations."""
-        if runs:
-            last = LAST_WIDE if self.grid.wide else LAST
-            path, titles = self._app_state.path, [run_title(one) for one in runs[:last]]
-            stands = [path.stands(one.run_id) for one in runs]
-            lines = [" · ".join(filter(None, both)) for both in zip(titles, stands, strict=False)]
-            return self._say("runs", count_words(len(runs)), "\n".join(lines))
+        """The last ones, how they came out, and what became of their calibrations."""
         words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
-        return self._say("runs", self.tr("none yet"), words)
+        self.counted.setText(count_words(len(runs)) if runs else self.tr("none yet"))
+        self.no_runs.setText("" if runs else words)
+        self.no_runs.setVisible(not runs)
+        self.runs.setVisible(bool(runs))
+        last = runs[: LAST_WIDE if self.grid.wide else LAST]
+        self.runs.setRowCount(len(last))
+        for row, one in enumerate(last):
+            self._write_run(row, one)
+
+    def _write_run(self, row: int, one: RunLine) -> None:
+        word, state = self.results.word(one)
+        started, dut, procedure, _, result, calibration, _ = cells(one, self._app_state.path.stands(one.run_id), word)
+        for column, text in enumerate((started, dut, result, calibration or "–", procedure)):
+            ink = {2: state, 3: "warning" if doubtful(text) else ""}.get(column) or "text"
+            self.runs.set_cell(row, column, text, colour=getattr(self._theme, ink), tip=run_title(one))
 
     def _list_interrupted(self, broken: list[RunLine]) -> None:
         """A button each; how many more there are is said."""
@@ -306,8 +341,13 @@ class StartPage(QWidget):
         mended = not self._app_state.lab.state.now.to_be_mended
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first and mended)
-        to = self._app_state.path.next()
-        set_primary(self.calibrate, not any(mine) and not to.waits and to.page in ("Run", "Start"))
+        to, known = self._app_state.path.next(), self._app_state.facts is not None
+        begins = to.page in ("Run", "Start")
+        self.to_do.setText(to.words)
+        self.go_on.setText(self.tr("Open {0}").format(translated(to.page)))
+        self.go_on.setVisible(known and not begins and not to.off and not self._app_state.run.alive)
+        set_primary(self.go_on, not any(mine))
+        set_primary(self.calibrate, not any(mine) and not to.waits and begins)
 
 
 def days_since(utc: str) -> int:

@@ -118,6 +118,7 @@ QPushButton:disabled { color: $muted; background: $page; }
 QPushButton#primary { background: $accent; color: $on_accent; border-color: $accent; font-weight: 600; }
 QPushButton#primary:focus { border: 2px solid $text; }
 QPushButton#primary:disabled { background: $line; color: $muted; border-color: $line; }
+QPushButton#small { padding: 2px 8px; } QPushButton#small:focus { border: 2px solid $accent; padding: 1px 7px; }
 QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700; padding: 12px 14px; }
 QPushButton#off:focus { border: 3px solid $text; padding: 9px 11px; }
 QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 10px 12px; }

@@ -428,10 +428,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Figures</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -441,6 +437,10 @@
     </message>
     <message>
         <source>{0} is handed out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7274,6 +7274,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} begun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>stopped by COILS OFF</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7286,19 +7290,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: measuring, hands off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Goes on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Run {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7403,10 +7399,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Whether hands may go in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7415,11 +7407,31 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>PLATFORM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>INSTRUMENTS</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No bench is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all answer</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7668,6 +7680,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The page where that is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7741,6 +7757,10 @@ after this step …</source>
     </message>
     <message>
         <source>Go on with {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8785,6 +8805,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>broken off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8966,6 +8990,14 @@ after this step …</source>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>explains nothing beyond what is named already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>explains too little to be worth its parameters</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9578,6 +9610,10 @@ after this step …</source>
     </message>
     <message>
         <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -440,6 +440,10 @@
         <translation>{0} ist ausgegeben.</translation>
     </message>
     <message>
+        <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
+        <translation>Die Signaturen sind Dateien daneben, {0}.sshsig: in denselben Ordner kopieren und neu prüfen.</translation>
+    </message>
+    <message>
         <source>verified at {0}</source>
         <translation>geprüft um {0}</translation>
     </message>
@@ -450,10 +454,6 @@
     <message>
         <source>nobody yet</source>
         <translation>niemand</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Werte</translation>
     </message>
     <message>
         <source>Operator {0}; approved by {1}.</source>
@@ -7275,6 +7275,10 @@ diesem Schritt …</translation>
         <translation>Pausiert am Beginn des nächsten Schritts.</translation>
     </message>
     <message>
+        <source>{0} begun</source>
+        <translation>{0} begonnen</translation>
+    </message>
+    <message>
         <source>stopped by COILS OFF</source>
         <translation>durch SPULEN AUS gestoppt</translation>
     </message>
@@ -7287,20 +7291,12 @@ diesem Schritt …</translation>
         <translation>Spulen aus: Die Messung endet …</translation>
     </message>
     <message>
-        <source>{0}: measuring, hands off</source>
-        <translation>{0}: misst, Hände weg</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>Pausiert</translation>
     </message>
     <message>
         <source>Goes on</source>
         <translation>Geht weiter</translation>
-    </message>
-    <message>
-        <source>Run {0}: {1}</source>
-        <translation>Messung {0}: {1}</translation>
     </message>
 </context>
 <context>
@@ -7404,10 +7400,6 @@ diesem Schritt …</translation>
         <translation>SPULEN   A</translation>
     </message>
     <message>
-        <source>Whether hands may go in</source>
-        <translation>Ob Hände hinein dürfen</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>Alle lesen</translation>
     </message>
@@ -7416,12 +7408,32 @@ diesem Schritt …</translation>
         <translation>Jetzt jedes Gerät lesen: Ströme, Feld, Winkel, wer antwortet. Nichts wird gestellt oder bewegt.</translation>
     </message>
     <message>
+        <source>PLATFORM</source>
+        <translation>TISCH</translation>
+    </message>
+    <message>
         <source>INSTRUMENTS</source>
         <translation>GERÄTE</translation>
     </message>
     <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>dreht</translation>
+    </message>
+    <message>
         <source>No bench is open.</source>
         <translation>Kein Messplatz ist offen.</translation>
+    </message>
+    <message>
+        <source>all answer</source>
+        <translation>alle antworten</translation>
     </message>
 </context>
 <context>
@@ -7609,6 +7621,10 @@ diesem Schritt …</translation>
         <translation>Vorzeichen und Achsen, Prozedur axes-check: 1 Minute Messzeit, 3 mit Ihrer Zeit</translation>
     </message>
     <message>
+        <source>The page where that is done</source>
+        <translation>Die Seite, auf der das getan wird</translation>
+    </message>
+    <message>
         <source>Calibrate a DUT</source>
         <translation>Prüfling kalibrieren</translation>
     </message>
@@ -7691,6 +7707,10 @@ diesem Schritt …</translation>
     <message>
         <source>Go on with {0}</source>
         <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
+        <source>Open {0}</source>
+        <translation>{0} öffnen</translation>
     </message>
     <message>
         <source>▲ not measured</source>
@@ -8842,6 +8862,10 @@ diesem Schritt …</translation>
         <translation>geschlossener Kreis</translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation>durch SPULEN AUS gestoppt</translation>
+    </message>
+    <message>
         <source>broken off</source>
         <translation>unterbrochen</translation>
     </message>
@@ -8968,6 +8992,14 @@ diesem Schritt …</translation>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
+    </message>
+    <message>
+        <source>explains nothing beyond what is named already</source>
+        <translation>erklärt nichts, was das schon Genannte nicht erklärt</translation>
+    </message>
+    <message>
+        <source>explains too little to be worth its parameters</source>
+        <translation>erklärt zu wenig für seine Parameter</translation>
     </message>
     <message>
         <source>{0} and {1}</source>
@@ -9580,6 +9612,10 @@ diesem Schritt …</translation>
     <message>
         <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
         <translation>U einer Komponente des Feldes ist bis zu {0} nT (k = 2), davon {1} % durch: {2} (docs/certificate.md)</translation>
+    </message>
+    <message>
+        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
+        <translation>Das meiste von U einer Feldkomponente, {0} von {1} nT (k = 2), ist die Montage: Die Messung gibt sie auf {2}° genau an (u_mounting_deg). Kleiner wird es, wenn genauer montiert und das angegeben wird: docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>

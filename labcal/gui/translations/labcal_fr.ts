@@ -440,6 +440,10 @@
         <translation>{0} est remis.</translation>
     </message>
     <message>
+        <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
+        <translation>Ses signatures sont des fichiers à côté, {0}.sshsig : les copier dans le même dossier et vérifier à nouveau.</translation>
+    </message>
+    <message>
         <source>verified at {0}</source>
         <translation>vérifié à {0}</translation>
     </message>
@@ -450,10 +454,6 @@
     <message>
         <source>nobody yet</source>
         <translation>personne encore</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Valeurs</translation>
     </message>
     <message>
         <source>Operator {0}; approved by {1}.</source>
@@ -7275,6 +7275,10 @@ cette étape …</translation>
         <translation>Pause au début de l&apos;étape suivante.</translation>
     </message>
     <message>
+        <source>{0} begun</source>
+        <translation>{0} commencé</translation>
+    </message>
+    <message>
         <source>stopped by COILS OFF</source>
         <translation>arrêtée par BOBINES À ZÉRO</translation>
     </message>
@@ -7287,20 +7291,12 @@ cette étape …</translation>
         <translation>Bobines à zéro : la mesure se termine …</translation>
     </message>
     <message>
-        <source>{0}: measuring, hands off</source>
-        <translation>{0} : mesure, mains loin</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>En pause</translation>
     </message>
     <message>
         <source>Goes on</source>
         <translation>Continue</translation>
-    </message>
-    <message>
-        <source>Run {0}: {1}</source>
-        <translation>Mesure {0} : {1}</translation>
     </message>
 </context>
 <context>
@@ -7404,10 +7400,6 @@ cette étape …</translation>
         <translation>BOBINES   A</translation>
     </message>
     <message>
-        <source>Whether hands may go in</source>
-        <translation>Si les mains peuvent entrer</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>Tout lire</translation>
     </message>
@@ -7416,12 +7408,32 @@ cette étape …</translation>
         <translation>Lire chaque appareil maintenant : courants, champ, angle, qui répond. Rien n&apos;est réglé ni déplacé.</translation>
     </message>
     <message>
+        <source>PLATFORM</source>
+        <translation>PLATE-FORME</translation>
+    </message>
+    <message>
         <source>INSTRUMENTS</source>
         <translation>INSTRUMENTS</translation>
     </message>
     <message>
+        <source>on</source>
+        <translation>alimentées</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>arrêtée</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>tourne</translation>
+    </message>
+    <message>
         <source>No bench is open.</source>
         <translation>Aucun banc n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>all answer</source>
+        <translation>tous répondent</translation>
     </message>
 </context>
 <context>
@@ -7609,6 +7621,10 @@ cette étape …</translation>
         <translation>Signes et axes, procédure axes-check : 1 minute de mesure, 3 avec votre temps</translation>
     </message>
     <message>
+        <source>The page where that is done</source>
+        <translation>La page où cela se fait</translation>
+    </message>
+    <message>
         <source>Calibrate a DUT</source>
         <translation>Étalonner un DUT</translation>
     </message>
@@ -7691,6 +7707,10 @@ cette étape …</translation>
     <message>
         <source>Go on with {0}</source>
         <translation>Continuer {0}</translation>
+    </message>
+    <message>
+        <source>Open {0}</source>
+        <translation>Ouvrir {0}</translation>
     </message>
     <message>
         <source>▲ not measured</source>
@@ -8842,6 +8862,10 @@ cette étape …</translation>
         <translation>boucle fermée</translation>
     </message>
     <message>
+        <source>stopped by COILS OFF</source>
+        <translation>arrêtée par BOBINES À ZÉRO</translation>
+    </message>
+    <message>
         <source>broken off</source>
         <translation>interrompue</translation>
     </message>
@@ -8968,6 +8992,14 @@ cette étape …</translation>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
+    </message>
+    <message>
+        <source>explains nothing beyond what is named already</source>
+        <translation>n&apos;explique rien de plus que ce qui est déjà nommé</translation>
+    </message>
+    <message>
+        <source>explains too little to be worth its parameters</source>
+        <translation>explique trop peu pour ses paramètres</translation>
     </message>
     <message>
         <source>{0} and {1}</source>
@@ -9580,6 +9612,10 @@ cette étape …</translation>
     <message>
         <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
         <translation>U d’une composante du champ va jusqu’à {0} nT (k = 2), dont {1} % par : {2} (docs/certificate.md)</translation>
+    </message>
+    <message>
+        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
+        <translation>L&apos;essentiel de U d&apos;une composante du champ, {0} sur {1} nT (k = 2), est le montage : la mesure le déclare exact à {2}° (u_mounting_deg). Pour le réduire, monter plus exactement et le déclarer : docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>

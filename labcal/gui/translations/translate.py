@@ -198,6 +198,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "no fields all round at one magnitude: see field-sphere"),
     QT_TRANSLATE_NOOP("Words", "finished"),
     QT_TRANSLATE_NOOP("Words", "stopped"),
+    QT_TRANSLATE_NOOP("Words", "stopped by COILS OFF"),
     QT_TRANSLATE_NOOP("Words", "broken off"),
     QT_TRANSLATE_NOOP("Words", "imported"),
     QT_TRANSLATE_NOOP("Words", "running"),

@@ -34,7 +34,13 @@ OF_WHICH = QT_TRANSLATE_NOOP(
     "before → after: held-out rms of the vector, with the errors in it that the run declares of reference and "
     "mounting; noise alone, of one such row: {0} nT, {1}",
 )
+AS_MUCH = QT_TRANSLATE_NOOP("Words", "explains nothing beyond what is named already")
+TOO_LITTLE = QT_TRANSLATE_NOOP("Words", "explains too little to be worth its parameters")
 EVIDENCE = re.compile(r"(; evidence over a slow wander without a name)?:( evidence)? −?[\d.]+ nats, \d+ needed")
+NOT_NAMED = {
+    re.compile(r"takes .* in sample, but other forms of what is accepted take as much"): str(AS_MUCH),
+    re.compile(r"takes .* off the residual: not worth its parameters"): str(TOO_LITTLE),
+}
 FALLS = re.compile(r"the held-out rms falls from ([\d.]+) to ([\d.]+) nT")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} and {1}"),
@@ -51,6 +57,12 @@ def verdict_word(verdict: str) -> str:
 def without_evidence(why: str) -> str:
     """The reason of a cause without its evidence in nats, which says nothing at the cage."""
     return EVIDENCE.sub("", why)
+
+
+def plain_reason(why: str) -> str:
+    """The reason why a cause is not named, for who stands at the cage; its figures where the mouse rests on it."""
+    why = without_evidence(why)
+    return next((translated(plain) for form, plain in NOT_NAMED.items() if form.fullmatch(why)), why)
 
 
 def as_a_drop(why: str) -> str:

@@ -307,7 +307,7 @@ class RunViewModel(QObject):
                 self._forget((item.segment.id,))  # as it was before, where it is begun again
                 self.drawn.begin(item.segment.id)
                 self._turned = self._turned or item.segment.kind == "rotation"
-                self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
+                self._running(self.tr("{0} begun").format(step_title(item.segment.id)))
             case SegmentClosed():
                 self.segment = None
             case Event():
@@ -384,7 +384,8 @@ class RunViewModel(QObject):
     def _last_words(self) -> str:
         said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
         said = self.tr("stopped by COILS OFF") if self.by_off and self.status != "finished" else said
-        return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
+        name = " · ".join(filter(None, (self.order.dut, self.began, self.order.procedure))) if self.order else ""
+        return f"{name}: {said}" if name else said
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)

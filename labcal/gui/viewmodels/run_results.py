@@ -58,7 +58,7 @@ class RunResults(QObject):
 
     def word(self, one: RunLine) -> tuple[str, str]:
         """How a run came out, with its shape, and the colour of that."""
-        if one.status != "finished":
-            return end_result(one.status, stopped=one.stopped)
-        said = self._known.get(one.run_id)
-        return end_result(one.status, stopped=one.stopped) if said is None else result_word(said.verdict, said.left_out)
+        said = self._known.get(one.run_id) if one.status == "finished" else None
+        if said is None:
+            return end_result(one.status, stopped=one.stopped, by_off=one.by_off)
+        return result_word(said.verdict, said.left_out)

@@ -47,7 +47,7 @@ def cells(one: RunLine, stands: str = "", result: str = "") -> tuple[str, ...]:
         one.dut_serial,
         " · ".join(filter(None, (one.procedure or "bundle", simulated))),
         one.operator,
-        result or translated(ended_word(one.status, stopped=one.stopped)),
+        result or translated(ended_word(one.status, stopped=one.stopped, by_off=one.by_off)),
         one.site or " · ".join(filter(None, (verdict_word(one.verdict), stands))),  # the archive knows no verdicts
         one.run_id,
     )

@@ -98,7 +98,12 @@ def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
 
 def set_primary(widget: QPushButton, primary: bool) -> None:
     """Make a button the one thing to do, or one of several."""
-    if (name := "primary" if primary else "") != widget.objectName():
+    rename(widget, "primary" if primary else "")
+
+
+def rename(widget: QWidget, name: str) -> None:
+    """Give a widget that is shown already another style by its name."""
+    if name != widget.objectName():
         widget.setObjectName(name)
         widget.style().unpolish(widget)
         widget.style().polish(widget)
@@ -176,11 +181,11 @@ class Card(Surface):
         self.heading = named(OneLine(), "title")
         self.heading.setText(title)
         self.unit = label(unit, "caption")
-        head = QHBoxLayout()
-        head.addWidget(self.heading, 1)
-        head.addWidget(self.unit)
+        self.head = QHBoxLayout()
+        self.head.addWidget(self.heading, 1)
+        self.head.addWidget(self.unit)
         if title or unit:
-            outer.addLayout(head)
+            outer.addLayout(self.head)
         self.body = QVBoxLayout()
         self.body.setSpacing(GRID)
         outer.addLayout(self.body, 1)
@@ -203,8 +208,9 @@ class ReadoutGrid(QWidget):
         grid.setHorizontalSpacing(GRID)
         grid.setVerticalSpacing(GRID // 2)
         self.values = [label("–") for _ in names]
-        for row, name in enumerate(names):
-            grid.addWidget(label(translated(name), "caption"), row, 0)
+        self._names = [label(translated(name), "caption") for name in names]
+        for row, name in enumerate(self._names):
+            grid.addWidget(name, row, 0)
             grid.addWidget(self.values[row], row, 1)
             self.values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
             self.values[row].setFont(tabular_font())
@@ -214,6 +220,11 @@ class ReadoutGrid(QWidget):
         """Write one row; "–" stands for what is not known. `state` colours it: "old" is grey."""
         self.values[row].setText(value)
         set_state(self.values[row], state)
+
+    def keep_row(self, row: int, *, kept: bool) -> None:
+        """Whether this row is there at all."""
+        for part in (self._names[row], self.values[row]):
+            part.setVisible(kept)
 
 
 class FaceStack(QStackedWidget):
@@ -227,6 +238,29 @@ class FaceStack(QStackedWidget):
         """Of the face in sight."""
         face = self.currentWidget()
         return QSize() if face is None else face.minimumSizeHint().expandedTo(face.minimumSize())
+
+
+class WholeWords(QLabel):
+    """In short beside what says the rest; `text()`, and what is read aloud, is always the whole."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._whole = ""
+
+    def say(self, whole: str, shown: str) -> None:
+        """Write `shown` for `whole`."""
+        self._whole = whole
+        self.setAccessibleName(whole)
+        if shown != super().text():
+            self.setText(shown)
+
+    def text(self) -> str:
+        """The whole."""
+        return self._whole
 
 
 class OneLine(QLabel):

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 from labcal.gui.theming.theme import GRID
 from labcal.gui.widgets.common import Card
 
-LETTERS = 28  # of a heading that a card holds on a line, or it is too narrow
+LETTERS = 24  # of a heading that a card holds on a line, or it is too narrow
 
 
 class FactGrid(QWidget):

@@ -40,9 +40,11 @@ class Table(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        self._stretched, self._keeping = stretch or (0,), False
+        self._stretched, self._keeping = stretch, False
         for column in self._stretched:
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
+        if not stretch:  # figures stand beside their names: what room is left is behind the last column
+            header.setStretchLastSection(True)
         if stretch:  # what is left may be too little
             for changed in (header.sectionResized, header.geometriesChanged):
                 changed.connect(self._keep_headings)
@@ -75,7 +77,7 @@ class Table(QTableWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """More room, or less, is shared anew."""
         super().resizeEvent(event)
-        if self._stretched != (0,):
+        if self._stretched:
             self._keep_headings()
 
     def _keep_headings(self) -> None:
@@ -118,7 +120,9 @@ class Table(QTableWidget):
             cell.setForeground(QBrush(QColor(colour)))
 
     def right_heading(self, *columns: int) -> None:
-        """Headings over numbers stand right, as the numbers do."""
+        """Headings over numbers stand right, as the numbers do; a last column of them is no wider than they are."""
+        if not self._stretched:
+            self.horizontalHeader().setStretchLastSection(self.columnCount() - 1 not in columns)
         for column in columns:
             if (heading := self.horizontalHeaderItem(column)) is not None:
                 heading.setTextAlignment(RIGHT)
@@ -142,6 +146,8 @@ class Measurements(Table):
     def __init__(self, theme: Theme) -> None:
         super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
         self.right_heading(1, 2, 4)
+        self.horizontalHeader().setStretchLastSection(False)
+        self.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         self.setWordWrap(True)  # names differ at their ends
         self.horizontalHeader().moveSection(5, 1)  # the verdict is seen in a narrow window too
         self.horizontalHeader().sectionResized.connect(self._fit_rows)

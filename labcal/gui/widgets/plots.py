@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
@@ -14,7 +15,7 @@ from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import MINUS
+from labcal.gui.viewmodels.number_format import MINUS, NARROW_SPACE
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
@@ -27,6 +28,8 @@ VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and 
 WIDE_GAP = "&nbsp; &nbsp; "
 BEFORE_ALPHA = 130  # of 255: what was before lies behind
 DASHED = "┄"  # before the name of a curve that is
+THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+(?:\.|$))(?<!\.\d)(?<!\.\d\d)(?<!\.\d\d\d)")  # places for a blank
+UNIT = re.compile(r"  (\S+)\s*(?=</span>)")
 NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
@@ -58,8 +61,13 @@ class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
         return *lines, kept
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
-        """As pyqtgraph writes them."""
-        return [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
+        """As pyqtgraph writes them, in groups of three as everywhere else."""
+        written = super().tickStrings(values, scale, spacing)
+        return [THOUSANDS.sub(NARROW_SPACE, text).replace("-", MINUS) for text in written]
+
+    def labelString(self) -> str:
+        """The unit, which stands behind two blanks in the name, in brackets."""
+        return UNIT.sub(r" (\1)", str(super().labelString()))
 
 
 class DeferredRepaint(QObject):

@@ -21,7 +21,7 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 def run_title(one: RunLine) -> str:
     """A run in one line: which DUT, when, what, whether SIMULATED, how it ended."""
-    return f"{run_name(one)} · {translated(ended_word(one.status, stopped=one.stopped))}"
+    return f"{run_name(one)} · {translated(ended_word(one.status, stopped=one.stopped, by_off=one.by_off))}"
 
 
 def run_name(one: RunLine) -> str:
@@ -92,8 +92,9 @@ def run_label(one: RunLine) -> str:
     """A run's line, begun with how it ended where it did not come to its end; of a finished one nothing is said."""
     status = one.status.partition(":")[0]
     if status in BROKEN:
-        word = ended_word(one.status, stopped=one.stopped)
-        return f"{BROKEN.get(word, BROKEN[status])} {translated(word)} · {run_name(one)}"
+        shape = BROKEN.get(ended_word(one.status, stopped=one.stopped), BROKEN[status])
+        word = ended_word(one.status, stopped=one.stopped, by_off=one.by_off)
+        return f"{shape} {translated(word)} · {run_name(one)}"
     return run_name(one) if status == "finished" else run_title(one)
 
 

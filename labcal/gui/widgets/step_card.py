@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, SigningStep
-from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, button, label, named, rename, set_primary, set_state
+from labcal.gui.widgets.flow import Flow
 
 LETTERS = 28  # a card is at least as wide: with less room they stand below each other
 
@@ -19,11 +20,12 @@ LETTERS = 28  # a card is at least as wide: with less room they stand below each
 class StepCard(Card):
     """Fields, the button below them at one height in every card of a row, then words.
 
-    Where cards stand below each other, or none of them is to be done, those that are not are folded to their headings.
+    Where cards stand below each other, or none of them is to be done, those that are not are folded to one line.
     """
 
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
+        self._title = title
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
         self.done, self.asked = label("", "caption", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
@@ -33,11 +35,14 @@ class StepCard(Card):
         self.fields.setSpacing(GRID)
         self.fields.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.stacked = self.opened = self.now = False
-        self.unfold = button(self.tr("Show"), self.tr("What is done in this step"))
+        self.step, self.while_open = "", list[QWidget]()
+        self.unfold = named(button(self.tr("Show"), self.tr("What is done in this step")), "small")
         self.unfold.clicked.connect(self._unfold)
         self.unfold.hide()
-        self.body.addWidget(self.mark)
-        self.body.addWidget(self.unfold, 0, Qt.AlignmentFlag.AlignLeft)
+        self.heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.head.removeWidget(self.heading)
+        self.head.addLayout(Flow(self.heading, self.mark, self.unfold), 1)
+        self.unit.hide()
         self.body.addWidget(self.holder)
         for part in (self.wrong, self.asked, self.words, self.done, self.rules):
             self.body.addWidget(part)
@@ -75,10 +80,34 @@ class StepCard(Card):
     def fold(self) -> None:
         """Show the whole card, or its heading alone."""
         self.unfold.setVisible(self.folded)
+        self._head_in_short()
         self.holder.setVisible(not self.folded and self.fields.count() > 0)
         self.button.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
         self.rules.setVisible(self.now and bool(self.rules.text()))
-        self.words.setVisible(bool(self.words.text()))
+        self.words.setVisible(bool(self.words.text()) and not self._over)
+        self.done.setVisible(bool(self.done.text()) and not self._over)
+        for part in self.while_open:
+            part.setVisible(not self._over)
+        self.setToolTip(self.words.text() if self._over else "")
+
+    def name_it(self, title: str) -> None:
+        """Another title."""
+        self._title = title
+        self._head_in_short()
+
+    def _head_in_short(self) -> None:
+        """Over and folded: its mark before its name, on one line however narrow the card is."""
+        shape, _, state = MARKS.get(self.step, ("", "", ""))
+        rename(self.heading, "" if self._over else "title")
+        set_state(self.heading, state if self._over else "")
+        self.heading.setText(f"{shape} {self._title}" if self._over else self._title)
+        self.heading.setToolTip(self.mark.text() if self._over else "")
+        self.mark.setVisible(not self._over)
+
+    @property
+    def _over(self) -> bool:
+        """Folded, with nothing that is still to come of it: its mark says all."""
+        return self.folded and self.step in ("done", "never")
 
     def show_step(self, step: SigningStep) -> None:
         """How it stands; what is to be done now has an edge in the accent, and the blue button."""
@@ -86,7 +115,7 @@ class StepCard(Card):
         self.mark.setText(f"{shape} {translated(str(name))}")
         set_state(self.mark, state)
         self.words.setText(step.words)
-        now = step.mark == "now"
+        now, self.step = step.mark == "now", step.mark
         self.opened = self.opened and now is self.now
         self.now = now
         self.fold()
@@ -97,7 +126,7 @@ class StepCard(Card):
     def say_done(self, words: str) -> None:
         """What was done in this step just now."""
         self.done.setText(words)
-        self.done.setVisible(bool(words))
+        self.fold()
 
     def ask(self, words: str) -> None:
         """What is to be known before its button is pressed once more."""

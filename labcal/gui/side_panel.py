@@ -1,0 +1,270 @@
+"""At the right of every page: whether hands may go in, then the coils, the field, the platform and who answers."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
+
+from labcal.bench.coils.state import ON
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.guardian import guardian_is
+from labcal.gui.viewmodels.lab import LabState
+from labcal.gui.viewmodels.lab_now import (
+    LIGHT_SHAPES,
+    LabNow,
+    age_words,
+    field_age,
+    mark_of,
+    platform_drawn,
+    shown_name,
+)
+from labcal.gui.viewmodels.number_format import format_field, format_number
+from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
+from labcal.gui.widgets.flow import Flow
+
+UNITS = ("nT", "µT", "mG")
+SET, MEASURED, U, AXES = 0, 1, 2, 3  # rows of the field
+
+
+class PanelGroup(QWidget):
+    """A title with what holds for all its rows at the right: how old they are."""
+
+    def __init__(self, title: str, *beside: QWidget) -> None:
+        super().__init__()
+        self.age = label("", "caption")
+        self.head, self.body = QHBoxLayout(), QVBoxLayout(self)
+        self.head.setSpacing(GRID)
+        self.head.addWidget(label(title, "caption"))
+        for one in beside:
+            self.head.addWidget(one)
+        self.head.addStretch()
+        self.head.addWidget(self.age)
+        self.body.setContentsMargins(0, 0, 0, 0)
+        self.body.setSpacing(GRID // 2)
+        self.body.addLayout(self.head)
+
+    def add(self, *rows: QWidget) -> PanelGroup:
+        """Below what is there."""
+        for row in rows:
+            self.body.addWidget(row)
+        return self
+
+
+class InstrumentRow(QWidget):
+    """Who, with its mark before it; how old that is at the right, and what is wrong in whole words behind the name."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.mark, self.name, self.age = label(), WholeWords(), label("", "caption")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(GRID // 2)
+        row.addWidget(self.mark, 0, Qt.AlignmentFlag.AlignTop)
+        row.addWidget(self.name, 1)
+        row.addWidget(self.age)
+
+    def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool) -> None:
+        """`aged`: its `words` are its age, said here where it stands `alone` with that.
+
+        Who answers is in no colour but its mark's: what is wrong stands out.
+        """
+        self.mark.setText(shape)
+        self.age.setText(words if aged else "")
+        self.age.setVisible(aged and alone)
+        self.name.say(f"{shape} {name}  {words}".strip(), name if aged else f"{name}  {words}".strip())
+        set_state(self.mark, colour)
+        set_state(self.name, "" if colour == "good" else colour)
+
+
+class SidePanel(Surface):
+    """Hands, coils, field, platform, instruments: a group each, on one grid."""
+
+    unit_asked = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__(Qt.Edge.LeftEdge)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 3 * GRID // 2, 2 * GRID, GRID)
+        column.setSpacing(3 * GRID // 2)
+        self.unit = named(QPushButton("nT"), "small")
+        self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
+        self.unit.clicked.connect(self._next_unit)
+        self.read_all = button(
+            self.tr("Read all"),
+            self.tr("Read every instrument now: currents, field, angle, who answers. Nothing is set or moved."),
+        )
+        self.read_all.setObjectName("small")
+        self.coils_on, self.angle = label("", "caption"), label()
+        self.angle.setFont(tabular_font())
+        self.coils, self.field = (
+            ReadoutGrid(("x", "y", "z")),
+            ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z")),
+        )
+        coils = PanelGroup(self.tr("COILS   A"), self.coils_on).add(self.coils)
+        field = PanelGroup(self.tr("FIELD"), self.unit).add(self.field)
+        self.platform = WholeWords()
+        self.platform_group, stands = PanelGroup(self.tr("PLATFORM")), QHBoxLayout()
+        stands.addWidget(self.platform, 1)
+        stands.addWidget(self.angle)
+        self.platform_group.body.addLayout(stands)
+        self.coils_age, self.field_age = coils.age, field.age
+        column.addWidget(self._hands())
+        for group in (coils, field, self.platform_group):
+            column.addWidget(group)
+        column.addWidget(self._instruments(), 1)
+        self.rows: list[InstrumentRow] = []
+
+    @property
+    def instrument_rows(self) -> list[QLabel]:
+        """What is said of each instrument; those not in sight are of a bench before."""
+        return [row.name for row in self.rows if not row.isHidden()]
+
+    def _hands(self) -> QWidget:
+        """The largest words of this panel, and below them why."""
+        self.keep_off = label("", "ask", wrap=True)
+        self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
+        self.may_go_in, self.hands, self.zero_words = label("", "title", wrap=True), WholeWords(), label("", wrap=True)
+        self.hands_group = QWidget()
+        column = QVBoxLayout(self.hands_group)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(GRID // 2)
+        for said in (self.keep_off, self.may_go_in, self.hands, self.zero_words):
+            column.addWidget(said)
+        return self.hands_group
+
+    def _instruments(self) -> QScrollArea:
+        """Who answers. In a low window these roll, so that what is said of the coils above is always whole."""
+        area, holder = QScrollArea(), QWidget()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setMinimumHeight(GRID)
+        area.viewport().setAutoFillBackground(False)
+        self.legend = label("", "caption", wrap=True)
+        title = label(self.tr("INSTRUMENTS"), "caption")
+        title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._lights = QVBoxLayout()
+        self._lights.setSpacing(GRID // 2)
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(GRID // 2)
+        column.addLayout(Flow(title, self.read_all))  # above what may be longer than the room
+        column.addWidget(self.legend)
+        column.addLayout(self._lights)
+        column.addStretch()
+        area.setWidget(holder)
+        holder.setAutoFillBackground(False)
+        return area
+
+    def _next_unit(self) -> None:
+        self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])
+
+    def show_state(self, state: LabState) -> None:
+        """Write the hands, the coils, the field, the platform and the lights."""
+        self.unit.setText(state.unit)
+        self._show_coils(state.now)
+        self._show_hands(state)
+        self._show_field(state)
+        self._show_platform(state.now)
+        self._show_lights(state)
+        self.read_all.setEnabled(bool(state.bench) and not state.now.driven and not state.reading)
+
+    def _show_coils(self, now: LabNow) -> None:
+        old = "" if now.coil_old_s is None else "old"
+        self.coils_age.setText(age_words(now.coil_old_s))
+        for row, axis in enumerate(now.coil_A):
+            self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
+        shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
+        on = self.tr("on")
+        self.coils_on.setText(f"{shape} {on}" if now.coil_words.startswith(ON) else "")
+        set_state(self.coils_on, mark)
+        self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
+        set_state(self.zero_words, mark)
+
+    def _show_hands(self, state: LabState) -> None:
+        """Yes or no, and why, once: what the sentence on hands or the currents say of the coils is not said again."""
+        off, off_mark = state.keep_off
+        self.keep_off.setText(off)
+        set_state(self.keep_off, off_mark)
+        self.keep_off.setVisible(bool(off))
+        coils = state.now.coil_words
+        unconfirmed = mark_of(coils, at_rest=state.now.at_rest)[1] == "bad"  # said above, and why below
+        said, mark = ("", "") if unconfirmed else state.hands
+        answer, _, why = said.partition(":")
+        self.may_go_in.setText(answer.strip() if why else said)
+        self.may_go_in.setVisible(bool(said) and not off)
+        self.hands.say(said, why.strip() if why else "" if not off else said)
+        self.hands.setVisible(bool(said))
+        for place in (self.may_go_in, self.hands):
+            set_state(place, mark)
+        again = mark == "good" or why.strip() == in_words(coils) or coils.startswith(ON)
+        self.zero_words.setVisible(bool(coils) and not again)
+        self.hands_group.setVisible(bool(off or said or (coils and not again)))
+
+    def _show_field(self, state: LabState) -> None:
+        def size(vector: tuple[float, float, float] | None) -> str:
+            return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
+
+        now = state.now
+        set_old, old = ("old" if one else "" for one in (age_words(now.coil_old_s), field_age(now)))
+        self.field_age.setText(field_age(now))
+        self.field.show_row(SET, size(now.field_set_nT), state=set_old)
+        self.field.keep_row(SET, kept=now.driven or now.field_set_nT is not None)  # in a run nothing moves up and down
+        self.field.show_row(MEASURED, size(now.field_measured_nT), state=old)
+        u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
+        self.field.show_row(U, u, state=old)
+        for row, axis in enumerate(now.field_measured_nT or (None,) * 3):
+            self.field.show_row(AXES + row, "–" if axis is None else format_field(axis, state.unit), state=old)
+
+    def _show_platform(self, now: LabNow) -> None:
+        """That it stands or turns in two words, with its angle; what is not so plain in the whole sentence."""
+        shape, mark = platform_drawn(now.platform_words, now.coil_words)
+        whole = f"{shape} {in_words(now.platform_words)}".strip()
+        plainly = {"platform stands": self.tr("stands"), "platform turns": self.tr("turns")}
+        short = (
+            plainly.get(" ".join(now.platform_words.partition(",")[0].split()[:2]))
+            if now.platform_deg is not None
+            else None
+        )
+        self.platform.say(whole, f"{shape} {short}" if short else whole)
+        set_state(self.platform, mark)
+        self.platform_group.setVisible(bool(whole))
+        self.platform_group.age.setText(age_words(now.platform_old_s) if short else "")
+        self.angle.setText(f"{now.platform_deg:.0f}°" if short else "")
+        set_state(self.angle, "old" if mark == "old" else "")
+
+    def _show_lights(self, state: LabState) -> None:
+        while len(self.rows) < len(state.now.lights):
+            self.rows.append(InstrumentRow())
+            self._lights.addWidget(self.rows[-1])
+        others = dict(state.other_serials)
+        of_all = self._of_all(state)
+        self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))
+        self.legend.setVisible(bool(self.legend.text()))
+        set_state(self.legend, "bad" if state.now.in_common else "")
+        for row, (name, light, words) in zip(self.rows, state.now.lights, strict=False):
+            shape, colour, plain = LIGHT_SHAPES[light]
+            aged = light != "fault"
+            words = words or (translated(plain) if aged else "")
+            if light != "fault" and name in others:
+                shape, colour, words, aged = "▲", "warning", others[name], False
+            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=not of_all)
+            row.name.setToolTip(guardian_is(name))
+            row.show()
+        for row in self.rows[len(state.now.lights) :]:
+            row.hide()
+
+    def _of_all(self, state: LabState) -> str:
+        """What holds for every instrument is said once, above them."""
+        lights = {(light, words) for _, light, words in state.now.lights}
+        if len(lights) != 1 or state.other_serials:
+            return ""
+        ((light, words),) = lights
+        if light == "fault":
+            return ""
+        return self.tr("all answer") if light == "ok" else words or translated(LIGHT_SHAPES[light][2])
