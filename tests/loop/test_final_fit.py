@@ -113,19 +113,38 @@ def test_an_effect_of_the_rig_beyond_half_of_the_field_is_given_up(
     assert "more than half of the field" in refused.why
 
 
-def test_a_loop_as_wide_as_the_field_is_no_field_that_the_map_could_undo(started: Started) -> None:
+@pytest.mark.parametrize("declared", [True, False])
+def test_a_loop_as_wide_as_the_field_is_no_field_that_the_map_could_undo(started: Started, declared: bool) -> None:
     """Driven by the reference it is the reference, and a map that is zero would leave nothing at all."""
     problem = started(lambda rows: np.where(rows["t_s"] % 90 < 20, 2500.0, 0.0)[:, None] * np.array([1.0, 0.4, -0.6]))
     run = problem.run
-    problem = prepare(replace(run, dut=replace(run.dut, noise_nT=None)))[0]
+    problem = prepare(run if declared else replace(run, dut=replace(run.dut, noise_nT=None)))[0]
     loops = (c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "hysteresis")
     loop = next(term for term in loops if {s.name for s in term.shape} == {"r_nT", "kept", "begins", "less_itself"})
     wide = replace(loop, shape=tuple(replace(s, value=1e6) if s.name == "r_nT" else s for s in loop.shape))
-    for made, smallest in ((problem.all_columns(wide), 0.0), (problem.columns(wide), 0.3)):
+    for made in (problem.all_columns(wide), problem.columns(wide)):
         A = np.concatenate([problem.T, made], axis=2).reshape(problem.y.size, -1)
         left = problem.y.ravel() - A @ np.linalg.lstsq(A, problem.y.ravel(), rcond=1e-10)[0]
-        share = np.linalg.norm(left) / np.linalg.norm(problem.y)
-        assert share < 0.3 if not smallest else share > smallest
+        assert np.linalg.norm(left) > 0.3 * np.linalg.norm(problem.y)
+
+
+@pytest.mark.parametrize("declared", [True, False])
+def test_a_stretch_of_what_the_reference_says_is_one_of_the_map_whatever_the_map_leaves(
+    started: Started, declared: bool
+) -> None:
+    """Of the readings themselves it would differ by the residual, stretched: that would take off all of it."""
+    run = started(_wander).run
+    problem = prepare(run if declared else replace(run, dut=replace(run.dut, noise_nT=None)))[0]
+    assert problem.scene.rig is not None
+    T = problem.T.reshape(problem.y.size, -1)
+    for place in range(9):
+        change = np.eye(9)[place].reshape(3, 3)
+        stretched, apart = (
+            np.einsum("nqj,nj->nq", problem.whiten, field @ change.T).ravel()
+            for field in (problem.scene.rig.prediction_nT, problem.residual_nT)
+        )
+        left = stretched - T @ np.linalg.lstsq(T, stretched, rcond=None)[0]
+        assert np.linalg.norm(left) < 0.1 * np.linalg.norm(apart)
 
 
 def test_the_share_that_has_to_be_new_is_half_a_field() -> None:

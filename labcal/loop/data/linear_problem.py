@@ -169,12 +169,13 @@ def linearise(
     """The problem about `theta`, `phase` and the effects' sum e (n, 3).
 
     `slope` ∂e/∂a (n, 3, 3) is needed where e depends on the field: its curves act on a at the estimated true readings,
-    where the map's columns are taken too. Of a device whose noise is not declared nobody knows the true readings: its
-    readings stand as they are in both.
+    where the map's columns are taken too. What a vector says of them does not hang on whether the device's noise is
+    declared; beside a magnitude or an axis nobody knows them then, and the readings stand as they are in both.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
-    columns = at.columns if run.dut.noise_nT else np.column_stack([seen.reading, -np.ones(len(seen))])
+    known = bool(run.dut.noise_nT) or bool((seen.kind == VECTOR).all())
+    columns = at.columns if known else np.column_stack([seen.reading, -np.ones(len(seen))])
     T = _tangent(whiten if slope is None else whiten - whiten @ slope, columns, parameterisation)
     groups = np.flatnonzero([bool((seen.group == g).any()) for g in range(len(phase))])
     if len(groups):
@@ -182,7 +183,7 @@ def linearise(
         T = np.concatenate([T, turn * (seen.group[:, None] == groups)[:, None, :]], axis=2)
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
     scene = scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction)
-    if run.dut.noise_nT:
+    if known:
         gains, zero = theta[: 3 * 3].reshape(3, 3), theta[3 * 3 :]
         scene = replace(scene, denoised_field_nT=columns[:, :3] @ gains.T + columns[:, 3:] * zero)
     return LinearProblem(
