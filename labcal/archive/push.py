@@ -97,7 +97,7 @@ def run_there(archive: Archive, site: str, digest: str) -> Mapping[str, Any] | N
 def note_head(archive: Archive, site: str, head: str | None, digest: str) -> None:
     """Keep that a store's chain of this head is a run that is there: it need not be read again."""
     with archive.transaction() as connection:
-        _add_head(connection, site, head, digest)
+        _add(connection, tables.KEPT_HEAD, site, [] if head is None else [{"head": head, "sha256": digest}])
 
 
 def push_run(archive: Archive, site: str, one: RunToPush, place: str) -> bool:
@@ -116,24 +116,32 @@ def push_placed(archive: Archive, site: str, found: Iterable[Placed]) -> set[str
     One commit for all: each waits for the server's disk. In the order of their SHA-256, so that two pushes of the same
     runs wait for each other and never both.
     """
+    ordered = sorted(found, key=lambda one: one.run.sha256)
+    heads = [{"head": one.run.kept_head, "sha256": one.run.sha256} for one in ordered if one.run.kept_head is not None]
     with archive.transaction() as connection:
-        ordered = sorted(found, key=lambda one: one.run.sha256)
-        return {each.run.sha256 for each in ordered if _add_run(connection, site, each)}
+        new = _add_runs(connection, [{"site": site, **_run_row(one)} for one in ordered])
+        used = ((one.run.sha256, each) for one in ordered if one.run.sha256 in new for each in one.run.instruments)
+        _add(connection, tables.INSTRUMENT, site, [{"of": digest, **each} for digest, each in used])
+        _add(connection, tables.KEPT_HEAD, site, heads)
+    return new
 
 
-def _add_run(connection: Connection, site: str, placed: Placed) -> bool:
+def _run_row(placed: Placed) -> dict[str, Any]:
     one = placed.run
-    row = one.row | {
+    return one.row | {
         "sha256": one.sha256,
         "chain_head": one.chain_head,
         "bundle_sha256": placed.bundle_sha256,
         "bundle_bytes": placed.bundle_bytes,
     }
-    new = _add(connection, tables.RUN, site, [row]) > 0
-    if new:
-        _add(connection, tables.INSTRUMENT, site, [{"of": one.sha256, **each} for each in one.instruments])
-    _add_head(connection, site, one.kept_head, one.sha256)
-    return new
+
+
+def _add_runs(connection: Connection, found: Sequence[dict[str, Any]]) -> set[str]:
+    """Add the rows of runs, in one statement; returns the SHA-256 of those new here."""
+    if not found:
+        return set()
+    added = insert(tables.RUN).on_conflict_do_nothing().returning(tables.RUN.c.sha256)
+    return set(connection.scalars(added, found))
 
 
 def push_calibration(
@@ -176,11 +184,6 @@ def push_audit(archive: Archive, site: str, log: str, entries: Iterable[AuditRow
 
 def _document(of: str, one: Document) -> dict[str, Any]:
     return {"of": of, "sha256": one.sha256} | {name: getattr(one, name) for name in Document.__slots__}
-
-
-def _add_head(connection: Connection, site: str, head: str | None, digest: str) -> None:
-    if head is not None:
-        _add(connection, tables.KEPT_HEAD, site, [{"head": head, "sha256": digest}])
 
 
 def _add(connection: Connection, table: Table, site: str, found: Sequence[dict[str, Any]]) -> int:
