@@ -53,7 +53,8 @@ def there(room: str) -> bool:
 
 def pages() -> dict[str, str]:
     """What people read by its name, but what the campaign writes."""
-    found = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+    by_itself = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")]
+    found = [*by_itself, *sorted((ROOT / "docs").glob("*.md"))]
     return {page.name: page.read_text(encoding="utf-8") for page in found if page.name not in KINDS_OF_FAULT}
 
 
@@ -63,6 +64,11 @@ def test_no_paragraph_is_longer_than_six_lines() -> None:
     }
     assert {name: long for name, long in found.items() if long} == {}
     assert len(found) > 20
+
+
+def test_the_changelog_leads_to_every_page_and_to_none_that_is_gone() -> None:
+    named = set(re.findall(r"\]\((docs/[^)#]+)", pages()["CHANGELOG.md"]))
+    assert named == {f"docs/{path.name}" for path in (ROOT / "docs").glob("*.md")}
 
 
 def private_words(text: str) -> list[str]:

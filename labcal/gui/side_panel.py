@@ -64,13 +64,13 @@ class InstrumentRow(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(GRID // 2)
         row.addWidget(self.mark, 0, Qt.AlignmentFlag.AlignTop)
-        row.addWidget(self.name, 1)
-        row.addWidget(self.age)
+        self.name.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        row.addLayout(Flow(self.name, self.age), 1)  # the age below, where there is no room for it
 
     def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool) -> None:
         """`aged`: its `words` are its age, said here where it stands `alone` with that.
 
-        Who answers is in no colour but its mark's: what is wrong stands out.
+        Who answers has its mark alone: what is wrong, or not of now, stands out.
         """
         self.mark.setText(shape)
         self.age.setText(words if aged else "")
@@ -253,7 +253,7 @@ class SidePanel(Surface):
             words = words or (translated(plain) if aged else "")
             if light != "fault" and name in others:
                 shape, colour, words, aged = "▲", "warning", others[name], False
-            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=not of_all)
+            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=not of_all and light != "ok")
             row.name.setToolTip(guardian_is(name))
             row.show()
         for row in self.rows[len(state.now.lights) :]:

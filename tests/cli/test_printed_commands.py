@@ -16,7 +16,7 @@ from labcal.cli import app
 
 ROOT = Path(__file__).parents[2]
 PAGES = [
-    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "examples/plugin/README.md")),
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/plugin/README.md")),
     *sorted((ROOT / "docs").glob("*.md")),
 ]
 ALWAYS = {"--help", "--version"}

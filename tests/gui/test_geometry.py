@@ -43,6 +43,7 @@ def test_what_is_painted_and_cut_is_found(qtbot):
     settled(picture)
     assert faults(holder) == []
     table.item(0, 0).setToolTip("")
+    table.horizontalHeader().setStretchLastSection(False)
     table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
     table.setColumnWidth(0, 60)
     picture.getPlotItem().getAxis("left").label.setScale(3.0)

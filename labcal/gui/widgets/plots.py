@@ -28,7 +28,7 @@ VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and 
 WIDE_GAP = "&nbsp; &nbsp; "
 BEFORE_ALPHA = 130  # of 255: what was before lies behind
 DASHED = "┄"  # before the name of a curve that is
-THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+(?:\.|$))(?<!\.\d)(?<!\.\d\d)(?<!\.\d\d\d)")  # places for a blank
+THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")  # places for a blank, before a point
 UNIT = re.compile(r"  (\S+)\s*(?=</span>)")
 NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
@@ -62,8 +62,8 @@ class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
         """As pyqtgraph writes them, in groups of three as everywhere else."""
-        written = super().tickStrings(values, scale, spacing)
-        return [THOUSANDS.sub(NARROW_SPACE, text).replace("-", MINUS) for text in written]
+        written = (text.partition(".") for text in super().tickStrings(values, scale, spacing))
+        return [(THOUSANDS.sub(NARROW_SPACE, text) + point + rest).replace("-", MINUS) for text, point, rest in written]
 
     def labelString(self) -> str:
         """The unit, which stands behind two blanks in the name, in brackets."""
