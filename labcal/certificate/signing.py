@@ -96,7 +96,9 @@ class Verification:
     @property
     def provisional(self) -> str | None:
         """Why nobody but the signer stands for it yet; None where every approver named has signed."""
-        if (c := self.calibration) is None or not (named := c.approvers):
+        if (c := self.calibration) is not None and (held := c.not_measured()):
+            return f"its run did not measure {', '.join(held)}"
+        if c is None or not (named := c.approvers):
             return "no approver is named"
         if not c.operator.strip():
             return "nobody is said to have measured it, so that nobody who approves it is another person"
@@ -126,6 +128,7 @@ class Verification:
     def limits(self) -> list[str]:
         """What keeps a file whose signatures hold from being used without a thought, a sentence each."""
         said = [f"PROVISIONAL: {self.provisional}."] if self.valid and self.provisional else []
+        said += [left] if self.calibration and (left := self.calibration.unexplained()) else []
         until = self.calibration.validity.until if self.calibration else None
         said += [f"EXPIRED: it was good until {until}."] if self.expired else []
         return said + ([f"SUPERSEDED: by the calibration of run {self.superseded_by}."] if self.superseded_by else [])
@@ -169,8 +172,8 @@ def approve(
 
     `revise` makes of the draft what is approved; `issue` gives it number and date, when all else is well.
 
-    Refused after any signature (its bytes would no longer be the signed ones), and for the operator: two persons
-    look at a calibration, or it stays PROVISIONAL.
+    Refused after any signature (its bytes would no longer be the signed ones), for the operator, as two persons
+    look at a calibration, or it stays PROVISIONAL, and where its run did not measure all of the map.
     """
     name = " ".join(name.split())
     check_person(name)
@@ -179,6 +182,9 @@ def approve(
         raise InputError(f"is signed already ({signed[0].name}); only a draft can be approved", file=path)
     if not name:
         raise InputError("the approver has no name", file=path)
+    if held := ", ".join(draft.not_measured()):
+        what = f"its run did not measure {held}: nobody can approve that; turn about the other body axes as well"
+        raise InputError(what, file=path)
     if not draft.operator.strip():
         raise InputError("operator: nobody is said to have measured it, so nobody can be another person", file=path)
     if perhaps_one_person(name, draft.operator):

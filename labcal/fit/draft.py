@@ -76,15 +76,19 @@ def draft_calibration(
             if e.belongs_to == "sensor" and e.basis is None
             for name, value in e.reference_value.items()
         },
-        not_covered=not_covered(run),
         made_by=made_by,
         chain=chain,
     )
+    made = replace(made, not_covered=(*_held(made.not_measured()), *found.remarks, *not_covered(run)))
     if any(effect.belongs_to == "rig" for effect in found.effects):
         made = replace(made, validity=_with_fields_at_the_dut(made, run))
     if found.sources is not None:
         made = replace(made, budget=as_json(budgets(made, found.sources, run)))
     return with_conformity(made, run)
+
+
+def _held(names: Sequence[str]) -> tuple[str, ...]:
+    return (f"Not measured by this run, and held as they stand: {', '.join(names)}.",) if names else ()
 
 
 def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:

@@ -41,3 +41,4 @@ class Fit:
     sources: Sources | None = None  # what `covariance` is made of, where the method tells it apart
     left_open: str | None = None  # where magnitudes alone determine it: what the vectors do not, a sentence
     noise_nT: float | None = None  # standard deviation of one axis of one reading, estimated
+    remarks: tuple[str, ...] = ()  # what its uncertainty does not tell, for whoever signs it, a sentence each

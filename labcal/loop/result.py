@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from labcal.fit import Fit
 from labcal.model import AffineMap, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
+from labcal.model.calibration import UNEXPLAINED
 from labcal.model.effects import Confounded
 from labcal.model.records import Owner
 from labcal.uncertainty import Sources
@@ -158,7 +159,14 @@ class ClosedLoop:
             frame_known=self.frame_known,
             effects=tuple(e for i, e in enumerate(self.accepted) if i not in self.unsupported),
             noise_nT=self.noise_nT,
+            remarks=self._remarks(),
         )
+
+    def _remarks(self) -> tuple[str, ...]:
+        if self.verdict != "unexplained":
+            return ()
+        left = f"{self.after.holdout_rms_nT:.1f} nT are left of held-out rows, where noise alone leaves"
+        return (f"{UNEXPLAINED}: {left} {self.noise_floor_nT:.1f}; U takes that for random.",)
 
     def metrics(self) -> Mapping[str, Mapping[str, float]]:
         """Before and after, for the calibration file: after with what it ships, and of how many components it is.

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Format = Literal["labcal-calibration/1", "labcal-calibration/2"]
+UNEXPLAINED = "Unexplained by the closed loop"  # as `not_covered` begins where that was the loop's verdict
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,6 +67,17 @@ class Calibration:
             place = [names.index(name) for name in self.covariance_of]
             joint[np.ix_(place, place)] = self.covariance
         return joint
+
+    def not_measured(self) -> tuple[str, ...]:
+        """Those of K and k that were held as they stand: without any variance. Empty where none states a covariance."""
+        if self.covariance is None:
+            return ()
+        variance = dict(zip(self.covariance_of, np.diag(self.covariance), strict=True))
+        return tuple(name for name in MAP_PARAMETERS if not variance.get(name, 1.0) > 0)
+
+    def unexplained(self) -> str:
+        """That the loop which made it found no cause for what is left, a sentence; "" else."""
+        return next((said for said in self.not_covered if said.startswith(UNEXPLAINED)), "")
 
     def k_means(self) -> str:
         """What k belongs to, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""

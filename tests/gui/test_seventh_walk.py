@@ -16,7 +16,7 @@ from labcal.bench.links.heard_before import PLUG
 from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
 from labcal.gui.ipc.messages import Approve, CloseLoop, LookAt, RunProcedure
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.viewmodels.signing import ambiguity
+from labcal.gui.viewmodels.signing import doubts
 from labcal.gui.widgets import next_button
 from labcal.model.records import EffectRecord, Rival
 
@@ -54,7 +54,7 @@ def test_what_is_certain_is_released_in_green(page):
     told(page, standing(calibration(), "released"), "a.smith")
     assert page.word.text() == "✓ RELEASED  ·  EM-07"
     assert (page.word.property("state"), page.doubt.isHidden()) == ("good", True)
-    assert not ambiguity(calibration())
+    assert not doubts(calibration())
 
 
 def test_who_approves_what_is_ambiguous_is_asked_once(page):

@@ -35,7 +35,15 @@ from labcal.certificate.report.page import (
     section,
     sections,
 )
-from labcal.certificate.report.style import NOTHING, number, printed_unit, sentence, two_digits, with_uncertainty
+from labcal.certificate.report.style import (
+    NOTHING,
+    number,
+    of_the_map,
+    printed_unit,
+    sentence,
+    two_digits,
+    with_uncertainty,
+)
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.model.apply import temperature_channel
@@ -74,7 +82,7 @@ def calibration_page(
         title=dut.serial,
         subtitle=dut.model,
         simulated=calibration.simulated,
-        marks=(*_marks(verification), *conformity_marks(lines)),
+        marks=(*_marks(verification), *_doubts(calibration), *conformity_marks(lines)),
         headline=_headline(calibration),
         facts=identity(calibration, run, said),
         sections=sections(
@@ -179,6 +187,12 @@ def _marks(verification: Verification) -> tuple[Mark, ...]:
     return (Mark("SIGNED · VALID", "good"), *provisional)
 
 
+def _doubts(c: Calibration) -> tuple[Mark, ...]:
+    """What no signature takes away."""
+    whole = () if not c.not_measured() else (Mark("NOT MEASURED WHOLE", "bad"),)
+    return (*whole, *((Mark("UNEXPLAINED", "warning"),) if c.unexplained() else ()))
+
+
 def _headline(c: Calibration) -> LargeNumber | None:
     """The largest U of the field's components over the working range; None where no budget tells it."""
     field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
@@ -212,7 +226,7 @@ def _parameters(c: Calibration) -> list[Block]:
     U = np.full((3, 4), np.nan) if u is None else k_of_parameters(c) * np.column_stack([u[:9].reshape(3, 3), u[9:]])
     rows = list[tuple[str, ...]]()
     for axis, value, spread in zip("xyz", values, U, strict=True):
-        cells = [with_uncertainty(*pair) for pair in zip(value, spread, strict=True)]
+        cells = [of_the_map(*pair) for pair in zip(value, spread, strict=True)]
         rows += [(f"b {axis}", *(cell[0] for cell in cells)), ("U", *(cell[1] for cell in cells))]
     header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "offset k (nT)")
     note = _coverage(c) if u is not None else "No covariance stated."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.certificate.report.page import Table
-from labcal.certificate.report.style import with_uncertainty
+from labcal.certificate.report.style import of_the_map
 from labcal.model import Calibration
 from labcal.model.sensor_figures import figures_covariance
 from labcal.model.sensor_figures import sensor_figures as figures_of
@@ -25,7 +25,7 @@ def sensor_figures(calibration: Calibration, coverage: float) -> Table:
     U *= np.reshape([k.get(name, coverage) for name in FIGURES], (3, 3))
     rows = []
     for i, (axis, pair) in enumerate(zip("xyz", ("x–y", "y–z", "z–x"), strict=True)):
-        cells = [with_uncertainty(values[j, i], U[j, i], most) for j, most in enumerate((9, 3, 4))]
+        cells = [of_the_map(values[j, i], U[j, i], most) for j, most in enumerate((9, 3, 4))]
         rows.append((axis, *cells[0], *cells[1], pair, *cells[2]))
     header = ("Axis", f"Scale (nT/{unit})", "U", f"Zero reading ({unit})", "U", "Axes", "Off 90° (°)", "U")
     note = "The same calibration as figures of the sensor: m = K⁻¹ (b + k)."

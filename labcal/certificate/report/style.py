@@ -16,6 +16,8 @@ MARKERS = "o^sDvP<>"
 WIDTH_IN = 7.0
 SYMBOLS = {"uT": "µT", "deg": "°", "arcmin": "′", "arcsec": "″"}
 NOTHING = "–"
+NOT_MEASURED = "not measured"
+ROUNDING = 1e-12  # of a value
 LONGEST_LABEL = 24
 
 _RC: Any = {
@@ -111,6 +113,13 @@ def with_uncertainty(value: float, U: float, most: int = 9) -> tuple[str, str]:
         place -= 1
     place = min(place, most)
     return number(round(value, place), max(0, place)), number(round(U, place), max(0, place))
+
+
+def of_the_map(value: float, U: float, most: int = 9) -> tuple[str, str]:
+    """The same of a figure of the map: what has no uncertainty at all was held as it stands."""
+    written, spread = with_uncertainty(value, U, most)
+    rounding = ROUNDING * max(abs(value), 1.0)
+    return written, spread if rounding < U else NOT_MEASURED
 
 
 def decimals_for(uncertainties: Iterable[float], most: int = 9) -> int:

@@ -361,10 +361,7 @@ class BudgetLine:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A figure of the map as people follow it over the years, in `unit`: `U` at k = 2, None where not known.
-
-    `limit` is that of the specification which the calibration was judged by, in the same unit.
-    """
+    """A figure of the map, in `unit`: its U at k = 2, and the limit it was judged by; None where there is none."""
 
     kind: str  # offset, scale or non_orthogonality
     quantity: str
@@ -397,3 +394,5 @@ class CalibrationFile:
     figures: tuple[Figure, ...] = ()
     method: str = ""  # of the fit, or closed-loop
     simulated: bool = False
+    unexplained: str = ""  # by the loop that made it: a sentence
+    not_measured: tuple[str, ...] = ()  # of K and k: held as they stand

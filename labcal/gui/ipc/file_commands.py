@@ -134,6 +134,8 @@ def _calibration(path: Path) -> CalibrationFile:
         left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
         figures=figures(found),
         method=str((found.made_by or {}).get("method", "")),
+        unexplained=found.unexplained(),
+        not_measured=found.not_measured(),
     )
 
 

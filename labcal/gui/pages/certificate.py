@@ -19,7 +19,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
-from labcal.gui.viewmodels.signing import SigningStep, ambiguity, file_state, file_word, handed_out_as, state_of, steps
+from labcal.gui.viewmodels.signing import SigningStep, doubts, file_state, file_word, handed_out_as, state_of, steps
 from labcal.gui.viewmodels.stages import stages, to_be_done
 from labcal.gui.viewmodels.told_words import open_words
 from labcal.gui.widgets.calibration_views import CalibrationViews
@@ -207,7 +207,7 @@ class CertificatePage(QWidget):
             self.standing.setText(" ".join(self._standing_words(one)))
             self.names.show_file(one)
             set_state(self.word, file_state(one))
-            self.doubt.setText(ambiguity(one))
+            self.doubt.setText(doubts(one))
             self.doubt.setVisible(bool(self.doubt.text()))
             if one.run_id != self._told_of:
                 self._told_of = one.run_id
@@ -231,7 +231,8 @@ class CertificatePage(QWidget):
     def _standing_words(self, one: CalibrationFile) -> list[str]:
         """How it stands, who measured and who approved."""
         draft = not one.standing.signatures
-        words = [] if draft else list(map(in_words, one.standing.sentences))  # that it is a draft is said above
+        signed = () if draft else one.standing.sentences  # that it is a draft, or unexplained, is said above
+        words = [in_words(said) for said in signed if said != one.unexplained]
         words += [in_words("SIMULATED: it describes no real sensor.")] if draft and one.simulated else []
         approved = ", ".join(one.approvers) or self.tr("nobody yet")
         return [*words, self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved)]

@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.key_rules import approver_objection, as_key_name, key_name_objection, key_objection
-from labcal.gui.viewmodels.signing import SigningStep, ambiguity, awaited, valid_words
+from labcal.gui.viewmodels.signing import SigningStep, awaited, doubts, valid_words
 from labcal.gui.widgets.common import button, combo_box, label, say_wanted, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.secret import secret_entry
@@ -223,7 +223,7 @@ class SigningSteps(StepRow):
     def _approve(self) -> None:
         """Where the cause is not certain the first press asks, and the second one approves."""
         if (one := self._chosen()) is not None:
-            if (doubt := ambiguity(one)) and self.approval.asked.isHidden():
+            if (doubt := doubts(one)) and self.approval.asked.isHidden():
                 return self._ask_before_approval(self.tr("{0} Approve it all the same?").format(doubt))
             self._ask_before_approval("")
             name = self.approver.currentText().strip()

@@ -132,6 +132,15 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "its operator, {0}, has not the role measure"),
     QT_TRANSLATE_NOOP("Data", "nobody but its operator has signed who has the role release"),
     QT_TRANSLATE_NOOP("Data", "its numbers were not confirmed by its run"),
+    QT_TRANSLATE_NOOP("Data", "its run did not measure {0}"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; "
+        "U takes that for random.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "its run did not measure {0}: nobody can approve that; turn about the other body axes as well"
+    ),
     QT_TRANSLATE_NOOP("Data", "zero, not open"),
     QT_TRANSLATE_NOOP("Data", "{0}: no sample for {1} s."),
     QT_TRANSLATE_NOOP("Data", "{0}: the same reading for {1} s."),

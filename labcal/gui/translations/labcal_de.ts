@@ -1729,6 +1729,18 @@
         <translation>seine Zahlen wurden von seiner Messung nicht bestätigt</translation>
     </message>
     <message>
+        <source>its run did not measure {0}</source>
+        <translation>ihre Messung hat {0} nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; U takes that for random.</source>
+        <translation>Vom geschlossenen Kreis nicht erklärt: {0} nT bleiben in zurückgehaltenen Zeilen, wo Rauschen allein {1} lässt; U nimmt das als zufällig.</translation>
+    </message>
+    <message>
+        <source>its run did not measure {0}: nobody can approve that; turn about the other body axes as well</source>
+        <translation>ihre Messung hat {0} nicht bestimmt: das kann niemand genehmigen; auch um die anderen Körperachsen drehen</translation>
+    </message>
+    <message>
         <source>zero, not open</source>
         <translation>null, nicht offen</translation>
     </message>
@@ -9210,8 +9222,24 @@ diesem Schritt …</translation>
         <translation>eine andere</translation>
     </message>
     <message>
-        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
-        <translation>Als VORLÄUFIG und MEHRDEUTIG: Warum, steht oben.</translation>
+        <source>UNEXPLAINED: what is left of held-out rows has no known cause, and U takes it for random.</source>
+        <translation>UNERKLÄRT: was in zurückgehaltenen Zeilen bleibt, hat keine bekannte Ursache, und U nimmt es als zufällig.</translation>
+    </message>
+    <message>
+        <source>Its run did not measure {0}: they were held as they stand.</source>
+        <translation>Ihre Messung hat {0} nicht bestimmt: sie blieben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Nobody can approve it: turn about the other body axes as well.</source>
+        <translation>Niemand kann sie genehmigen: auch um die anderen Körperachsen drehen.</translation>
+    </message>
+    <message>
+        <source>Signed it stays PROVISIONAL, for its run did not measure it whole.</source>
+        <translation>Signiert bleibt sie VORLÄUFIG, denn ihre Messung hat sie nicht ganz bestimmt.</translation>
+    </message>
+    <message>
+        <source>As {0}: why is said above.</source>
+        <translation>Als {0}: warum, steht oben.</translation>
     </message>
     <message>
         <source>Handed out as {0}. Next: another DUT.</source>
@@ -9224,10 +9252,6 @@ diesem Schritt …</translation>
     <message>
         <source>handed out</source>
         <translation>ausgegeben</translation>
-    </message>
-    <message>
-        <source>As AMBIGUOUS: why is said above.</source>
-        <translation>Als MEHRDEUTIG: warum, steht oben.</translation>
     </message>
     <message>
         <source>✕ No calibration from this run by {0}</source>

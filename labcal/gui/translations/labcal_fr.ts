@@ -1729,6 +1729,18 @@
         <translation>ses nombres n&apos;ont pas été confirmés par sa mesure</translation>
     </message>
     <message>
+        <source>its run did not measure {0}</source>
+        <translation>sa mesure n&apos;a pas déterminé {0}</translation>
+    </message>
+    <message>
+        <source>Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; U takes that for random.</source>
+        <translation>Inexpliqué par la boucle : {0} nT restent dans les lignes réservées, là où le bruit seul en laisse {1} ; U le prend pour aléatoire.</translation>
+    </message>
+    <message>
+        <source>its run did not measure {0}: nobody can approve that; turn about the other body axes as well</source>
+        <translation>sa mesure n&apos;a pas déterminé {0} : personne ne peut l&apos;approuver ; tourner aussi autour des autres axes du corps</translation>
+    </message>
+    <message>
         <source>zero, not open</source>
         <translation>zéro, non ouverte</translation>
     </message>
@@ -9210,8 +9222,24 @@ cette étape …</translation>
         <translation>une autre</translation>
     </message>
     <message>
-        <source>As PROVISIONAL and AMBIGUOUS: why is said above.</source>
-        <translation>Comme PROVISOIRE et AMBIGU : la raison est dite plus haut.</translation>
+        <source>UNEXPLAINED: what is left of held-out rows has no known cause, and U takes it for random.</source>
+        <translation>INEXPLIQUÉ : ce qui reste dans les lignes réservées n&apos;a pas de cause connue, et U le prend pour aléatoire.</translation>
+    </message>
+    <message>
+        <source>Its run did not measure {0}: they were held as they stand.</source>
+        <translation>Sa mesure n&apos;a pas déterminé {0} : ils sont restés tels quels.</translation>
+    </message>
+    <message>
+        <source>Nobody can approve it: turn about the other body axes as well.</source>
+        <translation>Personne ne peut l&apos;approuver : tourner aussi autour des autres axes du corps.</translation>
+    </message>
+    <message>
+        <source>Signed it stays PROVISIONAL, for its run did not measure it whole.</source>
+        <translation>Signé, il reste PROVISOIRE, car sa mesure ne l&apos;a pas déterminé entièrement.</translation>
+    </message>
+    <message>
+        <source>As {0}: why is said above.</source>
+        <translation>Comme {0} : la raison est dite plus haut.</translation>
     </message>
     <message>
         <source>Handed out as {0}. Next: another DUT.</source>
@@ -9224,10 +9252,6 @@ cette étape …</translation>
     <message>
         <source>handed out</source>
         <translation>remis</translation>
-    </message>
-    <message>
-        <source>As AMBIGUOUS: why is said above.</source>
-        <translation>Comme AMBIGU : pourquoi, c&apos;est dit plus haut.</translation>
     </message>
     <message>
         <source>✕ No calibration from this run by {0}</source>

@@ -16,7 +16,7 @@ from labcal.gui.viewmodels.may_answer import may_answer, wanted
 from labcal.gui.viewmodels.procedure_groups import GROUPS
 from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run import RunViewModel
-from labcal.gui.viewmodels.signing import NO_LONGER, ambiguity, awaited, file_word, handed_out_as, handed_out_word
+from labcal.gui.viewmodels.signing import NO_LONGER, awaited, doubts, file_word, handed_out_as, handed_out_word
 from labcal.gui.viewmodels.study import StudyViewModel
 from labcal.gui.viewmodels.what_happens import kept_out
 from labcal.record.endings import ended_word
@@ -226,6 +226,8 @@ class PathViewModel(QObject):
         """Sign, as long as somebody is still to; what is provisional for good may be handed out as that."""
         file = self._file(last)
         if file is None or not file.standing.signatures:
+            if file is not None and file.not_measured:
+                return self._to_calibrate(last.dut_serial)
             unseen = file is not None and not file.approvers
             return Next("Certificate", self.tr("Approve and sign") if unseen else self.tr("Sign"))
         standing = file.standing
@@ -278,7 +280,7 @@ class PathViewModel(QObject):
             return "open"
         if not file.standing.valid:
             return "broken"
-        return "doubt" if file.standing.provisional or ambiguity(file) else "done"
+        return "doubt" if file.standing.provisional or doubts(file) else "done"
 
     def _file(self, last: RunLine) -> CalibrationFile | None:
         return self.kept(last.run_id)

@@ -42,11 +42,16 @@ AS_IT_WAS = QT_TRANSLATE_NOOP("Words", "So it was stated when it was approved.")
 AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
 ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
 NEXT_DUT = QT_TRANSLATE_NOOP("Words", "Handed out. Next: another DUT.")
-AS_BOTH = QT_TRANSLATE_NOOP("Words", "As PROVISIONAL and AMBIGUOUS: why is said above.")
+UNEXPLAINED = QT_TRANSLATE_NOOP(
+    "Words", "UNEXPLAINED: what is left of held-out rows has no known cause, and U takes it for random."
+)
+HELD = QT_TRANSLATE_NOOP("Words", "Its run did not measure {0}: they were held as they stand.")
+NOT_WHOLE = QT_TRANSLATE_NOOP("Words", "Nobody can approve it: turn about the other body axes as well.")
+ALONE = QT_TRANSLATE_NOOP("Words", "Signed it stays PROVISIONAL, for its run did not measure it whole.")
 AS_SUCH = QT_TRANSLATE_NOOP("Words", "Handed out as {0}. Next: another DUT.")
 PROVISIONAL = QT_TRANSLATE_NOOP("Words", "PROVISIONAL")
 HANDED_OUT = QT_TRANSLATE_NOOP("Words", "handed out")
-AS_AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "As AMBIGUOUS: why is said above.")
+AS_DOUBTED = QT_TRANSLATE_NOOP("Words", "As {0}: why is said above.")
 
 
 def standing_word(one: Standing) -> str:
@@ -61,14 +66,17 @@ def state_of(one: Standing) -> str:
     return "warning" if one.provisional or one.status in NO_LONGER else "good"
 
 
-def ambiguity(one: CalibrationFile) -> str:
-    """What else may be the cause of what it corrects; "" where nothing does about as well."""
+def doubts(one: CalibrationFile) -> str:
+    """Why who signs has to think: what else may be the cause, what has none, what was not measured; "" else."""
     words = translated(str(AMBIGUOUS))
-    return " ".join(
-        words.format(cause_name(doubted.effect, doubted.channels), _others(doubted))
-        for doubted in (*one.effects, *one.findings)
-        if doubted.provisional
-    )
+    said = [words.format(cause_name(d.effect, d.channels), _others(d)) for d in _provisional(one)]
+    said += [translated(str(UNEXPLAINED))] if one.unexplained else []
+    said += [translated(str(HELD)).format(", ".join(one.not_measured))] if one.not_measured else []
+    return " ".join(said)
+
+
+def _provisional(one: CalibrationFile) -> list[EffectRecord]:
+    return [effect for effect in (*one.effects, *one.findings) if effect.provisional]
 
 
 def _others(doubted: EffectRecord) -> str:
@@ -79,10 +87,10 @@ def _others(doubted: EffectRecord) -> str:
 def file_word(one: CalibrationFile) -> str:
     """How a file stands, and that its cause is not certain: a signature does not make it so."""
     word = standing_word(one.standing)
-    if not ambiguity(one):
+    if not doubt_word(one):
         return word
     shape, _, said = word.partition(" ")
-    return f"{'▲' if shape == '✓' else shape} {' · '.join(filter(None, (said, doubt_word())))}".strip()
+    return f"{'▲' if shape == '✓' else shape} {' · '.join(filter(None, (said, doubt_word(one))))}".strip()
 
 
 def handed_out_word(one: CalibrationFile) -> str:
@@ -98,20 +106,20 @@ def doubtful(text: str) -> bool:
 
 
 def handed_out_as(one: CalibrationFile) -> str:
-    """AMBIGUOUS, PROVISIONAL, or both: as what it goes; "" where it goes without a doubt."""
-    doubts = (translated(str(PROVISIONAL)) if one.standing.provisional else "", doubt_word() if ambiguity(one) else "")
-    return ", ".join(filter(None, doubts))
+    """PROVISIONAL, and what the loop says of it: as what it goes; "" where it goes without a doubt."""
+    return ", ".join(filter(None, (translated(str(PROVISIONAL)) if one.standing.provisional else "", doubt_word(one))))
 
 
-def doubt_word() -> str:
-    """AMBIGUOUS, without its shape."""
-    return verdict_word("ambiguous").partition(" ")[2]
+def doubt_word(one: CalibrationFile) -> str:
+    """AMBIGUOUS or UNEXPLAINED, without its shape; "" where it is neither."""
+    verdict = "unexplained" if one.unexplained else "ambiguous" if _provisional(one) else ""
+    return verdict_word(verdict).partition(" ")[2] if verdict else ""
 
 
 def file_state(one: CalibrationFile) -> str:
-    """Its colour: a draft has none, what is ambiguous is never good."""
+    """Its colour: a draft has none, what is in doubt is never good."""
     signed = state_of(one.standing) if one.standing.signatures else ""
-    return "warning" if signed in ("", "good") and ambiguity(one) else signed
+    return "warning" if signed in ("", "good") and doubts(one) else signed
 
 
 def valid_words(one: CalibrationFile, typed: str) -> str:
@@ -165,6 +173,8 @@ def _approve_step(one: CalibrationFile, others: Sequence[str], who: str) -> Sign
         return SigningStep("done", translated("Approved by {0}.").format(", ".join(one.approvers)))
     if one.standing.signatures:
         return SigningStep("never", translated("Signed without an approval: nobody can be added any more."))
+    if one.not_measured:
+        return SigningStep("never", translated(str(NOT_WHOLE)))
     if others:
         return SigningStep(
             "now", translated("Another person than {0} looks at the figures below, and approves.").format(who)
@@ -186,6 +196,8 @@ def _sign_step(one: CalibrationFile, keys: Sequence[str]) -> SigningStep:
         return SigningStep("done", translated("Signed by {0}.").format(", ".join(standing.signers)))
     if not keys:
         return SigningStep("later", translated("First a key (1)."))
+    if one.not_measured:
+        return SigningStep("later", translated(str(ALONE)))
     return SigningStep(
         "later", translated("After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.")
     )
@@ -209,7 +221,5 @@ def _hand_out_step(one: CalibrationFile, handed_out: bool) -> SigningStep:
         return SigningStep("done", done.format(as_what))
     if not one.approvers:
         return SigningStep("now", translated("As PROVISIONAL: nobody approved it before it was signed."))
-    if standing.provisional:
-        both = translated(str(AS_BOTH)) if ambiguity(one) else translated("As PROVISIONAL: why is said above.")
-        return SigningStep("now", both)
-    return SigningStep("now", translated(str(AS_AMBIGUOUS)) if ambiguity(one) else "")
+    as_what = handed_out_as(one)
+    return SigningStep("now", translated(str(AS_DOUBTED)).format(as_what) if as_what else "")
