@@ -133,6 +133,7 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "nobody but its operator has signed who has the role release"),
     QT_TRANSLATE_NOOP("Data", "its numbers were not confirmed by its run"),
     QT_TRANSLATE_NOOP("Data", "its run did not measure {0}"),
+    QT_TRANSLATE_NOOP("Data", "Not measured by this run, and held as they stand: {0}."),
     QT_TRANSLATE_NOOP(
         "Data",
         "Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; "

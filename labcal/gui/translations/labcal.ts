@@ -1733,6 +1733,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Not measured by this run, and held as they stand: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; U takes that for random.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1733,6 +1733,10 @@
         <translation>ihre Messung hat {0} nicht bestimmt</translation>
     </message>
     <message>
+        <source>Not measured by this run, and held as they stand: {0}.</source>
+        <translation>Von dieser Messung nicht bestimmt, und geblieben, wie sie sind: {0}.</translation>
+    </message>
+    <message>
         <source>Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; U takes that for random.</source>
         <translation>Vom geschlossenen Kreis nicht erklärt: {0} nT bleiben in zurückgehaltenen Zeilen, wo Rauschen allein {1} lässt; U nimmt das als zufällig.</translation>
     </message>

@@ -1733,6 +1733,10 @@
         <translation>sa mesure n&apos;a pas déterminé {0}</translation>
     </message>
     <message>
+        <source>Not measured by this run, and held as they stand: {0}.</source>
+        <translation>Non déterminés par cette mesure, et restés tels quels : {0}.</translation>
+    </message>
+    <message>
         <source>Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; U takes that for random.</source>
         <translation>Inexpliqué par la boucle : {0} nT restent dans les lignes réservées, là où le bruit seul en laisse {1} ; U le prend pour aléatoire.</translation>
     </message>
