@@ -9,10 +9,12 @@ from test_path import RUN, calibration
 from test_seventh_walk import DOUBTED, standing
 
 from labcal.gui.ipc.messages import ListCalibrations, ListRuns
-from labcal.gui.viewmodels.signing import handed_out_as, handed_out_word
+from labcal.gui.viewmodels.signing import handed_out_as, handed_out_word, steps
 
 RELEASED = replace(standing(calibration(), "released"), approvers=("jdoe@lab",))
 DOUBTFUL = replace(RELEASED, effects=(DOUBTED,))
+LEFT = replace(RELEASED, unexplained="Unexplained by the closed loop: 9.0 nT are left.")
+HELD = replace(standing(calibration(signed=False), "unsigned"), not_measured=("K_xy", "K_yx"))
 PROVISIONAL = standing(calibration(provisional=True), "provisional")
 
 
@@ -22,6 +24,7 @@ PROVISIONAL = standing(calibration(provisional=True), "provisional")
         (RELEASED, "✓ handed out", ""),
         (DOUBTFUL, "▲ handed out · released · AMBIGUOUS", "AMBIGUOUS"),
         (PROVISIONAL, "▲ handed out · provisional", "PROVISIONAL"),
+        (LEFT, "▲ handed out · released · UNEXPLAINED", "UNEXPLAINED"),
         (
             replace(PROVISIONAL, effects=(DOUBTED,)),
             "▲ handed out · provisional · AMBIGUOUS",
@@ -49,6 +52,18 @@ def test_the_certificate_page_says_it_in_amber_before_it_goes_and_after(page):
     page.refresh()
     told(page, RELEASED, "a.smith")
     assert page.paper.words.property("state") == ""
+
+
+def test_what_its_run_did_not_measure_nobody_approves_and_next_leads_to_measuring(page):
+    window = page.window()
+    page._app_state.path.take_runs((replace(RUN, verdict="unexplained"),))
+    page.refresh()
+    told(page, HELD, "a.smith")
+    key, approve, *_ = steps(HELD, ("a.smith",), "J. Doe")
+    assert (key.mark, approve.mark) == ("done", "never")
+    assert not page.steps.approve.isEnabled()
+    assert page.doubt.text() == "Its run did not measure K_xy, K_yx: they were held as they stand."
+    assert window.next.text() == f"Next: Calibrate {HELD.dut.serial}"
 
 
 def test_the_history_says_it_in_amber(new_window):

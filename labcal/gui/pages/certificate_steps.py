@@ -141,7 +141,7 @@ class SigningSteps(StepRow):
         with QSignalBlocker(self.approver), QSignalBlocker(self.signer):
             self.approver.clear()
             self.approver.addItems(others)
-            open_still = one is not None and not one.approvers and not one.standing.signatures
+            open_still = one is not None and not (one.approvers or one.standing.signatures or one.not_measured)
             self.approver.setCurrentText(typed or (others[0] if others and open_still else ""))
             self.signer.clear()
             self.signer.addItems(self.keys)
@@ -187,7 +187,8 @@ class SigningSteps(StepRow):
         self.approval.say_wrong(refused)
         self.valid.setText("" if one is None else valid_words(one, self.stated.stated()[0]))
         self.approver.setEnabled(draft)  # nobody can be added after the first signature
-        self.approve.setEnabled(draft and bool(approver) and not refused)
+        whole = one is not None and not one.not_measured
+        self.approve.setEnabled(draft and whole and bool(approver) and not refused)
         signs = one is not None and bool(self.keys)
         for widget in (self.signer, self.passphrase):
             widget.setEnabled(signs)
