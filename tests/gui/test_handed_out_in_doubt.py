@@ -54,7 +54,7 @@ def test_the_certificate_page_says_it_in_amber_before_it_goes_and_after(page):
     assert page.paper.words.property("state") == ""
 
 
-def test_what_its_run_did_not_measure_nobody_approves_and_next_leads_to_measuring(page):
+def test_what_its_run_did_not_measure_nobody_approves_and_next_leads_to_the_loop(page):
     window = page.window()
     page._app_state.path.take_runs((replace(RUN, verdict="unexplained"),))
     page.refresh()
@@ -63,7 +63,7 @@ def test_what_its_run_did_not_measure_nobody_approves_and_next_leads_to_measurin
     assert (key.mark, approve.mark) == ("done", "never")
     assert not page.steps.approve.isEnabled()
     assert page.doubt.text() == "Its run did not measure K_xy, K_yx: they were held as they stand."
-    assert window.next.text() == f"Next: Calibrate {HELD.dut.serial}"
+    assert window.next.text() == "Next: See what is not known"
 
 
 def test_the_history_says_it_in_amber(new_window):

@@ -226,8 +226,6 @@ class PathViewModel(QObject):
         """Sign, as long as somebody is still to; what is provisional for good may be handed out as that."""
         file = self._file(last)
         if file is None or not file.standing.signatures:
-            if file is not None and file.not_measured:
-                return self._to_calibrate(last.dut_serial)
             unseen = file is not None and not file.approvers
             return Next("Certificate", self.tr("Approve and sign") if unseen else self.tr("Sign"))
         standing = file.standing
