@@ -31,7 +31,8 @@ UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words", "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller"
 )
-WATCHED_S = 10  # so old may be what lets hands in, with its age: a look every 2 s, and 2 s for each of 4 silent lines
+LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next, and what a supply may need to answer it
+WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (

@@ -17,9 +17,9 @@ from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow
+from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
 
-LOOK_MS = 2000
+LOOK_MS = 1000 * LOOK_S
 ALONE_S = 15 * 60.0  # since the last key, mouse, order or run
 Readings = tuple[InstrumentRead, ...]
 
@@ -42,6 +42,7 @@ class LabWatch(QObject):
         self._touched_s = time.monotonic()
         self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
         self._asked: ReadLab | None = None
+        self._asked_s = 0.0
         self.timer = QTimer(self, interval=LOOK_MS)
         self.timer.timeout.connect(self.look)
         self.timer.start()
@@ -88,7 +89,7 @@ class LabWatch(QObject):
             self._worker.kill()
 
     def _ask(self, asked: ReadLab) -> None:
-        self._asked = asked
+        self._asked, self._asked_s = asked, time.monotonic()
         self._worker.request(asked, lambda said: self._read(asked, said), lambda fault: self._failed(asked, fault))
 
     def _read(self, asked: ReadLab, said: Readings) -> None:
@@ -103,6 +104,8 @@ class LabWatch(QObject):
         if for_a_person:
             self._lab.update(message=self._words(said))
         self.was_read.emit()
+        if time.monotonic() - self._asked_s > LOOK_S:  # somebody was slow: what the others said is that old by now
+            self.look()
 
     def _words(self, said: Readings) -> str:
         silent = [one.name for one in said if one.fault is not None]

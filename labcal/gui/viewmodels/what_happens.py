@@ -30,6 +30,7 @@ LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
+BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
@@ -63,7 +64,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     mark = hands_of(now)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return translated(str(OFF)), "bad"
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words
+    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
     out = unread or asked_out(run, now) or (run.alive and mark != "good")
     return (translated(str(OUT)), "warning") if out else ("", "")
 
@@ -110,6 +111,8 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     if run.alive and (promised or run.segment is not None):
         return "", ""
     words, mark = hands_of(now)
+    if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
+        return translated(str(OUT_NOW)).format(translated(str(BEGINS))), "warning"
     if mark == "good" and (out := asked_out(run, now)):
         return out, "warning"
     return words, mark
