@@ -30,6 +30,7 @@ LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
+COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
@@ -60,7 +61,8 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
         return translated(str(OFF)), "bad"
-    told = bool(now.coil_words or now.left_by or now.coils_lost or now.platform_lost)  # else there is no lab
+    left = now.left_by or now.closed_with
+    told = bool(now.coil_words or left or now.coils_lost or now.platform_lost)  # else there is no lab
     mark = hands_of(now)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return translated(str(OFF)), "bad"
@@ -102,15 +104,16 @@ def at_hands(
 ) -> dict[str, tuple[str, str]]:
     """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
     heard = facts is not None and not (facts.virtual_time and known is None and not now.left_by)  # else it is none yet
+    heard = heard or bool(now.closed_with)
     return {"keep_off": keep_off(run, now), "hands": _hands_at(run, now) if heard else ("", "")}
 
 
 def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
-    """Whether they may go in, unless they were promised to be off or something is being measured."""
+    """Whether they may go in, and why not: what is known first, then what comes unasked."""
     promised = run.hands_off and run.state not in ("asking", "paused")
-    if run.alive and (promised or run.segment is not None):
-        return "", ""
     words, mark = hands_of(now)
+    if mark != "bad" and run.alive and (promised or run.segment is not None):
+        return translated(str(OUT_NOW)).format(translated(str(COMES))), "bad"
     if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), "warning"
     if mark == "good" and (out := asked_out(run, now)):

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from labcal.bench.coils import state
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -250,7 +249,7 @@ class PromptCard(Card):
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._first = first_thing(now)
-        whole = words.endswith(in_words(coil_words)) or (mark == "good" and coil_words.startswith(state.BY_WORD))
+        whole = in_words(coil_words) in words
         self._said_once = whole and bool(coil_words)  # the same words need not follow
         self._show_hands()
 
