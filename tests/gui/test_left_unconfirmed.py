@@ -10,8 +10,9 @@ from test_hands_in_the_cage import lab, stands
 
 from labcal.bench.coils.state import Heard, LabState, unread
 from labcal.files.home import home
-from labcal.gui.ipc.lab_messages import ReadLab
+from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import ReadBench
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.left_unconfirmed import ANEW_S, NAME, LeftUnconfirmed
 
 LOST = (0.0, None, 0.0)
@@ -110,3 +111,20 @@ def test_two_faults_at_once_are_two_reasons(real):
     assert hands(real) == (f"▲ Hands off: {reasons}", "HANDS OFF", "bad")
     assert real.side.platform.text() == "✕ platform NOT confirmed at a standstill"
     assert real.side.angle.text() == ""
+
+
+def test_whose_lines_the_guardian_of_the_last_session_has_is_said_and_until_when(real):
+    app_state, now = real.app_state, time.monotonic()
+    name = next(name for name, one in app_state.facts.instruments.items() if one.role == "dut")
+    app_state.watch.stop()
+    app_state.watch.read_all()
+    silent = Fault("instrument", "supply_y: no reply in 1.5 s.")
+    app_state.watch_worker.answer(ReadLab, (
+        InstrumentRead("supply_x", "coil-x", "x", read_s=now, current_A=0.0, zero=True, until=("supply_y",)),
+        InstrumentRead("supply_y", "coil-y", "y", fault=silent),
+        InstrumentRead("supply_z", "coil-z", "z", read_s=now - 75.0, current_A=0.0, zero=True, until=("supply_y",)),
+        InstrumentRead(name, "dut", "d", held=True, until=("supply_y",)),
+    ))  # fmt: skip
+    has = f"the guardian of the last session has supply_x, supply_z, {name} until supply_y is read back at zero"
+    assert real.message.text().replace("\n", " ") == f"1 of 4 instruments were read: ✕ supply_y; {has}"
+    assert (name, "absent", "the guardian of the last session has it") in app_state.lab.state.now.lights

@@ -155,6 +155,17 @@ class Guardian:
         """The signed delivered current [A]."""
         return self._asked(axis, lambda supply: supply.measure_current())
 
+    def read(self, axis: str) -> float:
+        """The same of a coil that was taken to zero, for who only looks: it is given back to its panel after it."""
+        coil = self.coils[axis]
+        if coil.unresolved is not None:
+            raise coil.unresolved
+        with coil.line.lock:
+            current_A = coil.bare.measure_current()
+        if not coil.energised:
+            _given_back([coil])
+        return current_A
+
     def output(self, axis: str, on: bool) -> None:
         """Close or open the output, confirmed. Closing is refused while zero is not confirmed."""
         coil = self.coils[axis]
