@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.coils.at_zero import BY_WORD, AtZero
 from labcal.bench.coils.polarity import ReversedSupply
-from labcal.bench.driver_kit.roles import CoilSupply, Identity
+from labcal.bench.driver_kit.roles import CoilSupply, Identity, Releasable
 from labcal.bench.essentials import AXES
 from labcal.bench.guardian.coil import GuardedCoil
 from labcal.bench.guardian.descent import line_down
@@ -162,8 +162,8 @@ class Guardian:
             raise coil.unresolved
         with coil.line.lock:
             current_A = coil.bare.measure_current()
-        if not coil.energised:
-            _given_back([coil])
+            if not coil.energised and isinstance(coil.bare, Releasable):
+                coil.bare.release()
         return current_A
 
     def output(self, axis: str, on: bool) -> None:

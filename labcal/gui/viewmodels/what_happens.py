@@ -10,9 +10,9 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.hands import READY
+from labcal.gui.viewmodels.hands import FAILED, READY, RETRY
 from labcal.gui.viewmodels.hands_now import hands_of
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
@@ -30,6 +30,7 @@ LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
+NEXT = QT_TRANSLATE_NOOP("Words", "the field and the platform come next")
 COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
@@ -47,6 +48,11 @@ def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> st
         live = still_live(now)
         return f"{_of_who_is_lost(now) or translated(str(KEEP_OFF)).format(live)} · {doing}" if live else doing
     return "" if alarmed else _of_who_is_lost(now) or _doing(run, now)
+
+
+def is_alarm(words: str) -> bool:
+    """Whether that is about hands that have to be off for something that is known to be wrong."""
+    return words.startswith((translated(str(LIVE)).partition("{0}")[0], translated(str(KEEP_OFF)).partition("{0}")[0]))
 
 
 def at_rest(now: LabNow) -> bool:
@@ -76,7 +82,11 @@ def asked_out(run: RunViewModel, now: LabNow) -> str:
 
     Who does not answer is seen to first.
     """
-    if run.state != "asking" or run.prompt is None or run.prompt.key != READY or now.failed:
+    if run.state != "asking" or run.prompt is None or now.failed:
+        return ""
+    if run.prompt.key.startswith(FAILED) and RETRY in run.prompt.choices:
+        return translated(str(OUT_NOW)).format(translated(str(NEXT)))
+    if run.prompt.key != READY:
         return ""
     asked = in_words(run.prompt.text)
     return translated(str(OUT_NOW)).format(asked.rpartition(". ")[0] or asked)  # what comes, without "Hands off?"
@@ -90,6 +100,8 @@ def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
     stands for ever.
     """
     words, mark = keep_off(run, now)
+    if run.prompt is not None and run.prompt.key == READY and now.failed and mark != "bad":
+        return translated(str(SHOWN)).format(", ".join(now.failed)), "bad", False
     sends = run.prompt is not None and run.prompt.acts and run.prompt.key != READY and DIAL not in run.prompt.drawing
     if not sends or now.coil_words in ("", state.NOT_YET):
         return "", "", False
@@ -145,6 +157,8 @@ def _doing(run: RunViewModel, now: LabNow) -> str:
 
     Between two questions nothing is: who goes on mounting is not called away.
     """
+    if platform_drawn(now.platform_words)[1] == "old" and platform_mark(now.platform_words)[1] == "warning":
+        return " · ".join((translated(str(HANDS_OFF)), in_words(now.platform_words)))  # its line is silent
     doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
     if not run.segment and not run.hands_off and at_rest(now):
         return doing
