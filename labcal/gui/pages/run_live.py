@@ -17,7 +17,7 @@ from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
-from labcal.gui.viewmodels.what_happens import asked_out, is_alarm, kept_out, what_happens
+from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary
@@ -324,7 +324,8 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         set_primary(self.go_on, not now.to_be_mended)
-        self.prompt.say_lab(now, asked_out(self._run, now))
+        words, mark = hands_at(self._run, now)
+        self.prompt.say_lab(now, words if mark == "warning" else "")
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
         words, mark, waits = kept_out(self._run, now)

@@ -28,7 +28,6 @@ from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
-from labcal.gui.viewmodels.hands_now import hands_of
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import reference_U
@@ -47,7 +46,7 @@ from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
-from labcal.gui.viewmodels.what_happens import at_hands
+from labcal.gui.viewmodels.what_happens import at_hands, hands_at
 from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
@@ -340,7 +339,7 @@ class AppState(QObject):
 
     def hands(self) -> tuple[str, str]:
         """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
-        return hands_of(lab_there(self.lab.state.now, self.facts))
+        return hands_at(self.run, lab_there(self.lab.state.now, self.facts))
 
     def _at_hands(self) -> dict[str, tuple[str, str]]:
         return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts, self.known)

@@ -117,10 +117,10 @@ def at_hands(
     """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
     heard = facts is not None and not (facts.virtual_time and known is None and not now.left_by)  # else it is none yet
     heard = heard or bool(now.closed_with)
-    return {"keep_off": keep_off(run, now), "hands": _hands_at(run, now) if heard else ("", "")}
+    return {"keep_off": keep_off(run, now), "hands": hands_at(run, now) if heard else ("", "")}
 
 
-def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     """Whether they may go in, and why not: what is known first, then what comes unasked."""
     promised = run.hands_off and run.state not in ("asking", "paused")
     words, mark = hands_of(now)
