@@ -174,7 +174,7 @@ class RunViewModel(QObject):
         """Go on after a pause."""
         self._worker.send(GoOn())
         self.unread = True
-        self.changed.emit()
+        self._be(self.state)
 
     def stop(self, *, later: bool = False) -> None:
         """End in order: the procedure undoes what it did, the coils go to zero; `later`: to be gone on with."""
@@ -326,7 +326,8 @@ class RunViewModel(QObject):
             if key.startswith(FAILED) and event.text == "retry":
                 self.time.again(event.t_s)
         if event.kind == "pause":
-            paused, self.pausing, self.hands_off = event.text != "goes on", False, False
+            self.unread = not (paused := event.text != "goes on") and self.unread  # a pause reads them
+            self.pausing = self.hands_off = False
             self.time.waits(event.t_s) if paused else self.time.waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
@@ -384,8 +385,8 @@ class RunViewModel(QObject):
     def _last_words(self) -> str:
         said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
         said = self.tr("stopped by COILS OFF") if self.by_off and self.status != "finished" else said
-        name = " · ".join(filter(None, (self.order.dut, self.began, self.order.procedure))) if self.order else ""
-        return f"{name}: {said}" if name else said
+        names = (self.order.dut, self.began, self.order.procedure) if self.order else ()
+        return ": ".join(filter(None, (" · ".join(filter(None, names)), said)))
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)
