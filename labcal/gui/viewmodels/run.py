@@ -94,10 +94,9 @@ class RunViewModel(QObject):
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
-        self.drawn = Drawn()
+        self.drawn, self.covered = Drawn(), Covered()
         self.segment: str | None = None
         self._turned = False  # in any segment
-        self.covered = Covered()
         self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
         self.time = RunTime()
@@ -326,9 +325,9 @@ class RunViewModel(QObject):
             if key.startswith(FAILED) and event.text == "retry":
                 self.time.again(event.t_s)
         if event.kind == "pause":
-            paused, self.pausing, self.hands_off = event.text != "goes on", False, False
-            self.unread = self.unread and not paused  # it reads them as it pauses
-            (self.time.waits if paused else self.time.waits_no_more)(event.t_s)
+            self.unread = not (paused := event.text != "goes on") and self.unread  # a pause reads them
+            self.pausing = self.hands_off = False
+            self.time.waits(event.t_s) if paused else self.time.waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
         elif event.kind == "skip":
@@ -395,12 +394,7 @@ class RunViewModel(QObject):
         self._over()
 
     def _over(self) -> None:
-        self.unheard, self.pausing, self.prompt, self.segment, self.message = (
-            False,
-            False,
-            None,
-            None,
-            self._last_words(),
-        )
+        self.unheard = self.pausing = False
+        self.prompt, self.segment, self.message = None, None, self._last_words()
         self._be("ended")
         self.ended.emit(self.run_id, self.status)
