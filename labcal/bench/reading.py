@@ -14,12 +14,11 @@ from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 
 from labcal.bench.clock import RealClock, VirtualClock
-from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.coils.state import Vector
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.driver_kit.roles import ByHand, CoilSupply, Instrument, Magnetometer, Releasable, RotationPlatform
@@ -43,7 +42,8 @@ IN_USE = ("in use",)  # faults that say nothing against the instrument
 class InstrumentReading:
     """One instrument as it was read at `read_s` (monotonic clock). What is None was not read, or is not its to say.
 
-    `fault`: why it did not answer. `held`: another process has it, and nothing was asked.
+    `fault`: why it did not answer. `held`: another process has it, and nothing was asked. `until`: its guardian has it
+    until these supplies are read back at zero.
     """
 
     name: str
@@ -59,6 +59,7 @@ class InstrumentReading:
     angle_deg: float | None = None
     moving: bool | None = None
     serial: str = ""
+    until: tuple[str, ...] = ()
 
 
 def read_lab(path: Path, names: Collection[str] = ()) -> list[InstrumentReading]:
@@ -90,28 +91,42 @@ def _read(loader: Loader, name: str) -> InstrumentReading:
 
 
 def _of_guardian(guardian: Connection, config: BenchConfig, name: str) -> InstrumentReading:
-    """How its coil ended by the guardian's last word; one that it drives, or that is no coil, is left to it."""
+    """Its current as the guardian reads it now, else how its coil ended by the guardian's last word.
+
+    One that it drives, or that is no coil, is left to it.
+    """
     entry = config.instruments[name]
     ours = supplies_of(config).get(entry.role[-1]) if entry.role.startswith("coil-") else None
     theirs = {supply: axis for axis, supply in dict(guardian.card.get("supplies") or {}).items()}
-    end = next((end for end in _ends(guardian) if ours is not None and end.axis == theirs.get(ours)), None)
+    ends = [zero_of(end) for end in _said(guardian, "ends") or []]
+    end = next((end for end in ends if ours is not None and end.axis == theirs.get(ours)), None)
+    silent = {end.axis for end in ends if end.current_A is None}
+    until = tuple(one for axis, supply in supplies_of(config).items() if theirs.get(supply) in silent
+                  for one, said in config.instruments.items() if said.role == f"coil-{axis}")  # fmt: skip
     if end is None:
-        return InstrumentReading(name, entry.role, entry.link, held=True)
-    fault = None if end.current_A is not None else end.fault
-    zero = end.current_A is not None
-    return InstrumentReading(
-        name, entry.role, entry.link, fault=fault, read_s=end.read_s, current_A=end.current_A, zero=zero
-    )
+        return InstrumentReading(name, entry.role, entry.link, held=True, until=until)
+    if end.current_A is None:
+        return InstrumentReading(name, entry.role, entry.link, fault=end.fault, read_s=end.read_s)
+    current_A, zero, read_s = _read_by(guardian, end.axis) or (end.current_A, True, end.read_s)
+    return InstrumentReading(name, entry.role, entry.link, read_s=read_s, current_A=current_A, zero=zero, until=until)
 
 
-def _ends(guardian: Connection) -> list[AtZero]:
-    """What it knows of its coils; nothing where it is busy, or gone: it is not ended for a question."""
+def _read_by(guardian: Connection, axis: str) -> tuple[float, bool, float] | None:
+    """What that coil carries now [A], whether that counts as zero, and when; None where the guardian cannot say."""
+    facts, current_A = _said(guardian, "facts"), _said(guardian, "read", axis=axis)
+    if facts is None or current_A is None:
+        return None
+    return float(current_A), abs(current_A) < facts[axis]["zero_current_A"], time.monotonic()
+
+
+def _said(guardian: Connection, order: str, **what: str) -> Any:
+    """Its answer; None where it is busy, fails at it, or is gone: it is not ended for a question."""
     with suppress(OSError):
-        number, deadline = guardian.order("ends"), time.monotonic() + ANSWER_S
+        number, deadline = guardian.order(order, **what), time.monotonic() + ANSWER_S
         while time.monotonic() < deadline:
             if (reply := guardian.reply(number, 0.05)) is not None:
-                return [zero_of(end) for end in reply.get("value", [])]
-    return []
+                return reply.get("value")
+    return None
 
 
 @contextmanager

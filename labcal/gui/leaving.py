@@ -172,6 +172,8 @@ class Leaving(QObject):
         if at_rest and self.still_on is not None:
             self.still_on.hide()
         self._say_still_on()
+        if self.question is not None:
+            self.question.say_hands(*state.hands)
         for dialog in (self.question, self.going):
             if dialog is not None:
                 dialog.say_lab(state.now.coil_words, state.now.platform_words)

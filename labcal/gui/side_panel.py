@@ -193,8 +193,7 @@ class SidePanel(Surface):
         set_state(self.keep_off, off_mark)
         self.keep_off.setVisible(bool(off))
         coils = state.now.coil_words
-        unconfirmed = mark_of(coils, at_rest=state.now.at_rest)[1] == "bad"  # said above, and why below
-        said, mark = ("", "") if unconfirmed else state.hands
+        said, mark = state.hands
         answer, _, why = said.partition(":")
         self.may_go_in.setText(answer.strip() if why else said)
         self.may_go_in.setVisible(bool(said) and not off)
@@ -202,7 +201,8 @@ class SidePanel(Surface):
         self.hands.setVisible(bool(said))
         for place in (self.may_go_in, self.hands):
             set_state(place, mark)
-        again = mark == "good" or why.strip() == in_words(coils) or coils.startswith(ON)
+        again = mark == "good" or in_words(coils) in why or coils.startswith(ON)
+        again = again or (off_mark == "bad" and mark_of(coils)[1] in ("", "good"))  # what calms stands below no alarm
         self.zero_words.setVisible(bool(coils) and not again)
         self.hands_group.setVisible(bool(off or said or (coils and not again)))
 

@@ -117,6 +117,11 @@ def test_one_that_its_guardian_still_asks_is_read_as_soon_as_it_answers(lab: Ser
         assert before["supply_y"].fault is not None, log()
         assert before["supply_y"].current_A is None
         assert before["supply_x"].zero
+        asked_s = time.monotonic()
+        by_guardian = of(read_lab(lab.file, SUPPLIES))["supply_x"]
+        assert (by_guardian.zero, by_guardian.until) == (True, ("supply_y",))
+        assert by_guardian.read_s is not None
+        assert by_guardian.read_s >= asked_s, "read now, and not its last word"
     finally:
         vars(mute).pop("emit", None)
     until(lambda: of(read_lab(lab.file, SUPPLIES))["supply_y"].zero)

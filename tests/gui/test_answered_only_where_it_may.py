@@ -112,7 +112,7 @@ def test_nobody_is_sent_to_a_plug_before_coils_and_platform_rest(running, card, 
     says(running, **known())
     assert first in card.details.text()
     assert card.details.text().index(first) < card.details.text().index("ee to plug")
-    says(running, platform=stands(), faulty=known()["faulty"])
+    says(running, platform=stands(), faulty=("dut",))
     assert "First" not in card.details.text().replace("Put that right first", "")
 
 
@@ -136,7 +136,7 @@ def test_of_coils_that_are_confirmed_again_the_line_below_says_how_they_are(runn
     assert running.message.text().startswith("Switch off by hand: supply_z")
     app_state.take_lab(lab(platform=stands()))
     assert "supply_z" not in running.message.text()
-    assert running.message.text().startswith("zero by the supply's word only")
+    assert running.message.text().startswith("coils read back at zero by their supplies")
 
 
 def test_while_the_coils_have_the_card_nobody_is_sent_to_a_plug_beside_it(running, card):

@@ -14,7 +14,7 @@ from labcal.bench.coils.state import FRESH_S, CoilReading, FieldReading, LabStat
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.viewmodels.lab_now import WATCHED_S
+from labcal.gui.viewmodels.lab_now import HOMES_S, WATCHED_S
 from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.record import Segment
 from labcal.record.stream import Event, SegmentOpened
@@ -46,7 +46,7 @@ def test_a_platform_that_the_run_turns_is_not_read_for_a_moment_and_alarms_nobod
     says(running, platform=PlatformReading(0.0, True, time.monotonic() - FRESH_S - 1.0))
     assert running.side.platform.text() == "◌ platform turns, at 0°, read 3 s ago"
     assert headline(running).startswith("Hands off · ")
-    says(running, platform=PlatformReading(0.0, True, time.monotonic() - WATCHED_S - 2.0))
+    says(running, platform=PlatformReading(0.0, True, time.monotonic() - HOMES_S - 2.0))
     assert "NOT confirmed" in running.side.platform.text()
     says(running, platform=PlatformReading(fault="silent"))
     assert headline(running).startswith("HANDS OFF – ")
@@ -138,25 +138,27 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
     real.app_state.take_lab(read(FRESH_S + 1.0))
     assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
     real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
-    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: coils on", "bad")
-    real.app_state.take_lab(lab((0.0, 0.0, None)))  # what is said of the coils is as much, and longer
-    assert (real.side.hands.isVisible(), real.side.keep_off.text()) == (False, "HANDS OFF")
+    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: coils on: z +0.400 A", "bad")
+    real.app_state.take_lab(lab((0.0, 0.0, None)))
+    assert real.side.hands.text() == "▲ Hands off: coils NOT confirmed at zero"
+    assert (real.side.zero_words.isVisible(), real.side.keep_off.text()) == (False, "HANDS OFF")  # said once
 
 
-def test_it_stands_there_in_every_state_of_a_run_but_while_it_measures_or_hands_were_promised(running):
+def test_it_stands_there_in_every_state_of_a_run(running):
     says(running, platform=stands())
     said = "✓ Hands may go in: coils read back at zero by their supplies"
     assert running.side.hands.text().startswith(said)
     send(running, READY)
     running.app_state.run.answer("done")
-    assert not running.side.hands.isVisible()
+    assert running.side.hands.text() == "▲ Hands off: the next field or turn comes unasked"
+    assert not running.side.zero_words.isVisible(), "nothing that calms below HANDS OFF"
     send(running, Event(4.0, "pause", "paused"))
     assert running.side.hands.text().startswith(said)
     hands = running.page("Run").live.hands
     assert (hands.isVisible(), hands.text()) == (True, running.side.hands.text())
     assert hands.objectName() == card_of(running).hands.objectName()
     send(running, Event(5.0, "pause", "goes on"), SegmentOpened(6.0, Segment("z", "static")))
-    assert not running.side.hands.isVisible()
+    assert running.side.hands.text() == "▲ Hands off: the next field or turn comes unasked"
     assert not hands.isVisible()
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("left", "left")))
     assert running.side.hands.isVisible()

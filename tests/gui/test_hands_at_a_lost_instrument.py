@@ -23,9 +23,9 @@ def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_wit
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", silent))
     assert card.isVisibleTo(running.page("Run").live)
     assert card.hands.text().startswith("✓ Hands may go in: coils read back at zero by their supplies")
-    later(5.0)
+    later(4.0)
     card.say_hands()
-    assert card.hands.text() == "✓ Hands may go in: coils read back at zero by their supplies, 5 s ago"
+    assert card.hands.text() == "✓ Hands may go in: coils read back at zero by their supplies, 4 s ago"
     assert card.hands.isVisibleTo(card)
     later(WATCHED_S)
     card.say_hands()

@@ -205,7 +205,7 @@ def read(window, field_nT):
     [
         (AMBIENT, f"✓ {AT_ZERO}"),
         ((20_400.0, 1_150.0, 30_000.0), "✕ NOT at zero by the reference"),
-        (None, "■ zero by the supply's word only: the reference does not answer"),
+        (None, "■ coils read back at zero by their supplies; the reference does not answer"),
     ],
 )
 def test_after_coils_off_in_a_run_the_reference_is_asked_again(real, running, sees, words):
@@ -331,7 +331,7 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     says(running, platform=PlatformReading(fault="link lost"), faulty=("stage",))
     assert card.hands.text() == "▲ Hands off: platform NOT confirmed at a standstill"
     says(running, platform=stands(age_s=WATCHED_S + 2.0), faulty=("stage",))
-    assert card.hands.text() == "▲ Hands off: the platform is not being read"
+    assert card.hands.text() == "▲ Hands off: platform NOT confirmed at a standstill"
     assert card.hands.isVisibleTo(card)
 
 

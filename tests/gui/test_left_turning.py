@@ -110,7 +110,7 @@ def test_a_supply_silent_with_a_current_says_which_and_when_and_its_card_cannot_
 
 def test_the_coils_keep_hands_out_before_the_platform(failed):
     words = hands_words("coils NOT confirmed at zero", "platform turns, at 104°")[0]
-    assert words == "▲ Hands off: coils NOT confirmed at zero"
+    assert words == "▲ Hands off: coils NOT confirmed at zero; platform turns"
     assert headline(failed) == "✕ Broken off: no answer from stage"
     failed.app_state.take_lab(lab((0.0, 0.0, None), PlatformReading(fault="silent"), faulty=("stage",)))
     assert headline(failed) == "HANDS OFF – coils NOT confirmed at zero, platform may turn"

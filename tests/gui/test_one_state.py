@@ -177,7 +177,9 @@ def of_the_coils(seen):
     if not asked.isHidden() and colours != (asked.lab.property("state"), asked.stands.property("state")):
         yield f"the question is in other colours than {colours}"
     stands = seen.side.platform.text()
-    rests = seen.zero.startswith(("✓", "■ zero by")) and (not stands or (stands[0] == "✓" and "read" not in stands))
+    rests = seen.zero.startswith(("✓", "■ coils read back at zero")) and (
+        not stands or (stands[0] == "✓" and "read" not in stands)
+    )
     if not asked.hands.isHidden() and ("may go in" in asked.hands.text()) != rests:
         yield f"{asked.hands.text()!r} beside {seen.zero!r} and {stands!r}"
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QLocale
 
-from labcal.bench.coils.state import AT_ZERO, CoilReading, LabState, Witness
+from labcal.bench.coils.state import AT_ZERO, BY_SUPPLIES, BY_WORD, CoilReading, LabState, Witness
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
@@ -53,8 +53,9 @@ def test_every_sentence_about_the_coils_has_a_form():
     states = [LabState(one, witness) for one in (still, on, unread) for witness in (agrees, disagrees, Witness())]
     for one in [*states, LabState(coils(None, 0.0, 0.0))]:
         for now_s in (10.0, 40.0):
-            form, filled = form_of(one.sentence(now_s))
-            assert in_words(one.sentence(now_s)) == one.sentence(now_s).replace(" -", " −")
+            said = one.sentence(now_s).replace(f"{BY_WORD}: ", f"{BY_SUPPLIES}; ")  # as the window words it
+            assert in_words(one.sentence(now_s)) == said.replace(" -", " −")
+            form, filled = form_of(said.partition("; no reference")[0])
             assert form != "coils on: {0}" or "read back" not in filled[0]
 
 

@@ -84,7 +84,7 @@ def test_that_hands_may_go_in_is_one_sentence_with_its_reason_and_nothing_is_amb
     said = "✓ Hands may go in: coils read back at zero by their supplies; "
     assert card.hands.text() == f"{said}the reference has no ambient field to compare with yet"
     assert not card.lab.isVisible()
-    assert still.side.zero_words.text().startswith("■ zero by the supply's word only")
+    assert still.side.zero_words.text().startswith("■ coils read back at zero by their supplies")
     assert still.side.zero_words.property("state") == ""
     asked_again = Prompt(2.0, "ready", "Hands off?", acts=True)
     still.app_state.bench_worker.items.emit((asked_again,))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.coils.at_zero import BY_WORD, AtZero
 from labcal.bench.coils.polarity import ReversedSupply
-from labcal.bench.driver_kit.roles import CoilSupply, Identity
+from labcal.bench.driver_kit.roles import CoilSupply, Identity, Releasable
 from labcal.bench.essentials import AXES
 from labcal.bench.guardian.coil import GuardedCoil
 from labcal.bench.guardian.descent import line_down
@@ -154,6 +154,17 @@ class Guardian:
     def measure_current(self, axis: str) -> float:
         """The signed delivered current [A]."""
         return self._asked(axis, lambda supply: supply.measure_current())
+
+    def read(self, axis: str) -> float:
+        """The same of a coil that was taken to zero, for who only looks: it is given back to its panel after it."""
+        coil = self.coils[axis]
+        if coil.unresolved is not None:
+            raise coil.unresolved
+        with coil.line.lock:
+            current_A = coil.bare.measure_current()
+            if not coil.energised and isinstance(coil.bare, Releasable):
+                coil.bare.release()
+        return current_A
 
     def output(self, axis: str, on: bool) -> None:
         """Close or open the output, confirmed. Closing is refused while zero is not confirmed."""

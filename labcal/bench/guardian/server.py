@@ -86,6 +86,7 @@ class Server:
             "set_current": guardian.set_current,
             "set_point": guardian.set_point,
             "measure_current": guardian.measure_current,
+            "read": guardian.read,
             "output": guardian.output,
         }
 

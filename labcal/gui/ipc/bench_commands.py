@@ -143,7 +143,7 @@ def read_lab(channel: Channel, asked: ReadLab) -> tuple[InstrumentRead, ...]:
 def _instrument_read(one: InstrumentReading) -> InstrumentRead:
     fault = None if one.fault is None else fault_of(one.fault)
     return InstrumentRead(one.name, one.role, one.link, one.identity, fault, one.held, one.read_s, one.current_A,
-                          one.zero, one.field_nT, one.angle_deg, one.moving, one.serial)  # fmt: skip
+                          one.zero, one.field_nT, one.angle_deg, one.moving, one.serial, one.until)  # fmt: skip
 
 
 def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:

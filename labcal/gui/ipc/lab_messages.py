@@ -14,7 +14,7 @@ from labcal.gui.ipc.wire import Fault
 class InstrumentRead:
     """One instrument as it was read at `read_s` (monotonic clock). None was not read, or is not its to say.
 
-    `held`: another process has it, and nothing was asked.
+    `held`: another process has it, and nothing was asked. `until`: the supplies that its guardian has it for.
     """
 
     name: str
@@ -30,6 +30,7 @@ class InstrumentRead:
     angle_deg: float | None = None
     moving: bool | None = None
     serial: str = ""
+    until: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

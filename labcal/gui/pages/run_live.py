@@ -17,12 +17,13 @@ from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_verdict import run_verdict
-from labcal.gui.viewmodels.what_happens import kept_out, what_happens
+from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
-from labcal.gui.widgets.common import AutoSizeLabel, Card, FaceStack, button, deferred_layout, label, set_primary
+from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.headline import Headline
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.paused_hands import PausedHands
@@ -35,7 +36,6 @@ from labcal.gui.widgets.time_left import TimeLeft
 from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
-HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
 
@@ -91,6 +91,7 @@ class Live(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """In the theme's colours."""
         self._theme = theme
+        self.headline.set_theme(theme)
         self._show()
 
     def _left(self) -> QWidget:
@@ -164,10 +165,7 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = AutoSizeLabel(HEADLINE_PT)
-        self.headline.setMinimumHeight(5 * GRID)
-        self.headline.setMaximumHeight(9 * GRID)
-        self.headline.setAccessibleName(self.tr("What happens now"))
+        self.headline = Headline(self._theme)
         self.hands = PausedHands()
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
@@ -326,7 +324,8 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         set_primary(self.go_on, not now.to_be_mended)
-        self.prompt.say_lab(now)
+        words, mark = hands_at(self._run, now)
+        self.prompt.say_lab(now, words if mark == "warning" else "")
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
         words, mark, waits = kept_out(self._run, now)
@@ -376,7 +375,8 @@ class Live(QWidget):
 
     def _say_now(self) -> None:
         now = self._app_state.lab.state.now
-        self.headline.set_text(what_happens(self._run, now, alarmed=self._app_state.warning_shown))
+        words = what_happens(self._run, now, alarmed=self._app_state.warning_shown)
+        self.headline.say(words, alarms=is_alarm(words))
 
     def draw(self) -> None:
         """Draw what has come since the last frame."""

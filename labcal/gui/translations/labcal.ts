@@ -797,10 +797,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>zero by the supply&apos;s word only: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>coils NOT confirmed at zero; {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6099,7 +6095,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>HANDS OFF: not at zero yet. The window does not close by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The run has ended; the window closes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Headline</name>
+    <message>
+        <source>What happens now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6272,11 +6279,19 @@
 <context>
     <name>LabWatch</name>
     <message>
+        <source>the guardian of the last session has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Reading every instrument; nothing is set …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} of {1} instruments were read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the guardian of the last session has {0} until {1} is read back at zero</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6381,10 +6396,6 @@
     </message>
     <message>
         <source>as it was mounted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What happens now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9389,6 +9400,18 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the field and the platform come next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the next field or turn comes unasked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9650,6 +9673,14 @@ after this step …</source>
     </message>
     <message>
         <source>the reference sees {0} µT along {1} more than with the coils off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: not confirmed at zero when the window closed, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

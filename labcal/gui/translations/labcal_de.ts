@@ -797,10 +797,6 @@
         <translation>Spulen auf null</translation>
     </message>
     <message>
-        <source>zero by the supply&apos;s word only: {0}</source>
-        <translation>null nur nach Angabe des Netzgeräts: {0}</translation>
-    </message>
-    <message>
         <source>coils NOT confirmed at zero; {0}</source>
         <translation>Spulen NICHT als null bestätigt; {0}</translation>
     </message>
@@ -6099,8 +6095,19 @@
         <translation>Die Messung endet, und das Fenster schließt nicht (Esc)</translation>
     </message>
     <message>
+        <source>HANDS OFF: not at zero yet. The window does not close by itself.</source>
+        <translation>HÄNDE WEG: noch nicht bei null. Das Fenster schließt sich nicht von selbst.</translation>
+    </message>
+    <message>
         <source>The run has ended; the window closes.</source>
         <translation>Die Messung ist zu Ende; das Fenster schließt.</translation>
+    </message>
+</context>
+<context>
+    <name>Headline</name>
+    <message>
+        <source>What happens now</source>
+        <translation>Was jetzt geschieht</translation>
     </message>
 </context>
 <context>
@@ -6272,12 +6279,20 @@
 <context>
     <name>LabWatch</name>
     <message>
+        <source>the guardian of the last session has it</source>
+        <translation>beim Wächter der letzten Sitzung</translation>
+    </message>
+    <message>
         <source>Reading every instrument; nothing is set …</source>
         <translation>Alle Geräte werden gelesen; nichts wird gestellt …</translation>
     </message>
     <message>
         <source>{0} of {1} instruments were read</source>
         <translation>{0} von {1} Geräten wurden gelesen</translation>
+    </message>
+    <message>
+        <source>; the guardian of the last session has {0} until {1} is read back at zero</source>
+        <translation>; der Wächter der letzten Sitzung hält {0}, bis {1} bei null zurückgelesen ist</translation>
     </message>
     <message>
         <source>; another process has {0}</source>
@@ -6354,10 +6369,6 @@
     <message>
         <source>as it was mounted</source>
         <translation>wie eingebaut</translation>
-    </message>
-    <message>
-        <source>What happens now</source>
-        <translation>Was jetzt geschieht</translation>
     </message>
     <message>
         <source>{0}, this turn: {1} % of the circle</source>
@@ -9390,6 +9401,18 @@ diesem Schritt …</translation>
         <translation>▲ Hände weg</translation>
     </message>
     <message>
+        <source>the field and the platform come next</source>
+        <translation>als Nächstes kommen Feld und Tisch</translation>
+    </message>
+    <message>
+        <source>the next field or turn comes unasked</source>
+        <translation>das nächste Feld oder die nächste Drehung kommt ungefragt</translation>
+    </message>
+    <message>
+        <source>the run begins</source>
+        <translation>die Messung beginnt</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
     </message>
@@ -9652,6 +9675,14 @@ diesem Schritt …</translation>
     <message>
         <source>the reference sees {0} µT along {1} more than with the coils off</source>
         <translation>die Referenz sieht {0} µT längs {1} mehr als bei ausgeschalteten Spulen</translation>
+    </message>
+    <message>
+        <source>{0}: not confirmed at zero when the window closed, {1}</source>
+        <translation>{0}: nicht bei null bestätigt, als das Fenster geschlossen wurde, {1}</translation>
+    </message>
+    <message>
+        <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
+        <translation>{0}: Stillstand nicht bestätigt, als das Fenster geschlossen wurde, {1}</translation>
     </message>
 </context>
 <context>

@@ -797,10 +797,6 @@
         <translation>bobines à zéro</translation>
     </message>
     <message>
-        <source>zero by the supply&apos;s word only: {0}</source>
-        <translation>zéro sur la seule parole de l&apos;alimentation : {0}</translation>
-    </message>
-    <message>
         <source>coils NOT confirmed at zero; {0}</source>
         <translation>zéro des bobines NON confirmé ; {0}</translation>
     </message>
@@ -6099,8 +6095,19 @@
         <translation>La mesure s&apos;arrête, et la fenêtre ne se ferme pas (Échap)</translation>
     </message>
     <message>
+        <source>HANDS OFF: not at zero yet. The window does not close by itself.</source>
+        <translation>MAINS LOIN : pas encore à zéro. La fenêtre ne se ferme pas d’elle-même.</translation>
+    </message>
+    <message>
         <source>The run has ended; the window closes.</source>
         <translation>La mesure est terminée ; la fenêtre se ferme.</translation>
+    </message>
+</context>
+<context>
+    <name>Headline</name>
+    <message>
+        <source>What happens now</source>
+        <translation>Ce qui se passe</translation>
     </message>
 </context>
 <context>
@@ -6272,12 +6279,20 @@
 <context>
     <name>LabWatch</name>
     <message>
+        <source>the guardian of the last session has it</source>
+        <translation>tenu par le gardien de la dernière session</translation>
+    </message>
+    <message>
         <source>Reading every instrument; nothing is set …</source>
         <translation>Lecture de tous les appareils ; rien n&apos;est réglé …</translation>
     </message>
     <message>
         <source>{0} of {1} instruments were read</source>
         <translation>{0} appareils sur {1} ont été lus</translation>
+    </message>
+    <message>
+        <source>; the guardian of the last session has {0} until {1} is read back at zero</source>
+        <translation>; le gardien de la dernière session tient {0} jusqu’à ce que {1} soit relu à zéro</translation>
     </message>
     <message>
         <source>; another process has {0}</source>
@@ -6354,10 +6369,6 @@
     <message>
         <source>as it was mounted</source>
         <translation>tel que monté</translation>
-    </message>
-    <message>
-        <source>What happens now</source>
-        <translation>Ce qui se passe</translation>
     </message>
     <message>
         <source>{0}, this turn: {1} % of the circle</source>
@@ -9390,6 +9401,18 @@ cette étape …</translation>
         <translation>▲ Mains loin</translation>
     </message>
     <message>
+        <source>the field and the platform come next</source>
+        <translation>le champ et la plate-forme viennent ensuite</translation>
+    </message>
+    <message>
+        <source>the next field or turn comes unasked</source>
+        <translation>le prochain champ ou la prochaine rotation vient sans question</translation>
+    </message>
+    <message>
+        <source>the run begins</source>
+        <translation>la mesure commence</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0} : pas de réponse de {1}</translation>
     </message>
@@ -9652,6 +9675,14 @@ cette étape …</translation>
     <message>
         <source>the reference sees {0} µT along {1} more than with the coils off</source>
         <translation>la référence voit {0} µT selon {1} de plus qu&apos;avec les bobines à zéro</translation>
+    </message>
+    <message>
+        <source>{0}: not confirmed at zero when the window closed, {1}</source>
+        <translation>{0} : zéro non confirmé à la fermeture de la fenêtre, {1}</translation>
+    </message>
+    <message>
+        <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
+        <translation>{0} : arrêt non confirmé à la fermeture de la fenêtre, {1}</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@ from functools import cache, lru_cache
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
+from labcal.bench.coils.state import BY_SUPPLIES, BY_WORD
 from labcal.gui.translations.experiments import EXPERIMENTS, NEXT
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.fits import BUDGET, FITS
@@ -22,7 +23,6 @@ from labcal.gui.translations.steps import BENCH, EVENTS, MEASUREMENTS, PLAN, REF
 
 COILS = (  # of several that fit the first counts; what stands for {0}, {1} … is itself such a sentence, or stays
     QT_TRANSLATE_NOOP("Data", "coils at zero"),
-    QT_TRANSLATE_NOOP("Data", "zero by the supply's word only: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero; {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero: {0}"),
     QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero"),
@@ -219,6 +219,8 @@ def in_words(sentence: str) -> str:
     if figure := FIGURE.fullmatch(sentence):
         words = figure[1].replace("offset", "zero reading")  # as in the budget: k, which is no reading, is the offset
         return f"{QCoreApplication.translate('Words', words)} {figure[2]}"
+    if sentence.startswith(f"{BY_WORD}: "):  # the record's words for it: here what it is, as hands are told it
+        return "; ".join(map(in_words, (BY_SUPPLIES, sentence.partition(": ")[2])))
     if found := form_of(sentence):
         return _filled_in(*found)
     for between in BREAKS:

@@ -28,7 +28,6 @@ from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
-from labcal.gui.viewmodels.hands_now import hands_of
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import reference_U
@@ -47,7 +46,7 @@ from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
-from labcal.gui.viewmodels.what_happens import at_hands
+from labcal.gui.viewmodels.what_happens import at_hands, hands_at
 from labcal.gui.viewmodels.window_settings import window_settings
 
 R = TypeVar("R")
@@ -79,8 +78,7 @@ class AppState(QObject):
         self.archived = ArchivedViewModel(Client(self))
         looks = self.watch_worker = Client(self)
         self.watch = LabWatch(looks, self.lab, self._may_be_read, self._to_be_read, self._take_read)
-        views = self.study_vm, self.path, self.scan_vm
-        self.one_dut = OneDut(self.settings, self.lab, self.run, views)
+        self.one_dut = OneDut(self.settings, self.lab, self.run, (self.study_vm, self.path, self.scan_vm))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.study_vm.drafted.connect(lambda _: self.request(ListCalibrations(), self.path.take_calibrations))
@@ -116,6 +114,7 @@ class AppState(QObject):
         path = str(absolute(Path(bench)))
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
         self.lab.update(message=self.tr("Opening {0} …").format(Path(path).name), opening=True)
+        self.left.look_early()
         return self.quick_worker.request(ReadBench(path), partial(self._bench_known, path), self._not_opened)
 
     def _not_opened(self, fault: Fault) -> None:
@@ -185,7 +184,8 @@ class AppState(QObject):
 
     def _to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
-        read = self.known is not None and any(coil.read_s is not None for coil in self.known.coils)
+        coils = () if self.known is None else self.known.coils
+        read = self.left.unconfirmed.left or any(coil.read_s is not None for coil in coils)
         tell = self.off.tellers() if read and not self.left.objection() else ()  # another process drives it
         return tuple(dict.fromkeys((*lab_heard.wrong(self.known, self.facts), *tell)))
 
@@ -228,8 +228,7 @@ class AppState(QObject):
         """Take the DUT's serial or the operator's name."""
         if dut is not None:
             self.one_dut.stated = True
-            refused = self.serial_objection(dut.strip())
-            self.lab.update(dut_serial=dut.strip(), dut_objection=refused)
+            self.lab.update(dut_serial=dut.strip(), dut_objection=self.serial_objection(dut.strip()))
         if operator is not None:
             name = operator.strip()
             self.lab.update(operator=name, operator_objection=name_objection(name))
@@ -340,7 +339,7 @@ class AppState(QObject):
 
     def hands(self) -> tuple[str, str]:
         """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
-        return hands_of(lab_there(self.lab.state.now, self.facts))
+        return hands_at(self.run, lab_there(self.lab.state.now, self.facts))
 
     def _at_hands(self) -> dict[str, tuple[str, str]]:
         return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts, self.known)
@@ -392,8 +391,8 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self.age_timer, self.watch.timer, self.left.timer):
-            timer.stop()
+        for ends in (self.force_timer.stop, self.age_timer.stop, self.watch.timer.stop, self.left.close):
+            ends()
         self.bench_worker.close(8000)
         self.watch.stop()
         for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.watch_worker, self.archived):

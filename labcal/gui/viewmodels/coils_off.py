@@ -18,7 +18,8 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import off_words, platform_mark, platform_said, switched_off
+from labcal.gui.viewmodels.lab_heard import named_before
+from labcal.gui.viewmodels.lab_now import mark_of, off_words, platform_mark, platform_said, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.run import RunViewModel
 
@@ -78,6 +79,7 @@ class CoilsOff(QObject):
         self._window = window
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
+        self._in_run: Fault | None = None  # `unconfirmed`, where a run that goes on lost a supply
         self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
@@ -161,8 +163,25 @@ class CoilsOff(QObject):
             self._looked = True
             window.off_worker.request(Identify(window.bench), window.take_identified, window.fault.emit)
 
+    def _look_at_coils(self) -> None:
+        """A supply that answered before and is silent now, in a run or at rest, is the card at once; at a question the
+        question says it.
+        """
+        window, known = self._window, self._window.lab.state.now
+        real = window.facts is not None and not window.facts.virtual_time
+        lost = known.coil_words.startswith(state.NOT_CONFIRMED) and set(window.by_hand()) & window.kept.heard
+        free = self.unconfirmed is None and window.kept.ordered_s is None and window.run.state != "asking"
+        if real and lost and free:
+            self.warn(Fault("coils", in_words(known.coil_words)))
+            self._in_run = self.unconfirmed if window.run.alive else None
+        back = window.run.alive and not known.coils_lost and mark_of(known.coil_words)[1] != "bad"
+        if self._in_run is not None and self.unconfirmed is self._in_run and back:  # it answers, and the run goes on
+            over, self.unconfirmed, self._in_run = self._in_run, None, None
+            window.fault_over.emit(over)
+
     def look_at_platform(self) -> None:
         """One that nobody has seen to stand since it was stopped is a card of its own, until somebody has."""
+        self._look_at_coils()
         known, facts = self._window.known, self._window.facts
         mark = platform_mark(self._window.lab.state.now.platform_words)[1]
         turns = mark in ("bad", "warning") and facts is not None and not facts.virtual_time  # emulated: it is no more
@@ -187,7 +206,11 @@ class CoilsOff(QObject):
 
     def run_ended(self) -> None:
         """A run whose platform nobody has seen to stand since: it is told to stop as soon as its line answers."""
-        known, facts = self._window.known, self._window.facts
+        run, known, facts = self._window.run, self._window.known, self._window.facts
+        fault = named_before(run.fault, self._window.kept.heard)
+        if fault is not run.fault:
+            run.fault = fault
+            run.changed.emit()
         platform = None if known is None or facts is None or facts.virtual_time else known.platform
         if platform is not None and platform.moving is not False:
             self._off_s = self._stop_due_s = time.monotonic()

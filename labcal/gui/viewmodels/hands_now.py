@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
@@ -9,8 +11,9 @@ from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import sees_more
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, platform_mark
 
+PLACES = re.compile(r"(\.\d{3})\d+(?= A)")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read yet"),
@@ -24,14 +27,9 @@ TEXTS = (
 
 
 def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
-    """Whether a person may reach in now, yes or no first, and the state that goes with it; the reason in short.
-
-    The coils come first where both are "Hands off".
-    """
-    if mark_of(coil_words)[1] == "bad":
-        return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
-    if platform_mark(platform_words)[1] in ("warning", "bad"):
-        return translated("▲ Hands off: {0}").format(in_words(platform_words.partition(",")[0])), "bad"
+    """Whether a person may reach in now, yes or no first, and the state that goes with it; every reason in short."""
+    if why := reasons(coil_words, platform_words):
+        return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"
     if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
         return translated("▲ Hands off: the platform is not being read"), "warning"
     if coil_words == state.NOT_READ:  # nothing is known to be wrong: an alarm each morning would be learned away
@@ -41,11 +39,23 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
         return translated("▲ Hands off: {0}").format(in_words(CHANGED)), "warning"
     if coil_words.startswith(state.BY_WORD):
-        said = "; ".join(filter(None, map(in_words, (state.BY_SUPPLIES, coil_words.partition(": ")[2]))))
-        return translated("✓ Hands may go in: {0}").format(said), "good"
-    if coil_words.startswith((state.WAS_ZERO, state.WAS_ZERO_BY_WORD)):
-        return translated("▲ Hands off: the coils are not being read"), "warning"
-    return translated("▲ Hands off: {0}").format(in_words(coil_words.partition(";")[0].partition(":")[0])), "bad"
+        return translated("✓ Hands may go in: {0}").format(in_words(coil_words)), "good"
+    return translated("▲ Hands off: the coils are not being read"), "warning"  # they were, and were at zero
+
+
+def reasons(coil_words: str, platform_words: str) -> list[str]:
+    """What is on, turns, or is not confirmed, in words: the coils first; none where nothing is known to be wrong."""
+    calm = coil_words.startswith((state.AT_ZERO, state.BY_WORD, state.WAS_ZERO, state.WAS_ZERO_BY_WORD))
+    why = [] if calm or coil_words == state.NOT_READ or CHANGED in coil_words else [_of_coils(coil_words)]
+    turns = platform_mark(platform_words)[1] in ("warning", "bad")
+    return why + ([in_words(platform_words.partition(",")[0])] if turns else [])
+
+
+def _of_coils(coil_words: str) -> str:
+    """Currents in the places that the panel has; of the rest what it is, without the figures."""
+    if coil_words.startswith(state.ON):
+        return in_words(PLACES.sub(r"\1", coil_words.partition(", read back ")[0]))
+    return in_words(coil_words.partition(";")[0].partition(":")[0])
 
 
 def left_words(now: LabNow) -> str:
@@ -65,8 +75,12 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """
     if left := left_words(now):
         return left, "bad"
+    first = [now.closed_with] if now.closed_with else []
     if now.field_more_nT is not None:  # whatever a supply says, or does not
-        return translated("▲ Hands off: {0}").format(sees_more(now.field_more_nT)), "bad"
+        first.append(sees_more(now.field_more_nT))
+    if first:
+        why = [*first, *reasons(now.coil_words or state.NOT_READ, now.platform_words)]
+        return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"
     said, mark = _hands_by_age(now)
     if mark != "bad" and now.coils_lost:
         return translated("▲ Hands off: the coils are not being read"), "bad"

@@ -61,13 +61,18 @@ def answers(said: tuple[InstrumentRead, ...]) -> dict[str, InstrumentAnswer]:
 
 def plug_or_power(said: Mapping[str, InstrumentAnswer], heard: Collection[str]) -> dict[str, InstrumentAnswer]:
     """The same; of who is silent and was `heard` in this window the link is right: each worker hears for itself."""
-    return {name: _at_its_plug(one) if name in heard else one for name, one in said.items()}
+    return {name: replace(one, fault=at_its_plug(one.fault)) if name in heard else one for name, one in said.items()}
 
 
-def _at_its_plug(one: InstrumentAnswer) -> InstrumentAnswer:
-    if one.fault is None or not one.fault.remedy.startswith(NOT_HEARD):
-        return one
-    return replace(one, fault=replace(one.fault, remedy=PLUG))
+def at_its_plug(fault: Fault | None) -> Fault | None:
+    """Of who was heard before: not that its link may be wrong."""
+    wrong = fault is not None and any(remedy in fault.remedy for remedy in NOT_HEARD)
+    return replace(fault, remedy=PLUG) if fault is not None and wrong else fault
+
+
+def named_before(fault: Fault | None, heard: Collection[str]) -> Fault | None:
+    """The same of a run's, where it names one that was `heard` in this window."""
+    return at_its_plug(fault) if fault is not None and any(name in fault.text for name in heard) else fault
 
 
 def wrong(known: state.LabState | None, facts: Bench | None) -> tuple[str, ...]:

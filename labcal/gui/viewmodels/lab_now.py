@@ -31,7 +31,9 @@ UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words", "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller"
 )
-WATCHED_S = 10  # so old may be what lets hands in, with its age: a look every 2 s, and 2 s for each of 4 silent lines
+LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next, and what a supply may need to answer it
+WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
+HOMES_S = 10  # so long a platform that a run turns may look for its zero unread
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
@@ -83,6 +85,7 @@ class LabNow:
     unread_since: str = ""  # by the clock on the wall: nobody has been at the window for long, and nobody reads
     left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
     driven_elsewhere: bool = False  # that run goes on in another process
+    closed_with: str = ""  # what was not confirmed when a window closed, and was not read since
 
     @property
     def failed(self) -> list[str]:
@@ -135,7 +138,7 @@ def lab_now(
         reference_agreed=lab.reference.verdict == "agrees",
         driven=driven,
         as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
-        platform_words=_platform_words(lab, now_s, driven=driven),
+        platform_words=_platform_words(lab, now_s, driven=driven, lost="platform" in lost),
         platform_deg=None if lab.platform is None else lab.platform.angle_deg,
         platform_old_s=None if lab.platform is None else old_s(lab.platform.read_s, now_s),
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
@@ -159,15 +162,17 @@ def _field_seen(lab: state.LabState) -> tuple[state.Vector | None, float | None]
     return field.seen_nT, field.read_s
 
 
-def _platform_words(lab: state.LabState, now_s: float, *, driven: bool) -> str:
+def _platform_words(lab: state.LabState, now_s: float, *, driven: bool, lost: bool) -> str:
     """One that a run of this window turns is not read while it looks for its zero: it turns, which alarms nobody.
 
-    It turns still for all that is known, but no longer where it was read.
+    It turns still for all that is known, but no longer where it was read. That one which is `lost` stood, nobody knows.
     """
+    if lost and (lab.platform is None or not lab.platform.moving):
+        return state.MAY_TURN
     turns = driven and lab.platform is not None and lab.platform.moving is True
     read_s = lab.platform.read_s if turns and lab.platform is not None else None
     age_s = 0.0 if read_s is None else now_s - read_s
-    if read_s is None or age_s > WATCHED_S:
+    if read_s is None or age_s > HOMES_S:
         return lab.platform_sentence(now_s)
     said = lab.platform_sentence(min(now_s, read_s))
     return f"{said}, read {state.ago(age_s)}" if age_s > state.FRESH_S else said

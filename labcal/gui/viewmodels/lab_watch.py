@@ -17,9 +17,9 @@ from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow
+from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
 
-LOOK_MS = 2000
+LOOK_MS = 1000 * LOOK_S
 ALONE_S = 15 * 60.0  # since the last key, mouse, order or run
 Readings = tuple[InstrumentRead, ...]
 
@@ -42,6 +42,8 @@ class LabWatch(QObject):
         self._touched_s = time.monotonic()
         self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
         self._asked: ReadLab | None = None
+        self._asked_s = 0.0
+        self._kept = set[str]()  # what a guardian that is still at work has not let go of
         self.timer = QTimer(self, interval=LOOK_MS)
         self.timer.timeout.connect(self.look)
         self.timer.start()
@@ -67,7 +69,14 @@ class LabWatch(QObject):
             self.look()
 
     def seen_in(self, now: LabNow) -> LabNow:
-        """The lab, with since when nobody reads it."""
+        """The lab, with since when nobody reads it, and whose lines a guardian has kept."""
+        if self._kept and not now.driven:
+            words = self.tr("the guardian of the last session has it")
+            lights = (
+                (name, light, words if light == "absent" and name in self._kept else said)
+                for name, light, said in now.lights
+            )
+            now = replace(now, lights=tuple(lights))
         return replace(now, unread_since=self.alone_since) if self.alone_since else now
 
     def read_all(self) -> None:
@@ -88,7 +97,7 @@ class LabWatch(QObject):
             self._worker.kill()
 
     def _ask(self, asked: ReadLab) -> None:
-        self._asked = asked
+        self._asked, self._asked_s = asked, time.monotonic()
         self._worker.request(asked, lambda said: self._read(asked, said), lambda fault: self._failed(asked, fault))
 
     def _read(self, asked: ReadLab, said: Readings) -> None:
@@ -99,17 +108,30 @@ class LabWatch(QObject):
         self._over()
         if asked.bench != self._bench():
             return
+        self._kept = (self._kept - {one.name for one in said}) | {one.name for one in said if one.held and one.until}
         self._take(said)
         if for_a_person:
             self._lab.update(message=self._words(said))
         self.was_read.emit()
+        if time.monotonic() - self._asked_s > LOOK_S:  # somebody was slow: what the others said is that old by now
+            self.look()
 
     def _words(self, said: Readings) -> str:
         silent = [one.name for one in said if one.fault is not None]
-        held = [one.name for one in said if one.held]
-        words = self.tr("{0} of {1} instruments were read").format(len(said) - len(silent + held), len(said))
+        kept = [one.name for one in said if one.until]
+        held = [one.name for one in said if one.held and not one.until]
+        read = [one for one in said if one.fault is None and not one.held and not self._past(one)]
+        words = self.tr("{0} of {1} instruments were read").format(len(read), len(said))
         words += f": ✕ {', '.join(silent)}" if silent else ""
+        if kept:
+            until = ", ".join(next(one.until for one in said if one.until))
+            has = self.tr("; the guardian of the last session has {0} until {1} is read back at zero")
+            words += has.format(", ".join(kept), until)
         return words + (self.tr("; another process has {0}").format(", ".join(held)) if held else "")
+
+    def _past(self, one: InstrumentRead) -> bool:
+        """Whether it is a guardian's last word, from before it was asked."""
+        return one.read_s is not None and one.read_s < self._asked_s - LOOK_S
 
     def _failed(self, asked: ReadLab, fault: Fault) -> None:
         if asked is self._asked:

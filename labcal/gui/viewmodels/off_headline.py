@@ -16,14 +16,16 @@ STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
 
 
 def off_headline(now: LabNow) -> tuple[str, str]:
-    """The words and their state; "" where the coils are not at zero, which a card above says.
+    """The words and their state; where the coils are not at zero no more than that, the card above says which.
 
     One sentence that stays for as long as the supplies are watched: when the reference was looked at last, and how old
     the rest is, the side panel says.
     """
     now = as_watched(now)
-    if now.coils_at_zero is False or not now.coil_words:
+    if not now.coil_words:
         return "", ""
+    if now.coils_at_zero is False:
+        return translated("HANDS OFF"), "bad"
     coils = in_words(state.AT_ZERO if now.coils_at_zero else now.coil_words.partition(";")[0])
     agreed = now.reference_agreed and now.coil_words.startswith(state.BY_WORD)  # and the supplies read zero since
     shape, mark = mark_of(state.AT_ZERO if agreed else now.coil_words)

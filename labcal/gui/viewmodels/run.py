@@ -94,15 +94,14 @@ class RunViewModel(QObject):
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
-        self.drawn = Drawn()
+        self.drawn, self.covered = Drawn(), Covered()
         self.segment: str | None = None
         self._turned = False  # in any segment
-        self.covered = Covered()
         self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
         self.time = RunTime()
         self._dut_s: float | None = None  # stamp of its last reading
-        self.hands_off = False  # a person said so, and was asked for nothing since
+        self.hands_off = self.unread = False  # a person said so, and was asked for nothing since; coils, since it began
         self.lab: LabState | None = None  # by the computer's monotonic clock
         self.unheard = self.pausing = False  # it has not told a window that came back how the lab is; a pause was asked
         self.coils_at_zero: bool | None = None  # when that was read
@@ -129,9 +128,8 @@ class RunViewModel(QObject):
 
     def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
-        words = order.pace, order.seed, order.procedure, order.operator
         kept = {name: getattr(self, name) for name in STILL_SHOWN} | {"drawn": self.drawn.gone_on_with()}
-        command = ResumeRun(run_id, order.bench, order.dut, *words)
+        command = ResumeRun(run_id, order.bench, order.dut, order.pace, order.seed, order.procedure, order.operator)
         self._begin(order, command, run_id, kept.items() if run_id == self.run_id else ())
         self.goes_on, self.anew = True, self.virtual_time
 
@@ -151,7 +149,7 @@ class RunViewModel(QObject):
         self.forget()
         vars(self).update(shown)
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        self.run_id, self.began = run_id, began.began_at(run_id) or began.now()
+        self.run_id, self.began, self.unread = run_id, began.began_at(run_id) or began.now(), True
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -162,8 +160,7 @@ class RunViewModel(QObject):
         self._worker.send(Answer(self.prompt.key, text))
         self.hands_off = says_hands_off(self.prompt.key, text)
         goes_on = self.tr("Hands off: it goes on.") if self.hands_off else self.tr("It goes on.")
-        self.anew, self.prompt = False, None
-        self.message = self.tr("Stopping …") if text == STOP else goes_on
+        self.anew, self.prompt, self.message = False, None, self.tr("Stopping …") if text == STOP else goes_on
         self._be("running")  # whatever was answered: it may ask something else on its way out
 
     def pause(self) -> None:
@@ -175,6 +172,8 @@ class RunViewModel(QObject):
     def go_on(self) -> None:
         """Go on after a pause."""
         self._worker.send(GoOn())
+        self.unread = True
+        self._be(self.state)
 
     def stop(self, *, later: bool = False) -> None:
         """End in order: the procedure undoes what it did, the coils go to zero; `later`: to be gone on with."""
@@ -240,8 +239,7 @@ class RunViewModel(QObject):
 
     def left_out(self) -> list[str]:
         """Steps that were skipped, or broken off and not repeated, in their order; and delays that no turns told."""
-        open_yet = delays_open(self.names, self.measurements)
-        return [*left_out(self.names, self.measurements, self.skipped), *open_yet]
+        return [*left_out(self.names, self.measurements, self.skipped), *delays_open(self.names, self.measurements)]
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
@@ -271,6 +269,7 @@ class RunViewModel(QObject):
 
     def _take_state(self, lab: LabState) -> None:
         self.lab, self.unheard = lab, False
+        self.unread = self.unread and (self.state == "paused" or any(coil.read_s is None for coil in lab.coils))
         self.coils_at_zero = lab.at_zero(time.monotonic())
         self.changed.emit()
 
@@ -326,7 +325,8 @@ class RunViewModel(QObject):
             if key.startswith(FAILED) and event.text == "retry":
                 self.time.again(event.t_s)
         if event.kind == "pause":
-            paused, self.pausing, self.hands_off = event.text != "goes on", False, False
+            self.unread = not (paused := event.text != "goes on") and self.unread  # a pause reads them
+            self.pausing = self.hands_off = False
             self.time.waits(event.t_s) if paused else self.time.waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
@@ -384,8 +384,8 @@ class RunViewModel(QObject):
     def _last_words(self) -> str:
         said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
         said = self.tr("stopped by COILS OFF") if self.by_off and self.status != "finished" else said
-        name = " · ".join(filter(None, (self.order.dut, self.began, self.order.procedure))) if self.order else ""
-        return f"{name}: {said}" if name else said
+        names = (self.order.dut, self.began, self.order.procedure) if self.order else ()
+        return ": ".join(filter(None, (" · ".join(filter(None, names)), said)))
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)

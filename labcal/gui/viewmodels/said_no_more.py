@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
+import re
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from labcal.bench.coils.at_zero import ORDERED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import platform_said
 from labcal.gui.viewmodels.run import RunViewModel
 
+EVERYBODY = (
+    ("BenchPage", "All {0} instruments answered"),
+    ("LabWatch", "{0} of {1} instruments were read"),
+)
+NUMBERS = {r"\{0\}": r"(\d+)", r"\{1\}": r"\1"}
 AGAIN = QT_TRANSLATE_NOOP("Words", "{0}: answers again")
+
+
+def _all(form: tuple[str, str]) -> re.Pattern[str]:
+    """What says of everybody that they answer, in the window's language."""
+    said = re.escape(QCoreApplication.translate(*form))
+    return re.compile(re.sub(r"\\\{\d\\\}", lambda found: NUMBERS[found[0]], said))
 
 
 class SaidNoMore:
@@ -27,8 +42,11 @@ class SaidNoMore:
         """
         message, now = self._lab.state.message, self._lab.state.now
         back, self._lost = sorted(self._lost - set(now.failed)), set(now.failed)
+        zero = now.coils_at_zero and any(said in message for said in (ORDERED, in_words(ORDERED)))
         named = [one for one in back if one in message]
-        if warned and message == warned:
+        if now.failed and any(_all(form).fullmatch(message) for form in EVERYBODY):
+            self._say(translated(str(SHOWN)).format(", ".join(now.failed)))
+        elif zero or (warned and message == warned):
             self._say("; ".join(filter(None, (in_words(now.coil_words), platform_said(now.platform_words)))))
         elif named:
             self._say(translated(str(AGAIN)).format(", ".join(named)))

@@ -10,9 +10,9 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.hands import READY
+from labcal.gui.viewmodels.hands import FAILED, READY, RETRY
 from labcal.gui.viewmodels.hands_now import hands_of
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
@@ -30,6 +30,9 @@ LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
 OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
+NEXT = QT_TRANSLATE_NOOP("Words", "the field and the platform come next")
+COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
+BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
@@ -47,6 +50,11 @@ def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> st
     return "" if alarmed else _of_who_is_lost(now) or _doing(run, now)
 
 
+def is_alarm(words: str) -> bool:
+    """Whether that is about hands that have to be off for something that is known to be wrong."""
+    return words.startswith((translated(str(LIVE)).partition("{0}")[0], translated(str(KEEP_OFF)).partition("{0}")[0]))
+
+
 def at_rest(now: LabNow) -> bool:
     """Whether coils at zero and a platform that stands were read just now: then nobody has to keep off."""
     return now.coils_at_zero is True and platform_mark(now.platform_words)[1] in ("", "good")
@@ -59,11 +67,12 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
         return translated(str(OFF)), "bad"
-    told = bool(now.coil_words or now.left_by or now.coils_lost or now.platform_lost)  # else there is no lab
+    left = now.left_by or now.closed_with
+    told = bool(now.coil_words or left or now.coils_lost or now.platform_lost)  # else there is no lab
     mark = hands_of(now)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return translated(str(OFF)), "bad"
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words
+    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
     out = unread or asked_out(run, now) or (run.alive and mark != "good")
     return (translated(str(OUT)), "warning") if out else ("", "")
 
@@ -73,7 +82,11 @@ def asked_out(run: RunViewModel, now: LabNow) -> str:
 
     Who does not answer is seen to first.
     """
-    if run.state != "asking" or run.prompt is None or run.prompt.key != READY or now.failed:
+    if run.state != "asking" or run.prompt is None or now.failed:
+        return ""
+    if run.prompt.key.startswith(FAILED) and RETRY in run.prompt.choices:
+        return translated(str(OUT_NOW)).format(translated(str(NEXT)))
+    if run.prompt.key != READY:
         return ""
     asked = in_words(run.prompt.text)
     return translated(str(OUT_NOW)).format(asked.rpartition(". ")[0] or asked)  # what comes, without "Hands off?"
@@ -87,6 +100,8 @@ def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
     stands for ever.
     """
     words, mark = keep_off(run, now)
+    if run.prompt is not None and run.prompt.key == READY and now.failed and mark != "bad":
+        return translated(str(SHOWN)).format(", ".join(now.failed)), "bad", False
     sends = run.prompt is not None and run.prompt.acts and run.prompt.key != READY and DIAL not in run.prompt.drawing
     if not sends or now.coil_words in ("", state.NOT_YET):
         return "", "", False
@@ -101,15 +116,18 @@ def at_hands(
 ) -> dict[str, tuple[str, str]]:
     """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
     heard = facts is not None and not (facts.virtual_time and known is None and not now.left_by)  # else it is none yet
-    return {"keep_off": keep_off(run, now), "hands": _hands_at(run, now) if heard else ("", "")}
+    heard = heard or bool(now.closed_with)
+    return {"keep_off": keep_off(run, now), "hands": hands_at(run, now) if heard else ("", "")}
 
 
-def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
-    """Whether they may go in, unless they were promised to be off or something is being measured."""
+def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+    """Whether they may go in, and why not: what is known first, then what comes unasked."""
     promised = run.hands_off and run.state not in ("asking", "paused")
-    if run.alive and (promised or run.segment is not None):
-        return "", ""
     words, mark = hands_of(now)
+    if mark != "bad" and run.alive and (promised or run.segment is not None):
+        return translated(str(OUT_NOW)).format(translated(str(COMES))), "bad"
+    if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
+        return translated(str(OUT_NOW)).format(translated(str(BEGINS))), "warning"
     if mark == "good" and (out := asked_out(run, now)):
         return out, "warning"
     return words, mark
@@ -139,6 +157,8 @@ def _doing(run: RunViewModel, now: LabNow) -> str:
 
     Between two questions nothing is: who goes on mounting is not called away.
     """
+    if platform_drawn(now.platform_words)[1] == "old" and platform_mark(now.platform_words)[1] == "warning":
+        return " · ".join((translated(str(HANDS_OFF)), in_words(now.platform_words)))  # its line is silent
     doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
     if not run.segment and not run.hands_off and at_rest(now):
         return doing

@@ -8,10 +8,12 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.common import button, label
+from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.common import button, label, set_state
 from labcal.gui.widgets.growing_dialog import GrowingDialog
 from labcal.gui.widgets.lab_lines import LabLines
 
+KEEP_OFF_PX = 8 * GRID  # three lines of it
 Way = Literal["stop", "behind", "later"]
 
 
@@ -28,9 +30,11 @@ class CloseQuestion(GrowingDialog):
         column.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
         column.setSpacing(2 * GRID)
         grid.setSpacing(2 * GRID)
+        self.keep_off = label("", "title", wrap=True)
+        self.keep_off.setMinimumHeight(KEEP_OFF_PX)  # what moves below it no button may
+        column.addWidget(self.keep_off)
         column.addWidget(label(self.tr("A run goes on: {0}").format(run), "title", wrap=True))
         self.lab_lines = LabLines()
-        column.addWidget(self.lab_lines)
         self.ways = {
             "stop": (
                 self.tr("Stop"),
@@ -66,6 +70,15 @@ class CloseQuestion(GrowingDialog):
         self.back.setDefault(True)
         self.back.setFocus()  # Enter and Space close nothing either
         column.addWidget(self.back)
+        column.addWidget(self.lab_lines)  # below: however its lines wrap, the buttons keep their place
+        column.addStretch()
+
+    def say_hands(self, words: str, mark: str) -> None:
+        """Whether they have to be off, and why, before anything else."""
+        off, _, why = words.partition(":")
+        loud = translated("HANDS OFF – {0}").format(why.strip() or off) if mark == "bad" else words
+        self.keep_off.setText(loud)
+        set_state(self.keep_off, mark)
 
     def say_lab(self, coil_words: str, platform_words: str) -> None:
         """How coils and platform are now."""

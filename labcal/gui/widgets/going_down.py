@@ -6,7 +6,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.common import button, label
+from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.widgets.common import button, label, set_state
 from labcal.gui.widgets.growing_dialog import GrowingDialog
 from labcal.gui.widgets.lab_lines import LabLines
 
@@ -35,7 +36,11 @@ class GoingDown(GrowingDialog):
     def say_lab(self, coil_words: str, platform_words: str) -> None:
         """How coils and platform are now."""
         self.lab_lines.say(coil_words, platform_words)
+        if mark_of(coil_words)[1] == "bad":  # it is not the way down that is waited for any more
+            self.heading.setText(self.tr("HANDS OFF: not at zero yet. The window does not close by itself."))
+            set_state(self.heading, "bad")
 
     def say_end(self) -> None:
         """What stands below was read back."""
+        set_state(self.heading, "")
         self.heading.setText(self.tr("The run has ended; the window closes."))

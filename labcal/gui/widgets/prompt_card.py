@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from labcal.bench.coils import state
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -235,8 +234,8 @@ class PromptCard(Card):
         if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
-    def say_lab(self, now: LabNow) -> None:
-        """What coils and platform do while hands may be near them: as the side panel says it, at any moment."""
+    def say_lab(self, now: LabNow, out: str = "") -> None:
+        """What coils and platform do while hands may be near, as the side panel says it; `out`: they go out now."""
         coil_words, platform_words = now.coil_words, now.platform_words
         self.drawing.show_platform(now.platform_deg, age_words(now.platform_old_s))
         for place, words, (shape, mark) in (
@@ -247,10 +246,11 @@ class PromptCard(Card):
             place.setVisible(bool(words))
             set_state(place, mark)
         words, mark = hands_of(now)
+        words, mark = (out, "warning") if out and mark == "good" else (words, mark)
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._first = first_thing(now)
-        whole = words.endswith(in_words(coil_words)) or (mark == "good" and coil_words.startswith(state.BY_WORD))
+        whole = in_words(coil_words) in words
         self._said_once = whole and bool(coil_words)  # the same words need not follow
         self._show_hands()
 
