@@ -17,7 +17,7 @@ from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.largest_of_U import largest_of_U
 from labcal.gui.viewmodels.loop_causes import Cause, candidates, cause
-from labcal.gui.viewmodels.loop_words import VERDICTS, of_which_error, plain_reason, said_plainly
+from labcal.gui.viewmodels.loop_words import headline, of_which_error, plain_reason, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
@@ -145,8 +145,11 @@ class LoopPage(QWidget):
         self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
         self.others.itemSelectionChanged.connect(self._picked)
         self.others.setMinimumHeight(LEAST_PX)
+        self.none_searched = label(self.tr("No cause was searched for: 4 says why."), wrap=True)
         card.body.addWidget(self.bars)
+        card.body.addWidget(self.none_searched)
         card.body.addWidget(self.others, 1)
+        card.body.addStretch()
         return card
 
     def _change_card(self) -> Card:
@@ -252,8 +255,8 @@ class LoopPage(QWidget):
         self.most_of_U.setVisible(bool(self.most_of_U.text()))
 
     def _show_loop(self, loop: Loop) -> None:
-        words, state = VERDICTS[loop.verdict]
-        self.verdict.setText(translated(words))
+        words, state = headline(loop)
+        self.verdict.setText(words)
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
         beside = self.tr("These figures are beside the errors that the run declares; above they are in it.")
@@ -296,6 +299,8 @@ class LoopPage(QWidget):
         inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
         listed = candidates(self._study.loop, plain_reason)
         whole = [why for *_, why in candidates(self._study.loop)]
+        self.others.setVisible(bool(listed))
+        self.none_searched.setVisible(not listed)
         while self.others.count() > len(listed):
             self.others.takeItem(len(listed))
         self.others.addItems([""] * (len(listed) - self.others.count()))

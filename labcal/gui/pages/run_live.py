@@ -16,7 +16,7 @@ from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
-from labcal.gui.viewmodels.run_verdict import run_verdict
+from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
@@ -217,12 +217,10 @@ class Live(QWidget):
             self.prompt.take_focus()
 
     def _show_run(self) -> None:
-        run = self._run
-        ended = run.state == "ended"
+        run, ended = self._run, self._run.state == "ended"
         self.title.setText(procedure_title(run.order.procedure) if run.order else "")
-        self.whose.setText(
-            " · ".join(filter(None, (run.order.dut, run.order.operator, run.began))) if run.order else ""
-        )
+        whose = (run.order.dut, run.order.operator, run.began) if run.order else ()
+        self.whose.setText(" · ".join(filter(None, whose)))
         self._show_steps()
         waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
         self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
@@ -253,7 +251,9 @@ class Live(QWidget):
                 (self.loci, turned and self._something_turns()),
             ):
                 widget.setVisible(shown)
-        set_primary(self.close_run, not again and not (turned and run.status == "finished"))
+        fits = turned and to_be_fitted(run)
+        set_primary(self.close_run, not again and not fits)
+        set_primary(self.fit, fits)
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
