@@ -11,6 +11,10 @@ from labcal.fit.filters.ekf import EKF
 
 NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds its own
 
+ASTRAY = (
+    "offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; "
+    "verdict and Fit do not rest on it"
+)
 UNDETERMINED = "offsets so far: not yet determined by the turns made"
 
 
@@ -33,8 +37,8 @@ class RunningEstimate:
         yield note(self._bench, self._sentence())
 
     def _sentence(self) -> str:
-        if why := self._filter.diverged():
-            return f"offsets so far: {why}"
+        if self._filter.diverged():
+            return ASTRAY
         if not self._filter.started:
             return UNDETERMINED
         try:

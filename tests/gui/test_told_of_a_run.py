@@ -149,3 +149,13 @@ def test_one_that_was_interrupted_again_and_not_gone_on_with_counts_that_as_well
     assert interruptions(items[:1], statuses[:2]) == []
     words = interrupted_words(Told(tuple(interruptions(items, statuses))))
     assert words.startswith("▲ 2 interruptions: at offset and first position, for 2 h; at ")
+
+
+def test_an_estimate_that_does_not_follow_says_whose_it_is_and_what_rests_on_it():
+    bench = SimpleNamespace(config=SimpleNamespace(dut=SimpleNamespace(noise_nT=None)))
+    estimate = RunningEstimate(bench)
+    estimate._filter = SimpleNamespace(diverged=lambda: "the filter has diverged, or the sensor has changed")
+    said = estimate._sentence()
+    assert said == ASTRAY
+    assert said.startswith(SO_FAR)
+    assert form_of(said) is not None

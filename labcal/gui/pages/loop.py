@@ -17,7 +17,7 @@ from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.largest_of_U import largest_of_U
 from labcal.gui.viewmodels.loop_causes import Cause, candidates, cause
-from labcal.gui.viewmodels.loop_words import headline, of_which_error, plain_reason, said_plainly
+from labcal.gui.viewmodels.loop_words import headline, not_determined, of_which_error, plain_reason, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
@@ -92,6 +92,7 @@ class LoopPage(QWidget):
             for card, share in cards:
                 half.addWidget(card, share)
             halves.addLayout(half, 1)
+            self._right = half
         column.addLayout(halves, 1)
         return holder
 
@@ -301,6 +302,7 @@ class LoopPage(QWidget):
         whole = [why for *_, why in candidates(self._study.loop)]
         self.others.setVisible(bool(listed))
         self.none_searched.setVisible(not listed)
+        self._right.setStretch(0, 3 if listed else 0)  # without a list 4 has the room
         while self.others.count() > len(listed):
             self.others.takeItem(len(listed))
         self.others.addItems([""] * (len(listed) - self.others.count()))
@@ -343,7 +345,8 @@ class LoopPage(QWidget):
             lines.append(self.tr("Measured by the procedure {0}.").format(procedure))
         self.unknown.setPlainText("\n\n".join(lines) or self.tr("Nothing that this run could show."))
         self.next.setVisible(bool(procedure))
-        self.next.setText(self.tr("Measure what would tell them apart"))
+        tells, misses = self.tr("Measure what would tell them apart"), self.tr("Measure what is missing")
+        self.next.setText(misses if not_determined(loop) else tells)
         self.next.setAccessibleDescription(procedure)
 
     def _fill_against(self, loop: Loop) -> None:
