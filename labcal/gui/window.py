@@ -179,12 +179,13 @@ class Window(Frame):
 
     def toggle_wall(self) -> None:
         """Texts to be read from two metres, or back (F11)."""
-        self.wall = not self.wall
+        room = text_scale(self.width(), self.height(), wall=True) != 1.0
+        self.wall = room and not self.wall
         self.app_state.settings.setValue("wall", "yes" if self.wall else "no")
         if self.wall:
             self._before_wall = self.size()
         self._restyle()
-        if self.wall and self._scale == 1.0:
+        if not room:
             self.app_state.lab.update(message=self.tr("The window has no room for larger letters: make it larger."))
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))

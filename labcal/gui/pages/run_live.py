@@ -290,6 +290,7 @@ class Live(QWidget):
     def _show_fault(self, fault: Fault | None) -> None:
         self.fault.show_fault(fault)
         self.answer_for.show_fault(fault)
+        self.verdict.next.setVisible(fault is None or fault.kind != "stopped")  # its card says that
         if fault is None:
             self.verdict.say_reason("")
             return self.fault.hide()
@@ -299,8 +300,7 @@ class Live(QWidget):
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
-        next_words = run_verdict(self._run, self._app_state.path.resumable).next
-        goes_on = self.tr("{0} Or Close, and begin anew.").format(next_words)
+        goes_on = self.tr("{0} Or Close, and begin anew.").format(self.verdict.next.text())
         return self.fault.text.setText(goes_on if self._goes_on else kept)
 
     def _where_to_begin_again(self) -> str:

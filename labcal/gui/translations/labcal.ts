@@ -1221,6 +1221,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1937,7 +1941,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the DUT about one body axis in one steady field.</source>
+        <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3070,6 +3074,14 @@
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4214,6 +4226,10 @@
     </message>
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6545,6 +6561,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No cause was searched for: 4 says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6586,6 +6606,10 @@ after this step …</source>
     </message>
     <message>
         <source>Nothing that this run could show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure what is missing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7126,7 +7150,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All that the procedure noted, in its order</source>
+        <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7278,10 +7302,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>stopped by COILS OFF</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7377,6 +7397,22 @@ after this step …</source>
     </message>
     <message>
         <source>Measure {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of no run yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of another run: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to that run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put it away</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8989,6 +9025,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9049,6 +9093,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9073,6 +9125,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not measured: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9090,6 +9146,10 @@ after this step …</source>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9118,10 +9178,6 @@ after this step …</source>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9421,7 +9477,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
+        <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

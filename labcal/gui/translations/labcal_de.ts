@@ -1221,6 +1221,10 @@
         <translation>Die Spulen gehen auf {0} µT, und der Tisch dreht. Hände weg?</translation>
     </message>
     <message>
+        <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
         <translation>Die Spulen gehen um {0} µT in Stufen, und der Tisch dreht. Hände weg?</translation>
     </message>
@@ -1937,8 +1941,8 @@
         <translation>Einmal vorwärts und einmal rückwärts drehen, mit einer Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Turn the DUT about one body axis in one steady field.</source>
-        <translation>Den Prüfling um eine Körperachse in einem ruhigen Feld drehen.</translation>
+        <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -3071,6 +3075,14 @@
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
         <translation>die Messung bestimmt {0} von {1} Parametern, nicht {2} und {3} weitere: {4}</translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
@@ -4215,6 +4227,10 @@
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
         <translation>Nullpunkte bisher, allein aus Beträgen: {0} nT (k = 2)</translation>
+    </message>
+    <message>
+        <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>offsets so far: {0}</source>
@@ -6502,6 +6518,10 @@ diesem Schritt …</translation>
         <translation>Einen wählen zeigt, was er allein ändern würde</translation>
     </message>
     <message>
+        <source>No cause was searched for: 4 says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation>3  Was es ändert</translation>
     </message>
@@ -6588,6 +6608,10 @@ diesem Schritt …</translation>
     <message>
         <source>Measure what would tell them apart</source>
         <translation>Messen, was sie unterscheidet</translation>
+    </message>
+    <message>
+        <source>Measure what is missing</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>3  With {0}</source>
@@ -7127,8 +7151,8 @@ diesem Schritt …</translation>
         <translation>Einzelheiten</translation>
     </message>
     <message>
-        <source>All that the procedure noted, in its order</source>
-        <translation>Alles, was die Prozedur vermerkt hat, der Reihe nach</translation>
+        <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7279,10 +7303,6 @@ diesem Schritt …</translation>
         <translation>{0} begonnen</translation>
     </message>
     <message>
-        <source>stopped by COILS OFF</source>
-        <translation>durch SPULEN AUS gestoppt</translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation>Wird beendet …</translation>
     </message>
@@ -7379,6 +7399,22 @@ diesem Schritt …</translation>
     <message>
         <source>Measure {0}</source>
         <translation>{0} messen</translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of no run yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of another run: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to that run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put it away</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8990,6 +9026,14 @@ diesem Schritt …</translation>
         <translation>Etwas stimmt nicht, was nichts Bekanntes erklärt. Nicht unterschreiben: siehe 4.</translation>
     </message>
     <message>
+        <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
     </message>
@@ -9050,6 +9094,14 @@ diesem Schritt …</translation>
         <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
     </message>
     <message>
+        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
         <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder anpassen und sehen.</translation>
     </message>
@@ -9074,6 +9126,10 @@ diesem Schritt …</translation>
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not measured: {0}.</source>
         <translation>Nicht gemessen: {0}.</translation>
     </message>
@@ -9092,6 +9148,10 @@ diesem Schritt …</translation>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
+    </message>
+    <message>
+        <source>How good the calibration is, Fit and Loop judge.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -9120,10 +9180,6 @@ diesem Schritt …</translation>
     <message>
         <source>To measure again: Close, then Begin.</source>
         <translation>Neu messen: Ablegen, dann Beginnen.</translation>
-    </message>
-    <message>
-        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
-        <translation>BESTANDEN hat die Messung: |Wert| + U (k=2) liegt innerhalb der Grenze ({0} von {0}). Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -9422,8 +9478,8 @@ diesem Schritt …</translation>
         <translation>Die Prozedur vermerkte {0} weitere, zuletzt: {1}</translation>
     </message>
     <message>
-        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
-        <translation>Die Prozedur vermerkte {0} weitere Schätzungen unterwegs; das Urteil beruht nicht darauf.</translation>
+        <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>

@@ -1221,6 +1221,10 @@
         <translation>Les bobines vont à {0} µT et le plateau tourne. Mains loin ?</translation>
     </message>
     <message>
+        <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
         <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains loin ?</translation>
     </message>
@@ -1937,8 +1941,8 @@
         <translation>Tourner une fois en avant et une fois en arrière à une même vitesse.</translation>
     </message>
     <message>
-        <source>Turn the DUT about one body axis in one steady field.</source>
-        <translation>Tourner le DUT autour d&apos;un axe du corps dans un champ constant.</translation>
+        <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -3071,6 +3075,14 @@
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
         <translation>la mesure détermine {0} paramètres sur {1}, pas {2} ni {3} autres : {4}</translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
@@ -4215,6 +4227,10 @@
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
         <translation>décalages jusqu&apos;ici, d&apos;après les seuls modules : {0} nT (k = 2)</translation>
+    </message>
+    <message>
+        <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>offsets so far: {0}</source>
@@ -6502,6 +6518,10 @@ cette étape …</translation>
         <translation>Choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
     </message>
     <message>
+        <source>No cause was searched for: 4 says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation>3  Ce que cela change</translation>
     </message>
@@ -6588,6 +6608,10 @@ cette étape …</translation>
     <message>
         <source>Measure what would tell them apart</source>
         <translation>Mesurer ce qui les distingue</translation>
+    </message>
+    <message>
+        <source>Measure what is missing</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>3  With {0}</source>
@@ -7127,8 +7151,8 @@ cette étape …</translation>
         <translation>Détails</translation>
     </message>
     <message>
-        <source>All that the procedure noted, in its order</source>
-        <translation>Tout ce que la procédure a noté, dans l&apos;ordre</translation>
+        <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7279,10 +7303,6 @@ cette étape …</translation>
         <translation>{0} commencé</translation>
     </message>
     <message>
-        <source>stopped by COILS OFF</source>
-        <translation>arrêtée par BOBINES À ZÉRO</translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation>Arrêt …</translation>
     </message>
@@ -7379,6 +7399,22 @@ cette étape …</translation>
     <message>
         <source>Measure {0}</source>
         <translation>Mesurer {0}</translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of no run yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of another run: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to that run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put it away</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8990,6 +9026,14 @@ cette étape …</translation>
         <translation>Quelque chose ne va pas que rien de connu n&apos;explique. Ne signez pas : voir 4.</translation>
     </message>
     <message>
+        <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
     </message>
@@ -9050,6 +9094,14 @@ cette étape …</translation>
         <translation>Ajuster, Causes, Certificat : Suite y mène.</translation>
     </message>
     <message>
+        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
         <translation>À moins de U de sa limite : remesurez cette partie, ou ajustez pour voir.</translation>
     </message>
@@ -9074,6 +9126,10 @@ cette étape …</translation>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
     <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not measured: {0}.</source>
         <translation>Non mesuré : {0}.</translation>
     </message>
@@ -9092,6 +9148,10 @@ cette étape …</translation>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
+    </message>
+    <message>
+        <source>How good the calibration is, Fit and Loop judge.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -9120,10 +9180,6 @@ cette étape …</translation>
     <message>
         <source>To measure again: Close, then Begin.</source>
         <translation>Pour remesurer : Fermer, puis Démarrer.</translation>
-    </message>
-    <message>
-        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
-        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}). La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -9422,8 +9478,8 @@ cette étape …</translation>
         <translation>La procédure en a noté {0} de plus, le dernier : {1}</translation>
     </message>
     <message>
-        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
-        <translation>La procédure a noté {0} autres estimations en chemin ; le verdict ne repose pas dessus.</translation>
+        <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>

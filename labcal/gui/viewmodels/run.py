@@ -36,6 +36,7 @@ from labcal.gui.viewmodels.covered import Covered, seen_about
 from labcal.gui.viewmodels.drawn import Drawn
 from labcal.gui.viewmodels.failed_step import FAILED, asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.hands import STOP, says_hands_off
+from labcal.gui.viewmodels.last_words import last_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
@@ -89,14 +90,15 @@ class RunViewModel(QObject):
         self.state: State = "idle"
         self.prompt: Prompt | None = None
         self.fault: Fault | None = None
-        self.run_id, self.status, self.message, self._ending = "", "", "", ""
+        self.run_id, self.status, self.message, self.ending = "", "", "", ""
         self.step: Step | None = None
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
         self.drawn = Drawn()
         self.segment: str | None = None
-        self._turned = False  # in any segment
+        self._turned = self._measures = False  # in any segment; in this step
+        self._unbegun = False  # it was ended at the question before its step
         self.covered = Covered()
         self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
@@ -188,6 +190,7 @@ class RunViewModel(QObject):
     def _end(self, word: Word, message: str) -> None:
         if self.alive:
             self._worker.send(word)
+            self._unbegun = self.prompt is not None and not self._measures
             self.prompt, self.message = None, message
             self._be("stopping")
 
@@ -230,7 +233,8 @@ class RunViewModel(QObject):
             return []
         at = self.names.index(self.step.name) if self.step.name in self.names else len(self.names)
         over = self.state in ("ended", "starting")  # it broke off there, and nothing of it goes on yet
-        here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
+        broken: Mark = "next" if self._unbegun else "broken"
+        here: Mark = ("done" if self.status == "finished" else broken) if over else "now"
         marks = marks_of(self.names, at, here, self.measurements, self.skipped)
         return list(zip(self.names, marks, strict=True))
 
@@ -288,7 +292,8 @@ class RunViewModel(QObject):
         self.time.see(item.t_s)
         match item:
             case Step():
-                self.step, self.names = item, item.names or self.names
+                self.step, self.names, self._measures = item, item.names or self.names, False
+                self._unbegun = False
                 self.time.begin(item)
                 self.covered.begin()
                 self._running(step_title(item.name))
@@ -302,7 +307,7 @@ class RunViewModel(QObject):
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
-                self.segment = item.segment.id
+                self.segment, self._measures = item.segment.id, True
                 self.covered.begin()
                 self._forget((item.segment.id,))  # as it was before, where it is begun again
                 self.drawn.begin(item.segment.id)
@@ -376,16 +381,10 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _done(self, result: Ended) -> None:
-        self.run_id, self.status, self._ending = result.run_id, result.status, result.ending
+        self.run_id, self.status, self.ending = result.run_id, result.status, result.ending
         self.began = began.began_at(self.run_id) or self.began
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
-
-    def _last_words(self) -> str:
-        said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
-        said = self.tr("stopped by COILS OFF") if self.by_off and self.status != "finished" else said
-        name = " · ".join(filter(None, (self.order.dut, self.began, self.order.procedure))) if self.order else ""
-        return f"{name}: {said}" if name else said
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)
@@ -395,6 +394,6 @@ class RunViewModel(QObject):
 
     def _over(self) -> None:
         self.unheard = self.pausing = False
-        self.prompt, self.segment, self.message = None, None, self._last_words()
+        self.prompt, self.segment, self.message = None, None, last_words(self)
         self._be("ended")
         self.ended.emit(self.run_id, self.status)
