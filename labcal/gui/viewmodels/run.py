@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.coils.state import LabState
-from labcal.bench.named_links import named_links
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.messages import (
@@ -29,7 +28,6 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
-from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
 from labcal.gui.viewmodels.covered import Covered, seen_about
@@ -42,7 +40,6 @@ from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
-from labcal.record.endings import ended_words
 from labcal.record.stream import (
     COVERAGE,
     FAULT,
