@@ -309,8 +309,12 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
-        self.scan_card.catch(*self.scanner.caught)
-        return self.app_state.scan(text)
+        field, caught = self.scanner.caught
+        self.scan_card.catch(field, caught)
+        self.app_state.scan(text)
+        if field is not None and not self.scan_card.asks_about(text):
+            field.insert(caught)  # nobody has taken it: quick fingers may have typed it there
+        return None
 
     def _show_login(self) -> None:
         """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""

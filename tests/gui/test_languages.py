@@ -110,7 +110,9 @@ def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, qtbot
     shown._since_s = -3600.0 + time.monotonic() - 1
     cursors = []
     monkeypatch.setattr(Window, "prebuild", lambda window: None)
-    monkeypatch.setattr(reopened, "Window", lambda state: cursors.append(qapp.overrideCursor().shape()) or Window(state))
+    monkeypatch.setattr(
+        reopened, "Window", lambda state: cursors.append(qapp.overrideCursor().shape()) or Window(state)
+    )
     new_window.language_switch.click()
     window = shown.window
     qtbot.addWidget(window)

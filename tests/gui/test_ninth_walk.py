@@ -4,10 +4,12 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QApplication
+from test_path import RUN, calibration
 
-from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.gui.ipc.answers import Ended, Standing
+from labcal.gui.ipc.messages import Answer, ListCalibrations, ListKeys, RunProcedure, VerifyFile
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.trace_pace import TracePace
 from labcal.gui.widgets import hold_button
 from labcal.record.stream import Prompt, Step
 
@@ -75,3 +77,79 @@ def test_a_key_pressed_before_the_question_took_any_is_refused_by_what_was_the_c
     QApplication.sendEvent(still, stamped(QEvent.Type.KeyRelease, 51_300))
     assert still.app_state.bench_worker.said == []
     assert asked.hint.text() == "▲ F8 was pressed before this question took an answer. Press it anew."
+
+
+def test_the_verdict_on_a_file_stands_alone(new_window):
+    """A file that was verified stood in small letters above "✓ RELEASED" of another one."""
+    new_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    new_window.open_page("Certificate")
+    page, worker = new_window.page("Certificate"), new_window.app_state.quick_worker
+    worker.answer(ListCalibrations, (calibration(),))
+    worker.answer(ListKeys, ())
+    assert page.detail.isVisible()
+    page.verify("/x/other.json")
+    worker.answer(VerifyFile, Standing("/x/other.json", False, False, (), (), ("no signature",)))
+    assert (page.drop.name.text(), page.drop.name.property("state")) == ("✕ other.json", "bad")
+    assert page.drop.words.text().startswith("checked at ")
+    assert (page.drop.card.isVisible(), page.detail.isVisible()) == (True, False)
+    page.drop.close_card.click()
+    assert (page.drop.card.isVisible(), page.detail.isVisible()) == (False, True)
+
+
+def test_what_is_typed_quickly_and_is_no_serial_stays_in_its_field(still, qtbot):
+    field = still.page("Run").live.note
+    still.scanner.caught = (field, "spot 3 °C !?")
+    field.clear()
+    field.insert("at ")
+    still._scanned("spot 3 °C !?")
+    assert field.text() == "at spot 3 °C !?"
+    assert "not taken" in still.message.text()
+    field.clear()
+    still.app_state.lab.update(message="")
+
+
+def test_the_last_estimate_of_a_tracing_stays_with_its_time_and_fills_the_bar():
+    now = [0.0]
+    pace = TracePace(lambda: now[0])
+    assert (pace.words(), pace.share()) == ("", 0.0)
+    pace.hear("scoring every effect")
+    now[0] = 20.0
+    pace.hear("this run takes about 60 s more and may be stopped; so far nothing has the evidence of a name")
+    now[0] = 60.0
+    pace.hear("scoring all candidates beside offset-current")
+    assert pace.words().startswith("about 60 s more, said at ")
+    assert pace.share() == 60 / 80
+    now[0] = 600.0
+    assert pace.share() == 0.95
+
+
+def test_start_says_ready_only_where_it_is_to_be_measured(still):
+    still.open_page("Start")
+    page, app_state = still.page("Start"), still.app_state
+    app_state.path.take_runs(())
+    page._enable()
+    assert page.question.text().startswith("Ready. EM-07 is to be measured")
+    app_state.path.take_runs((RUN,))
+    page._enable()
+    assert page.question.text() == ""
+    app_state.path.take_runs(())
+    app_state.set_identity(operator="")
+    assert app_state.path.next().words == "Say who works here"
+    assert page.calibrate.objectName() != "primary"
+    app_state.set_identity(operator="J. Doe")
+
+
+def test_there_are_no_larger_letters_where_there_is_no_room(new_window):
+    new_window.resize(984, 660)
+    new_window.toggle_wall()
+    assert (new_window.wall, new_window.size_switch.text()) == (False, "Larger   F11")
+
+
+def test_what_settings_mean_stands_below_them_in_a_narrow_form(new_window, qtbot):
+    form = new_window.page("Run").choose.form
+    for width, below in ((1500, False), (420, True)):
+        form.resize(width, 500)
+        QApplication.sendPostedEvents()
+        form.layout().activate()
+        field, about = form.fields["axes"], form.complaints["axes"]
+        assert (about.y() >= field.y() + field.height()) == below

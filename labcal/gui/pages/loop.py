@@ -11,7 +11,6 @@ from labcal.gui.ipc.answers import Change, Loop
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
@@ -27,9 +26,9 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.trace_progress import TraceProgress
 from labcal.gui.widgets.whole_card import WholeCard
 from labcal.gui.widgets.whole_text import WholeText
-from labcal.gui.widgets.work_bar import WorkBar
 
 LEAST_PX = 150  # of a picture, and of the list: with less room the page is scrolled
 
@@ -44,11 +43,11 @@ class LoopPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addLayout(self._head())
-        self.waiting = label("", "caption", wrap=True)
-        self.work = WorkBar()
+        self.progress = TraceProgress(app_state)
+        self.waiting, self.work = self.progress.waiting, self.progress.work
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
-        for widget in (self.waiting, self.work, self.fault):
+        for widget in (self.progress, self.fault):
             column.addWidget(widget)
         self.empty, self.to_run = label("", "ask", wrap=True), go_to_run_button(app_state)
         column.addWidget(self.empty, 1)
@@ -57,7 +56,6 @@ class LoopPage(QWidget):
         column.addWidget(self.story, 1)
         self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
-        self._study.progressed.connect(self._show_progress)
         app_state.path.changed.connect(self._show_uncertainty)
         self._show()
 
@@ -209,9 +207,8 @@ class LoopPage(QWidget):
         if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
-        self._show_progress()
+        self.progress.show_progress()
         self.cancel.setVisible(study.busy)
-        self.work.show_work(study.busy)
         self.close_loop.setVisible(not study.busy)
         again = study.loop is None and bool(self._kept())
         self.close_loop.setText(self.tr("Work it out again") if again else self.tr("Trace the residual"))
@@ -231,7 +228,7 @@ class LoopPage(QWidget):
         study, none = self._study, "" if self._study.run else self.chooser.why_none()
         words = self.tr("Choose a run above, then let its residual be traced to a cause.")
         if "loop" in study.waiting:
-            words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
+            words = self.tr("Looking at the residual; a whole preflight takes some minutes.")
         elif study.run:
             refused = self._app_state.path.why_no_fit(study.run)
             words = refused or self._kept() or self.tr("Trace the residual of this run to its cause.")
@@ -242,13 +239,6 @@ class LoopPage(QWidget):
 
     def _kept(self) -> str:
         return kept_words(self._app_state.path, self._study.run)
-
-    def _show_progress(self) -> None:
-        """How far the work is."""
-        study = self._study
-        words = self.tr("tracing … {0}").format(in_words(study.message)) if "loop" in study.waiting else ""
-        self.waiting.setText(", ".join(map(translated, study.waiting)) if study.busy and not words else words)
-        self.waiting.setVisible(study.busy)
 
     def _show_uncertainty(self) -> None:
         """What makes most of the draft's U: the error at the top is not all that is not known."""

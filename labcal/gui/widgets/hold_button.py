@@ -1,9 +1,10 @@
 """A button for what acts on the lab: a click, or its own key held for 0.7 s. Never Enter, never a scanner's burst.
 
 What energises or turns is held by mouse as well. It fills while it is held. How long it was held is told by the time
-stamps of press and release: a busy window hears of both late, and of the one later than of the other. A key that repeats by letting go for a
-blink, as through a remote screen, is held all the same; one that is only tapped says what it wants. A key that stays
-down after it has answered begins nothing: it has to be let go, and pressed anew on a button that is alive.
+stamps of press and release: a busy window hears of both late, and of the one later than of the other. A key that
+repeats by letting go for a blink, as through a remote screen, is held all the same; one that is only tapped says what
+it wants. A key that stays down after it has answered begins nothing: it has to be let go, and pressed anew on a button
+that is alive.
 """
 
 from __future__ import annotations

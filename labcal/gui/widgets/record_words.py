@@ -34,7 +34,9 @@ class RecordWords(QWidget):
         self.all.setReadOnly(True)
         self.all.setFixedHeight(DETAILS_PX)
         self.all.setAccessibleName(self.tr("What the procedure noted"))
-        self.fold = button(self.tr("Details"), self.tr("All that the procedure noted, in its order; no verdict rests on its estimates"))
+        self.fold = button(
+            self.tr("Details"), self.tr("All that the procedure noted, in its order; no verdict rests on its estimates")
+        )
         self.fold.setCheckable(True)
         self.fold.toggled.connect(self.all.setVisible)
         self.line = QWidget()
