@@ -444,7 +444,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>verified at {0}</source>
+        <source>checked at {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5760,6 +5760,14 @@
 <context>
     <name>Drop</name>
     <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen calibration alone again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Verify a file …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6255,6 +6263,25 @@
     </message>
 </context>
 <context>
+    <name>HoldButton</name>
+    <message>
+        <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold {1} for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>KeySheet</name>
     <message>
         <source>Keys</source>
@@ -6529,14 +6556,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>tracing … {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Looking at the residual; a whole preflight takes about a minute.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>End what is being computed; what is done stays</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6578,6 +6597,10 @@ after this step …</source>
     </message>
     <message>
         <source>Work it out again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the residual; a whole preflight takes some minutes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7128,10 +7151,6 @@ after this step …</source>
     </message>
     <message>
         <source>Hold this button, or {0}, for 0.7 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ Let go too early. {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7938,6 +7957,17 @@ after this step …</source>
     </message>
     <message>
         <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TraceProgress</name>
+    <message>
+        <source>tracing … {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Traced, run {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9678,6 +9708,10 @@ after this step …</source>
     </message>
     <message>
         <source>the reference sees {0} µT along {1} more than with the coils off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} s more, said at {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -444,7 +444,7 @@
         <translation>Ses signatures sont des fichiers à côté, {0}.sshsig : les copier dans le même dossier et vérifier à nouveau.</translation>
     </message>
     <message>
-        <source>verified at {0}</source>
+        <source>checked at {0}</source>
         <translation>vérifié à {0}</translation>
     </message>
     <message>
@@ -1222,7 +1222,7 @@
     </message>
     <message>
         <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
-        <translation type="unfinished"></translation>
+        <translation>Les bobines vont jusqu’à {0} µT et la plateforme tourne. Mains retirées ?</translation>
     </message>
     <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
@@ -1942,7 +1942,7 @@
     </message>
     <message>
         <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tourner le DUT autour d’un axe du corps dans un champ constant ; un seul axe ne suffit pas pour un étalonnage.</translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -3078,11 +3078,11 @@
     </message>
     <message>
         <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres ; restent ouverts {2} et {3} autres : {4}</translation>
     </message>
     <message>
         <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres ; restent ouverts {2} : {3}</translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
@@ -4230,7 +4230,7 @@
     </message>
     <message>
         <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
-        <translation type="unfinished"></translation>
+        <translation>offsets jusqu’ici : l’estimation rapide de cette procédure, des seules normes, ne suit pas ces lectures ; ni le verdict ni Ajuster ne reposent sur elle</translation>
     </message>
     <message>
         <source>offsets so far: {0}</source>
@@ -5760,6 +5760,14 @@
 <context>
     <name>Drop</name>
     <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The chosen calibration alone again</source>
+        <translation>De nouveau l’étalonnage choisi seul</translation>
+    </message>
+    <message>
         <source>Verify a file …</source>
         <translation>Vérifier un fichier …</translation>
     </message>
@@ -6255,6 +6263,25 @@
     </message>
 </context>
 <context>
+    <name>HoldButton</name>
+    <message>
+        <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
+        <translation>▲ {0} a été pressée avant que cette question prenne une réponse. Pressez de nouveau.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold {1} for 0.7 s.</source>
+        <translation>▲ Lâché trop tôt, après {0} s : tenir {1} 0,7 s.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.</source>
+        <translation>▲ Lâché trop tôt : la souris a quitté le bouton. Tenir {1} 0,7 s.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.</source>
+        <translation>▲ Lâché trop tôt, après {0} s : tenir ce bouton, ou {1}, 0,7 s.</translation>
+    </message>
+</context>
+<context>
     <name>KeySheet</name>
     <message>
         <source>Keys</source>
@@ -6519,7 +6546,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>No cause was searched for: 4 says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune cause n’a été cherchée : 4 dit pourquoi.</translation>
     </message>
     <message>
         <source>3  What it changes</source>
@@ -6550,16 +6577,12 @@ cette étape …</translation>
         <translation>Choisissez une mesure ci-dessus, puis faites remonter son résidu à une cause.</translation>
     </message>
     <message>
-        <source>Looking at the residual; a whole preflight takes about a minute.</source>
-        <translation>Examen du résidu ; un préflight entier prend environ une minute.</translation>
+        <source>Looking at the residual; a whole preflight takes some minutes.</source>
+        <translation>Examen du résidu ; un préflight entier prend quelques minutes.</translation>
     </message>
     <message>
         <source>Trace the residual of this run to its cause.</source>
         <translation>Remonter du résidu de cette mesure à sa cause.</translation>
-    </message>
-    <message>
-        <source>tracing … {0}</source>
-        <translation>recherche … {0}</translation>
     </message>
     <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
@@ -6611,7 +6634,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Measure what is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesurer ce qui manque</translation>
     </message>
     <message>
         <source>3  With {0}</source>
@@ -7132,10 +7155,6 @@ cette étape …</translation>
         <translation>Maintenir ce bouton, ou {0}, pendant 0,7 s</translation>
     </message>
     <message>
-        <source>▲ Let go too early. {0}.</source>
-        <translation>▲ Relâché trop tôt. {0}.</translation>
-    </message>
-    <message>
         <source>A file for the record</source>
         <translation>Un fichier pour l&apos;enregistrement</translation>
     </message>
@@ -7152,7 +7171,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout ce que la procédure a noté, dans l’ordre ; aucun verdict ne repose sur ses estimations</translation>
     </message>
 </context>
 <context>
@@ -7402,19 +7421,19 @@ cette étape …</translation>
     </message>
     <message>
         <source>The marks at the left and Next are of no run yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les marques à gauche et Suite ne sont encore d’aucune mesure.</translation>
     </message>
     <message>
         <source>The marks at the left and Next are of another run: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les marques à gauche et Suite sont d’une autre mesure : {0}.</translation>
     </message>
     <message>
         <source>Back to that run</source>
-        <translation type="unfinished"></translation>
+        <translation>Retour à cette mesure</translation>
     </message>
     <message>
         <source>Put it away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ranger</translation>
     </message>
 </context>
 <context>
@@ -7940,6 +7959,17 @@ cette étape …</translation>
     <message>
         <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
         <translation>Mettre toutes les bobines à zéro (F12). Marche en tout état et ne demande rien.</translation>
+    </message>
+</context>
+<context>
+    <name>TraceProgress</name>
+    <message>
+        <source>tracing … {0}</source>
+        <translation>recherche … {0}</translation>
+    </message>
+    <message>
+        <source>Traced, run {0}: {1}</source>
+        <translation>Résidu tracé, mesure {0} : {1}</translation>
     </message>
 </context>
 <context>
@@ -9027,11 +9057,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ PAS ASSEZ POUR UNE APPLICATION ENTIÈRE</translation>
     </message>
     <message>
         <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
@@ -9095,11 +9125,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un seul axe : pas assez pour un étalonnage. Suite mène à ce qui manque.</translation>
     </message>
     <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette procédure ne donne pas d’étalonnage d’un DUT. Suite mène plus loin.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
@@ -9127,7 +9157,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
-        <translation type="unfinished"></translation>
+        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}).</translation>
     </message>
     <message>
         <source>Not measured: {0}.</source>
@@ -9151,7 +9181,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>How good the calibration is, Fit and Loop judge.</source>
-        <translation type="unfinished"></translation>
+        <translation>La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -9479,7 +9509,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur elles.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
@@ -9680,6 +9710,10 @@ cette étape …</translation>
     <message>
         <source>the reference sees {0} µT along {1} more than with the coils off</source>
         <translation>la référence voit {0} µT selon {1} de plus qu&apos;avec les bobines à zéro</translation>
+    </message>
+    <message>
+        <source>about {0} s more, said at {1}</source>
+        <translation>encore {0} s environ, dit à {1}</translation>
     </message>
 </context>
 <context>
