@@ -34,9 +34,10 @@ class RunningEstimate:
         magnitude = float(np.linalg.norm(samples(blocks, "reference").mean))
         for reading in dut_nT(self._bench, blocks).values:
             self._filter.update(reading, magnitude)
-        yield note(self._bench, self._sentence())
+        yield note(self._bench, self.sentence())
 
-    def _sentence(self) -> str:
+    def sentence(self) -> str:
+        """What is known so far."""
         if self._filter.diverged():
             return ASTRAY
         if not self._filter.started:

@@ -101,7 +101,7 @@ def test_what_is_typed_quickly_and_is_no_serial_stays_in_its_field(still, qtbot)
     still.scanner.caught = (field, "spot 3 °C !?")
     field.clear()
     field.insert("at ")
-    still._scanned("spot 3 °C !?")
+    still.scanner.scanned.emit("spot 3 °C !?")
     assert field.text() == "at spot 3 °C !?"
     assert "not taken" in still.message.text()
     field.clear()
@@ -127,10 +127,8 @@ def test_start_says_ready_only_where_it_is_to_be_measured(still):
     still.open_page("Start")
     page, app_state = still.page("Start"), still.app_state
     app_state.path.take_runs(())
-    page._enable()
     assert page.question.text().startswith("Ready. EM-07 is to be measured")
     app_state.path.take_runs((RUN,))
-    page._enable()
     assert page.question.text() == ""
     app_state.path.take_runs(())
     app_state.set_identity(operator="")

@@ -88,7 +88,6 @@ def test_the_loop_says_that_the_run_is_too_short_and_not_that_something_is_wrong
     assert page.verdict.text() == "▲ NOT ENOUGH FOR A WHOLE MAP"
     assert page.plainly.text().startswith("This run does not determine the whole map")
     assert "wrong" not in page.plainly.text()
-    page._show_candidates()
     assert (page.others.isVisible(), page.none_searched.isVisible()) == (False, True)
     assert page.next.text() == "Measure what is missing"
 

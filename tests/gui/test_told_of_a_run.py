@@ -158,7 +158,7 @@ def test_an_estimate_that_does_not_follow_says_whose_it_is_and_what_rests_on_it(
     bench = SimpleNamespace(config=SimpleNamespace(dut=SimpleNamespace(noise_nT=None)))
     estimate = RunningEstimate(bench)
     estimate._filter = SimpleNamespace(diverged=lambda: "the filter has diverged, or the sensor has changed")
-    said = estimate._sentence()
+    said = estimate.sentence()
     assert said == ASTRAY
     assert said.startswith(SO_FAR)
     assert form_of(said) is not None

@@ -78,7 +78,7 @@ class StartPage(QWidget):
         app_state.scan_vm.changed.connect(self._enable)
         app_state.run.ended.connect(self.refresh)
         app_state.left.changed.connect(self.refresh)
-        app_state.path.changed.connect(self._point)
+        app_state.path.changed.connect(self._enable)
         self._bench_known()
 
     def showEvent(self, event: object) -> None:

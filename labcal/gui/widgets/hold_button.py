@@ -24,18 +24,18 @@ heard_ms: dict[int, tuple[float, float]] = {}  # by key: its last event, by this
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
+class HeardAt:
     """When an event was: by the screen's stamp of it, where it has one, and by this computer's clock as it is heard."""
 
     stamp_ms: float
     clock_ms: float
 
     @classmethod
-    def of(cls, event: QInputEvent) -> Moment:
+    def of(cls, event: QInputEvent) -> HeardAt:
         """Of this one."""
         return cls(float(event.timestamp()), time.monotonic() * 1000)
 
-    def after_ms(self, earlier: Moment) -> float:
+    def after_ms(self, earlier: HeardAt) -> float:
         """How long after another one."""
         if self.stamp_ms and earlier.stamp_ms:
             return self.stamp_ms - earlier.stamp_ms
@@ -78,8 +78,8 @@ class HoldButton(QPushButton):
         self.setAutoDefault(False)
         self.held = QTimer(self, interval=HOLD_MS, singleShot=True)
         self.held.timeout.connect(lambda: QTimer.singleShot(0, self, self._confirm))  # a release that waits comes first
-        self._began: Moment | None = None  # of the press that is held
-        self._ended: Moment | None = None  # of the release that may be a blink
+        self._began: HeardAt | None = None  # of the press that is held
+        self._ended: HeardAt | None = None  # of the release that may be a blink
         self._dead = False  # its key was pressed while it took none
         self.let_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
         self.let_go.timeout.connect(self._give_up)
@@ -99,7 +99,7 @@ class HoldButton(QPushButton):
             return True
         if not pressed:
             if self._began is not None:
-                self._ended = Moment.of(event)
+                self._ended = HeardAt.of(event)
                 self.let_go.start()
         elif self._began is not None:
             self._ended = None
@@ -139,11 +139,11 @@ class HoldButton(QPushButton):
         if not self.held_by_mouse:
             super().mouseReleaseEvent(event)
         elif self._began is not None:
-            self._ended = Moment.of(event)
+            self._ended = HeardAt.of(event)
             self._give_up()
 
     def _hold(self, event: QInputEvent) -> None:
-        self._began, self._ended = Moment.of(event), None
+        self._began, self._ended = HeardAt.of(event), None
         self.held.start()
         self._fill.start()
 
