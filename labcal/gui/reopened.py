@@ -9,7 +9,6 @@ from PySide6.QtCore import QCoreApplication, QLocale, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 
 from labcal.gui.translations.translate import install_translator
-from labcal.gui.viewmodels.last_words import last_words
 from labcal.gui.window import Window
 
 TOO_SOON_S = 0.5  # after a window has come
@@ -42,8 +41,9 @@ class Shown:
         old.app_state.settings.setValue("language", language)
         install_translator(application, QLocale(language))
         run, lab = old.app_state.run, old.app_state.lab
-        ended, was = lab.state.message == run.message, run.message
-        run.message = last_words(run) if run.state == "ended" else was
+        ended = lab.state.message == run.message
+        if run.state == "ended":
+            run.say_how_it_ended()
         lab.update(message=run.message if ended else "")  # all else is in the other language
         self.window = Window(old.app_state)
         self._listen()

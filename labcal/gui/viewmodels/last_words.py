@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 from labcal.bench.named_links import named_links
+from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.record.endings import BY_OFF, ended_words
 
-if TYPE_CHECKING:
-    from labcal.gui.viewmodels.run import RunViewModel
 
-
-def last_words(run: RunViewModel) -> str:
-    """Of a run that has ended."""
-    said = in_words(ended_words(named_links(run.ending or run.status, run.links)))
-    said = translated(BY_OFF) if run.by_off and run.status != "finished" else said
-    name = " · ".join(filter(None, (run.order.dut, run.began, run.order.procedure))) if run.order else ""
+def last_words(order: RunProcedure | None, began: str, ending: str, links: Mapping[str, str], *, by_off: bool) -> str:
+    """Of a run that has ended as `ending` says, or `by_off`: by COILS OFF."""
+    said = translated(BY_OFF) if by_off else in_words(ended_words(named_links(ending, links)))
+    name = " · ".join(filter(None, (order.dut, began, order.procedure))) if order else ""
     return f"{name}: {said}" if name else said

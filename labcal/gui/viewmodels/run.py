@@ -94,8 +94,7 @@ class RunViewModel(QObject):
         self.measurements: dict[str, Measurement] = {}
         self.drawn = Drawn()
         self.segment: str | None = None
-        self._turned = self._measures = False  # in any segment; in this step
-        self._unbegun = False  # it was ended at the question before its step
+        self._turned = self._measures = self._unbegun = False  # in any segment; in this step; ended at its question
         self.covered = Covered()
         self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
@@ -289,8 +288,8 @@ class RunViewModel(QObject):
         self.time.see(item.t_s)
         match item:
             case Step():
-                self.step, self.names, self._measures = item, item.names or self.names, False
-                self._unbegun = False
+                self.step, self.names = item, item.names or self.names
+                self._measures = self._unbegun = False
                 self.time.begin(item)
                 self.covered.begin()
                 self._running(step_title(item.name))
@@ -389,8 +388,13 @@ class RunViewModel(QObject):
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 
+    def say_how_it_ended(self) -> None:
+        """In the language that the window speaks."""
+        by_off = self.by_off and self.status != "finished"
+        self.message = last_words(self.order, self.began, self.ending or self.status, self.links, by_off=by_off)
+
     def _over(self) -> None:
-        self.unheard = self.pausing = False
-        self.prompt, self.segment, self.message = None, None, last_words(self)
+        self.unheard, self.pausing, self.prompt, self.segment = False, False, None, None
+        self.say_how_it_ended()
         self._be("ended")
         self.ended.emit(self.run_id, self.status)
