@@ -312,8 +312,8 @@ class Window(Frame):
         field, caught = self.scanner.caught
         self.scan_card.catch(field, caught)
         self.app_state.scan(text)
-        if field is not None and not self.scan_card.asks_about(text):
-            field.insert(caught)  # nobody has taken it: quick fingers may have typed it there
+        if field is not None and not self.app_state.run.alive and self.app_state.serial_objection(text):
+            field.insert(caught)  # it is no serial: quick fingers may have typed it there
         return None
 
     def _show_login(self) -> None:

@@ -40,10 +40,6 @@ class ScanCard(Card):
         more = self._scan.asks and field is not None and field is self._field
         self._field, self._caught = field, (self._caught if more else "") + text
 
-    def asks_about(self, text: str) -> bool:
-        """Whether it is taken for a serial, and its card asks where it belongs."""
-        return self._scan.asks and self._scan.serial == text
-
     def _give_back(self) -> None:
         field, text = self._field, self._caught
         self._field, self._caught = None, ""
