@@ -338,7 +338,7 @@ def _zero_and_first_position(bench: Bench, setting: PreflightPlan, name: str) ->
 
 def _all_hands_off(bench: Bench, setting: PreflightPlan) -> Work[None]:
     strongest = max(abs(b) for b in setting.fields_nT) / 1000
-    yield from hands_off(bench, f"The coils go to {strongest:g} µT and the platform turns.")
+    yield from hands_off(bench, f"The coils go up to {strongest:g} µT and the platform turns.")
 
 
 def _first_position(bench: Bench, setting: PreflightPlan) -> Work[Position]:

@@ -29,7 +29,7 @@ def rotate_axis(
     mode: Annotated[str, "the DUT's power mode"] = "nominal",
     zero_s: Annotated[float, Limits(2, 600, unit="s"), "coils-off zero before"] = 10.0,
 ) -> Procedure:
-    """Turn the DUT about one body axis in one steady field."""
+    """Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself."""
     refuse_too_fast(bench, rate_deg_per_s)
     rate = rate_deg_per_s or fastest_rate(bench, magnitude_nT, inclination_deg, u_time_s, timing_nT)
     rotations = [

@@ -11,6 +11,10 @@ from labcal.fit.filters.ekf import EKF
 
 NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds its own
 
+ASTRAY = (
+    "offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; "
+    "verdict and Fit do not rest on it"
+)
 UNDETERMINED = "offsets so far: not yet determined by the turns made"
 
 
@@ -30,11 +34,12 @@ class RunningEstimate:
         magnitude = float(np.linalg.norm(samples(blocks, "reference").mean))
         for reading in dut_nT(self._bench, blocks).values:
             self._filter.update(reading, magnitude)
-        yield note(self._bench, self._sentence())
+        yield note(self._bench, self.sentence())
 
-    def _sentence(self) -> str:
-        if why := self._filter.diverged():
-            return f"offsets so far: {why}"
+    def sentence(self) -> str:
+        """What is known so far."""
+        if self._filter.diverged():
+            return ASTRAY
         if not self._filter.started:
             return UNDETERMINED
         try:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QCoreApplication, QLocale, QTimer
+from PySide6.QtCore import QCoreApplication, QLocale, Qt, QTimer
+from PySide6.QtGui import QGuiApplication
 
 from labcal.gui.translations.translate import install_translator
 from labcal.gui.window import Window
+
+TOO_SOON_S = 0.5  # after a window has come
 
 
 class Shown:
     """Holds the window that is in sight, and puts another in its place; `attend` is called with each."""
 
     def __init__(self, window: Window, attend: Callable[[Window], object] = lambda window: None) -> None:
-        self.window, self._attend = window, attend
+        self.window, self._attend, self._since_s = window, attend, -TOO_SOON_S
         self._listen()
 
     def speak(self, language: str) -> None:
@@ -25,10 +29,22 @@ class Shown:
         old, application = self.window, QCoreApplication.instance()
         if application is None or old.app_state.run.alive:
             return
+        QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)  # it takes seconds
+        try:
+            self._replace(old, application, language)
+        finally:
+            QGuiApplication.restoreOverrideCursor()
+
+    def _replace(self, old: Window, application: QCoreApplication, language: str) -> None:
+        old.language_switch.setEnabled(False)
+        old.language_switch.repaint()
         old.app_state.settings.setValue("language", language)
         install_translator(application, QLocale(language))
-        said, of_the_run = old.app_state.lab.state.message, old.app_state.run.message
-        old.app_state.lab.update(message=said if said == of_the_run else "")  # all else is in the other language
+        run, lab = old.app_state.run, old.app_state.lab
+        ended = lab.state.message == run.message
+        if run.state == "ended":
+            run.say_how_it_ended()
+        lab.update(message=run.message if ended else "")  # all else is in the other language
         self.window = Window(old.app_state)
         self._listen()
         self.window.setGeometry(old.geometry())
@@ -38,7 +54,13 @@ class Shown:
         QTimer.singleShot(0, self.window, self.window.prebuild)
         old.hide()
         old.deleteLater()
+        self._since_s = time.monotonic()
+
+    def _wanted(self, language: str) -> None:
+        """A second click, made while the window stood still, was meant for the first."""
+        if time.monotonic() - self._since_s > TOO_SOON_S:
+            self.speak(language)
 
     def _listen(self) -> None:
-        self.window.language_wanted.connect(self.speak)
+        self.window.language_wanted.connect(self._wanted)
         self._attendant = self._attend(self.window)

@@ -179,12 +179,13 @@ class Window(Frame):
 
     def toggle_wall(self) -> None:
         """Texts to be read from two metres, or back (F11)."""
-        self.wall = not self.wall
+        room = text_scale(self.width(), self.height(), wall=True) != 1.0
+        self.wall = room and not self.wall
         self.app_state.settings.setValue("wall", "yes" if self.wall else "no")
         if self.wall:
             self._before_wall = self.size()
         self._restyle()
-        if self.wall and self._scale == 1.0:
+        if not room:
             self.app_state.lab.update(message=self.tr("The window has no room for larger letters: make it larger."))
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
@@ -308,8 +309,12 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
-        self.scan_card.catch(*self.scanner.caught)
-        return self.app_state.scan(text)
+        field, caught = self.scanner.caught
+        self.scan_card.catch(field, caught)
+        self.app_state.scan(text)
+        if field is not None and not self.app_state.run.alive and self.app_state.serial_objection(text):
+            field.insert(caught)  # it is no serial: quick fingers may have typed it there
+        return None
 
     def _show_login(self) -> None:
         """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""

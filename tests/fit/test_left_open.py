@@ -22,7 +22,12 @@ def run_of(axes, rate, seed):
 @pytest.mark.parametrize(
     ("axes", "rate", "seed", "says"),
     [
-        ("z", "2", 1, "the run determines 11 of 12 parameters"),  # the magnitudes alone determine a map, 15 nT are left
+        (
+            "z",
+            "2",
+            1,
+            "the run determines only 11 combinations of the 12 parameters; open are K_xy, K_yx: ",
+        ),  # the magnitudes alone determine a map, 15 nT are left
         (
             "x",
             "20",

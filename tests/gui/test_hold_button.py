@@ -85,6 +85,7 @@ def test_a_key_that_repeats_by_letting_go_for_a_blink_is_held(qtbot, still, aske
     assert not button.let_go.isActive()
     qtbot.waitUntil(lambda: button.filled() > 0, timeout=patience)
     button.held.timeout.emit()
+    qtbot.waitUntil(lambda: still.app_state.run.state == "running", timeout=patience)
     assert still.app_state.bench_worker.said == [Answer("ready", "done")]
 
 

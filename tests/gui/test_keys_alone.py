@@ -123,7 +123,7 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     hands.until(lambda: opened == [str(tmp_path / "report.html")])
     assert "EM-07" in (tmp_path / "report.html").read_text(encoding="utf-8")
     hands.name_a_file(page.drop.choose, page.chosen().path)
-    hands.until(lambda: page.drop.words.text().startswith("✓"))
+    hands.until(lambda: page.drop.name.text().startswith("✓"))
     assert "VALID: signed by a.smith, jdoe@lab." in page.drop.words.text()
     hands.page(7)
     history = hands.window.page("History")

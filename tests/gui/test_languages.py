@@ -2,16 +2,18 @@
 
 import re
 import subprocess
+import time
 from pathlib import Path
 from xml.etree import ElementTree
 
 import PySide6
 import pytest
-from PySide6.QtCore import QEvent, QLocale
+from PySide6.QtCore import QEvent, QLocale, Qt
 from PySide6.QtWidgets import QApplication, QInputDialog, QLabel, QPushButton
 from shiboken6 import delete, isValid
 
-from labcal.gui.ipc.answers import RunLine
+from labcal.gui import reopened
+from labcal.gui.ipc.answers import Ended, RunLine
 from labcal.gui.ipc.messages import (
     LastCageCheck,
     LastClosingCheck,
@@ -20,6 +22,7 @@ from labcal.gui.ipc.messages import (
     ListMethods,
     ListProcedures,
     ListRuns,
+    RunProcedure,
 )
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.reopened import Shown
@@ -27,6 +30,7 @@ from labcal.gui.theming.theme import STATES
 from labcal.gui.translations import translate
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.sounds import Sounds
+from labcal.gui.window import Window
 
 LRELEASE = next(Path(PySide6.__file__).parent.glob("lrelease*"), None)
 SHIPPED = sorted(translate.FOLDER.glob("labcal_*.ts"))
@@ -100,6 +104,37 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
         window.top.off.click()
 
 
+def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, qtbot, new_window, restored, monkeypatch):
+    monkeypatch.setattr(reopened, "TOO_SOON_S", 3600.0)
+    shown = Shown(new_window)
+    shown._since_s = -3600.0 + time.monotonic() - 1
+    cursors = []
+    monkeypatch.setattr(Window, "prebuild", lambda window: None)
+    monkeypatch.setattr(
+        reopened, "Window", lambda state: cursors.append(qapp.overrideCursor().shape()) or Window(state)
+    )
+    new_window.language_switch.click()
+    window = shown.window
+    qtbot.addWidget(window)
+    assert cursors == [Qt.CursorShape.WaitCursor]
+    assert (new_window.language_switch.isEnabled(), qapp.overrideCursor()) == (False, None)
+    window.language_switch.click()
+    assert (shown.window, window.language_switch.text()) == (window, "Français")
+
+
+def test_how_a_run_ended_is_said_anew_in_the_other_language(qapp, qtbot, new_window, restored):
+    shown, app_state = Shown(new_window), new_window.app_state
+    run = app_state.run
+    run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    run.abort()
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("stopped", "stopped")))
+    assert app_state.lab.state.message.endswith("stopped by COILS OFF")
+    shown.speak("de")
+    qtbot.addWidget(shown.window)
+    assert app_state.lab.state.message.endswith("durch SPULEN AUS gestoppt")
+    assert shown.window.message.text().endswith("durch SPULEN AUS gestoppt")
+
+
 @pytest.mark.parametrize(("code", "cancel"), [("de", "Abbrechen"), ("fr", "Annuler"), ("en", "Cancel")])
 def test_what_qt_s_own_dialogs_say_is_in_the_language_too(qapp, qtbot, restored, code, cancel):
     translate.install_translator(qapp, QLocale(code))
@@ -133,8 +168,9 @@ ANSWERS = {
 
 @pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])
 def test_what_a_page_asked_before_the_language_changed_twice_reaches_the_page_that_is_there(
-    qapp, qtbot, new_window, restored, name
+    qapp, qtbot, new_window, restored, name, monkeypatch
 ):
+    monkeypatch.setattr(reopened, "TOO_SOON_S", 0.0)
     shown, app_state = Shown(new_window), new_window.app_state
     app_state.study_vm.open("r1")
     new_window.open_page(name)

@@ -149,7 +149,8 @@ def test_what_was_verified_is_said_with_file_and_time_until_another_dut_comes(pa
     told(page, RELEASED, "a.smith")
     page.verify("c.json")
     page._app_state.quick_worker.answer(VerifyFile, RELEASED.standing)
-    assert re.match(r"✓ c\.json · verified at \d\d:\d\d:\d\d: ", page.drop.words.text())
+    assert page.drop.name.text() == "✓ c.json"
+    assert re.match(r"checked at \d\d:\d\d:\d\d: ", page.drop.words.text())
     page._app_state.set_identity(dut="EM-99")
     told(page, RELEASED, "a.smith")
     assert not page.drop.words.isVisible()

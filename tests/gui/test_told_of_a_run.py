@@ -1,6 +1,7 @@
 """What a run's record tells beside its rows: interruptions and notes, on the run's last page and in the History."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 from test_path import RUN
 
@@ -8,10 +9,12 @@ from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import ListRuns, RunProcedure
 from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.pages.run_live import Live
-from labcal.gui.viewmodels.told_words import interrupted_words
+from labcal.gui.translations.sentences import form_of
+from labcal.gui.viewmodels.told_words import SO_FAR, interrupted_words
 from labcal.record.stream import RESUMED, Event, Step
 from labcal.record.told import Interruption, Told
 from labcal.session.told import interruptions
+from procedures.running_estimate import ASTRAY, RunningEstimate
 
 BROKEN = Interruption("x+20uT-nominal", 240.0, ("zero", "x+20uT-nominal"))
 TOLD = Told((BROKEN, Interruption("closure-x", None, ("zero",))), ("lift moved",))
@@ -56,7 +59,7 @@ def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_deta
     told = page.told
     assert told.noted.text() == "Noted: lift moved"  # one's own first
     assert told.layout().indexOf(told.noted) < told.layout().indexOf(told.line)
-    said = "The procedure noted 7 more, estimates as it went; the verdict does not rest on them."
+    said = "Estimates on the way: 7 notes; no verdict rests on them."
     assert told.remarked.text() == said  # nothing of a filter stands beside a verdict it has no part in
     assert not told.all.isVisible()
     told.fold.click()
@@ -149,3 +152,13 @@ def test_one_that_was_interrupted_again_and_not_gone_on_with_counts_that_as_well
     assert interruptions(items[:1], statuses[:2]) == []
     words = interrupted_words(Told(tuple(interruptions(items, statuses))))
     assert words.startswith("▲ 2 interruptions: at offset and first position, for 2 h; at ")
+
+
+def test_an_estimate_that_does_not_follow_says_whose_it_is_and_what_rests_on_it():
+    bench = SimpleNamespace(config=SimpleNamespace(dut=SimpleNamespace(noise_nT=None)))
+    estimate = RunningEstimate(bench)
+    estimate._filter = SimpleNamespace(diverged=lambda: "the filter has diverged, or the sensor has changed")
+    said = estimate.sentence()
+    assert said == ASTRAY
+    assert said.startswith(SO_FAR)
+    assert form_of(said) is not None

@@ -73,6 +73,6 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, by_mouse, tmp_path, monkeypa
         qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=patience)
         assert page.paper.words.text() == "As PROVISIONAL: nobody approved it before it was signed."
         page.verify(page.chosen().path)
-        qtbot.waitUntil(lambda: page.drop.words.text().startswith("▲"), timeout=patience)
+        qtbot.waitUntil(lambda: page.drop.name.text().startswith("▲"), timeout=patience)
     finally:
         window.leave()

@@ -156,7 +156,10 @@ def _reason(
     open_ones = [NAMES[i] for i in np.argsort(-reach, kind="stable") if reach[i] > 0.3 * reach.max()]
     size, others = parameterisation.basis.shape[1], len(open_ones) - MOST_NAMED
     listed = ", ".join(open_ones[:MOST_NAMED]) + (f" and {others} more" if others > 0 else "")
-    return f"the run determines {rank} of {size} parameters, not {listed}{more}: {_missing(seen)}"
+    if len(open_ones) == size - rank:
+        return f"the run determines {rank} of {size} parameters, not {listed}{more}: {_missing(seen)}"
+    counted = f"the run determines only {rank} combinations of the {size} parameters"  # in which more of them are bound
+    return f"{counted}; open are {listed}{more}: {_missing(seen)}"
 
 
 def _missing(seen: Observations) -> str:

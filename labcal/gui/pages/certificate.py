@@ -62,6 +62,7 @@ class CertificatePage(QWidget):
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
         self.drop = Drop(self.list)
         self.drop.dropped.connect(self.verify)
+        self.drop.closed.connect(self._show)
         self.drop.open_at(app_state.path.handed_out.folder())
         column.addWidget(self.drop)
         column.addWidget(self.empty_card)
@@ -308,8 +309,11 @@ class CertificatePage(QWidget):
         )
         lost = [] if said.signatures else [beside.format(Path(said.path).name)]
         words = " ".join([*map(in_words, said.sentences), *faults, *lost])
-        verified = self.tr("verified at {0}").format(f"{datetime.now():%H:%M:%S}")
-        self.drop.say(f"{shape} {Path(said.path).name} · {verified}: {words}", state_of(said))
+        checked = self.tr("checked at {0}").format(f"{datetime.now():%H:%M:%S}")
+        self.drop.say(f"{shape} {Path(said.path).name}", f"{checked}: {words}", state_of(said))
+        chosen = self.chosen()
+        if chosen is not None and self._copies.get(said.path, said.path) != chosen.path:
+            self.detail.hide()  # no RELEASED of another file stands below this one's verdict
         if (one := self._files.get(self._copies.get(said.path, said.path))) is not None and said.valid:
             self._app_state.path.handed_out.verify(one)
             self._show_steps()

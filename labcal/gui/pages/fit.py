@@ -165,7 +165,7 @@ class FitPage(QWidget):
         self.fit.setEnabled(ready and "ml" not in study.fits)
         self.all.setEnabled(ready and bool(study.methods))
         self.draft.setEnabled(study.best() is not None and not refused)
-        self.trace.setEnabled(ready)
+        self.trace.setEnabled(ready and not study.no_fit)
         set_primary(self.fit, "ml" not in study.fits)
         set_primary(self.trace, "ml" in study.fits and study.loop is None and not study.no_fit)
         self.empty.setVisible(not study.fits)

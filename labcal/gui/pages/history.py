@@ -171,6 +171,7 @@ class HistoryPage(QWidget):
         self.said.hide()
         self.why_not = label("", "caption", wrap=True)
         self.table = Table(HEADINGS, 6)
+        self.table.show_rows(10_000, 5)  # a small window rolls the page before it shows fewer
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
         header = self.table.horizontalHeader()

@@ -11,13 +11,12 @@ from labcal.gui.ipc.answers import Change, Loop
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.largest_of_U import largest_of_U
 from labcal.gui.viewmodels.loop_causes import Cause, candidates, cause
-from labcal.gui.viewmodels.loop_words import VERDICTS, of_which_error, plain_reason, said_plainly
+from labcal.gui.viewmodels.loop_words import headline, not_determined, of_which_error, plain_reason, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
@@ -27,9 +26,9 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.gui.widgets.trace_progress import TraceProgress
 from labcal.gui.widgets.whole_card import WholeCard
 from labcal.gui.widgets.whole_text import WholeText
-from labcal.gui.widgets.work_bar import WorkBar
 
 LEAST_PX = 150  # of a picture, and of the list: with less room the page is scrolled
 
@@ -44,11 +43,11 @@ class LoopPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addLayout(self._head())
-        self.waiting = label("", "caption", wrap=True)
-        self.work = WorkBar()
+        self.progress = TraceProgress(app_state)
+        self.waiting, self.work = self.progress.waiting, self.progress.work
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
-        for widget in (self.waiting, self.work, self.fault):
+        for widget in (self.progress, self.fault):
             column.addWidget(widget)
         self.empty, self.to_run = label("", "ask", wrap=True), go_to_run_button(app_state)
         column.addWidget(self.empty, 1)
@@ -57,7 +56,6 @@ class LoopPage(QWidget):
         column.addWidget(self.story, 1)
         self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
-        self._study.progressed.connect(self._show_progress)
         app_state.path.changed.connect(self._show_uncertainty)
         self._show()
 
@@ -92,6 +90,7 @@ class LoopPage(QWidget):
             for card, share in cards:
                 half.addWidget(card, share)
             halves.addLayout(half, 1)
+            self._right = half
         column.addLayout(halves, 1)
         return holder
 
@@ -145,8 +144,11 @@ class LoopPage(QWidget):
         self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
         self.others.itemSelectionChanged.connect(self._picked)
         self.others.setMinimumHeight(LEAST_PX)
+        self.none_searched = label(self.tr("No cause was searched for: 4 says why."), wrap=True)
         card.body.addWidget(self.bars)
+        card.body.addWidget(self.none_searched)
         card.body.addWidget(self.others, 1)
+        card.body.addStretch()
         return card
 
     def _change_card(self) -> Card:
@@ -205,9 +207,8 @@ class LoopPage(QWidget):
         if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
-        self._show_progress()
+        self.progress.show_progress()
         self.cancel.setVisible(study.busy)
-        self.work.show_work(study.busy)
         self.close_loop.setVisible(not study.busy)
         again = study.loop is None and bool(self._kept())
         self.close_loop.setText(self.tr("Work it out again") if again else self.tr("Trace the residual"))
@@ -227,7 +228,7 @@ class LoopPage(QWidget):
         study, none = self._study, "" if self._study.run else self.chooser.why_none()
         words = self.tr("Choose a run above, then let its residual be traced to a cause.")
         if "loop" in study.waiting:
-            words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
+            words = self.tr("Looking at the residual; a whole preflight takes some minutes.")
         elif study.run:
             refused = self._app_state.path.why_no_fit(study.run)
             words = refused or self._kept() or self.tr("Trace the residual of this run to its cause.")
@@ -239,21 +240,14 @@ class LoopPage(QWidget):
     def _kept(self) -> str:
         return kept_words(self._app_state.path, self._study.run)
 
-    def _show_progress(self) -> None:
-        """How far the work is."""
-        study = self._study
-        words = self.tr("tracing … {0}").format(in_words(study.message)) if "loop" in study.waiting else ""
-        self.waiting.setText(", ".join(map(translated, study.waiting)) if study.busy and not words else words)
-        self.waiting.setVisible(study.busy)
-
     def _show_uncertainty(self) -> None:
         """What makes most of the draft's U: the error at the top is not all that is not known."""
         self.most_of_U.setText(largest_of_U(self._app_state.path.kept(self._study.run)))
         self.most_of_U.setVisible(bool(self.most_of_U.text()))
 
     def _show_loop(self, loop: Loop) -> None:
-        words, state = VERDICTS[loop.verdict]
-        self.verdict.setText(translated(words))
+        words, state = headline(loop)
+        self.verdict.setText(words)
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
         beside = self.tr("These figures are beside the errors that the run declares; above they are in it.")
@@ -296,6 +290,9 @@ class LoopPage(QWidget):
         inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
         listed = candidates(self._study.loop, plain_reason)
         whole = [why for *_, why in candidates(self._study.loop)]
+        self.others.setVisible(bool(listed))
+        self.none_searched.setVisible(not listed)
+        self._right.setStretch(0, 3 if listed else 0)  # without a list 4 has the room
         while self.others.count() > len(listed):
             self.others.takeItem(len(listed))
         self.others.addItems([""] * (len(listed) - self.others.count()))
@@ -338,7 +335,8 @@ class LoopPage(QWidget):
             lines.append(self.tr("Measured by the procedure {0}.").format(procedure))
         self.unknown.setPlainText("\n\n".join(lines) or self.tr("Nothing that this run could show."))
         self.next.setVisible(bool(procedure))
-        self.next.setText(self.tr("Measure what would tell them apart"))
+        tells, misses = self.tr("Measure what would tell them apart"), self.tr("Measure what is missing")
+        self.next.setText(misses if not_determined(loop) else tells)
         self.next.setAccessibleDescription(procedure)
 
     def _fill_against(self, loop: Loop) -> None:

@@ -32,6 +32,7 @@ from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.widgets.work_bar import WorkBar
 
 ASKED = re.compile(r"– (?P<text>.*?)(?: \((?P<times>\d+)×(?:: (?P<steps>.*))?\))?")  # a line of a plan
+AREA_PX = 18 * GRID  # of the settings: below a long plan, too, some are in sight
 HEADING = Qt.ItemDataRole.UserRole  # of an item that is no procedure
 PACE_WORDS = {"true": "real time"}
 
@@ -101,6 +102,7 @@ class Choose(QWidget):
         self._area.setFrameShape(QScrollArea.Shape.NoFrame)
         self._area.viewport().setAutoFillBackground(False)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._area.setMinimumHeight(AREA_PX)
         self.needs = label("", "caption", wrap=True)
         card.body.addWidget(self.title)
         card.body.addWidget(self.needs)

@@ -16,7 +16,7 @@ from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
-from labcal.gui.viewmodels.run_verdict import run_verdict
+from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
@@ -215,12 +215,10 @@ class Live(QWidget):
             self.prompt.take_focus()
 
     def _show_run(self) -> None:
-        run = self._run
-        ended = run.state == "ended"
+        run, ended = self._run, self._run.state == "ended"
         self.title.setText(procedure_title(run.order.procedure) if run.order else "")
-        self.whose.setText(
-            " · ".join(filter(None, (run.order.dut, run.order.operator, run.began))) if run.order else ""
-        )
+        whose = (run.order.dut, run.order.operator, run.began) if run.order else ()
+        self.whose.setText(" · ".join(filter(None, whose)))
         self._show_steps()
         waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
         self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
@@ -251,7 +249,9 @@ class Live(QWidget):
                 (self.loci, turned and self._something_turns()),
             ):
                 widget.setVisible(shown)
-        set_primary(self.close_run, not again and not (turned and run.status == "finished"))
+        fits = turned and to_be_fitted(run)
+        set_primary(self.close_run, not again and not fits)
+        set_primary(self.fit, fits)
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
@@ -288,6 +288,7 @@ class Live(QWidget):
     def _show_fault(self, fault: Fault | None) -> None:
         self.fault.show_fault(fault)
         self.answer_for.show_fault(fault)
+        self.verdict.next.setVisible(fault is None or fault.kind != "stopped")  # its card says that
         if fault is None:
             self.verdict.say_reason("")
             return self.fault.hide()
@@ -297,8 +298,7 @@ class Live(QWidget):
         if fault.kind != "stopped":
             return None
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Begin.")
-        next_words = run_verdict(self._run, self._app_state.path.resumable).next
-        goes_on = self.tr("{0} Or Close, and begin anew.").format(next_words)
+        goes_on = self.tr("{0} Or Close, and begin anew.").format(self.verdict.next.text())
         return self.fault.text.setText(goes_on if self._goes_on else kept)
 
     def _where_to_begin_again(self) -> str:

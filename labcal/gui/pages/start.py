@@ -78,7 +78,7 @@ class StartPage(QWidget):
         app_state.scan_vm.changed.connect(self._enable)
         app_state.run.ended.connect(self.refresh)
         app_state.left.changed.connect(self.refresh)
-        app_state.path.changed.connect(self._point)
+        app_state.path.changed.connect(self._enable)
         self._bench_known()
 
     def showEvent(self, event: object) -> None:
@@ -167,13 +167,18 @@ class StartPage(QWidget):
 
     def _enable(self) -> None:
         run, objection, facts = self._app_state.run, self._app_state.objection(), self._app_state.facts
+        to = self._app_state.path.next()
         goes_on = self.tr("A run goes on: {0}, DUT {1}. See the Run page.")
         self.question.setText(
             (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
             or self._not_ready()
             or "\n".join(filter(None, (left_words(self._app_state.lab.state.now), self._broken_off())))
-            or self.tr("Ready. {0} is to be measured on {1}.").format(
-                self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
+            or (
+                self.tr("Ready. {0} is to be measured on {1}.").format(
+                    self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
+                )
+                if to.page == "Run"
+                else ""
             )
         )
         self._point()
@@ -266,7 +271,8 @@ class StartPage(QWidget):
         worst = said.measurement
         shape, state = STATES.get(said.verdict, ("", ""))
         U = format_number(2 * worst.u, signed=False)
-        value = f"{step_title(worst.name)}: {format_number(worst.value)} ± {U} {worst.unit}"
+        limit = "" if worst.limit is None else f" ({short_number(worst.limit)})"
+        value = f"{step_title(worst.name)}: {format_number(worst.value)} ± {U} {worst.unit}{limit}"
         return self._say("closing", f"{shape} {translated(said.verdict)}", f"{value}\n{run_title(said.run)}", state)
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
@@ -347,7 +353,7 @@ class StartPage(QWidget):
         self.go_on.setText(self.tr("Open {0}").format(translated(to.page)))
         self.go_on.setVisible(known and not begins and not to.off and not self._app_state.run.alive)
         set_primary(self.go_on, not any(mine))
-        set_primary(self.calibrate, not any(mine) and not to.waits and begins)
+        set_primary(self.calibrate, not any(mine) and not to.waits and to.page == "Run")
 
 
 def days_since(utc: str) -> int:

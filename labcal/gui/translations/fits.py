@@ -60,6 +60,10 @@ FITS = (
         "the magnitudes determine {0} of 9 parameters; rotate about another axis or use another magnitude",
     ),
     QT_TRANSLATE_NOOP("Data", "the run determines {0} of {1} parameters, not {2} and {3} more: {4}"),
+    QT_TRANSLATE_NOOP(
+        "Data", "the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}"
+    ),
+    QT_TRANSLATE_NOOP("Data", "the run determines only {0} combinations of the {1} parameters; open are {2}: {3}"),
     QT_TRANSLATE_NOOP("Data", "the run determines {0} of {1} parameters, not {2}: {3}"),
     QT_TRANSLATE_NOOP("Data", "add a rotation about another body axis, or a field at another angle to the axis"),
     QT_TRANSLATE_NOOP("Data", "add a rotation about another body axis or a field of another magnitude"),

@@ -444,7 +444,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>verified at {0}</source>
+        <source>checked at {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1217,6 +1217,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1949,7 +1953,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the DUT about one body axis in one steady field.</source>
+        <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3082,6 +3086,14 @@
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4226,6 +4238,10 @@
     </message>
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5756,6 +5772,14 @@
 <context>
     <name>Drop</name>
     <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen calibration alone again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Verify a file …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6262,6 +6286,25 @@
     </message>
 </context>
 <context>
+    <name>HoldButton</name>
+    <message>
+        <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold {1} for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>KeySheet</name>
     <message>
         <source>Keys</source>
@@ -6540,14 +6583,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>tracing … {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Looking at the residual; a whole preflight takes about a minute.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>End what is being computed; what is done stays</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6572,6 +6607,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No cause was searched for: 4 says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6585,6 +6624,10 @@ after this step …</source>
     </message>
     <message>
         <source>Work it out again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the residual; a whole preflight takes some minutes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6613,6 +6656,10 @@ after this step …</source>
     </message>
     <message>
         <source>Nothing that this run could show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure what is missing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7134,10 +7181,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Let go too early. {0}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A file for the record</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7153,7 +7196,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All that the procedure noted, in its order</source>
+        <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7305,10 +7348,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>stopped by COILS OFF</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7404,6 +7443,22 @@ after this step …</source>
     </message>
     <message>
         <source>Measure {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of no run yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of another run: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to that run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put it away</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7929,6 +7984,17 @@ after this step …</source>
     </message>
     <message>
         <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TraceProgress</name>
+    <message>
+        <source>tracing … {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Traced, run {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9016,6 +9082,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9076,6 +9150,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9100,6 +9182,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not measured: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9117,6 +9203,10 @@ after this step …</source>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9145,10 +9235,6 @@ after this step …</source>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9472,7 +9558,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
+        <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9681,6 +9767,10 @@ after this step …</source>
     </message>
     <message>
         <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} s more, said at {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

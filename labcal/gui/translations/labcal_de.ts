@@ -444,7 +444,7 @@
         <translation>Die Signaturen sind Dateien daneben, {0}.sshsig: in denselben Ordner kopieren und neu prüfen.</translation>
     </message>
     <message>
-        <source>verified at {0}</source>
+        <source>checked at {0}</source>
         <translation>geprüft um {0}</translation>
     </message>
     <message>
@@ -1217,6 +1217,10 @@
         <translation>Die Spulen gehen auf {0} µT, und der Tisch dreht. Hände weg?</translation>
     </message>
     <message>
+        <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
+        <translation>Die Spulen gehen bis {0} µT und die Plattform dreht. Hände weg?</translation>
+    </message>
+    <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
         <translation>Die Spulen gehen um {0} µT in Stufen, und der Tisch dreht. Hände weg?</translation>
     </message>
@@ -1949,8 +1953,8 @@
         <translation>Einmal vorwärts und einmal rückwärts drehen, mit einer Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Turn the DUT about one body axis in one steady field.</source>
-        <translation>Den Prüfling um eine Körperachse in einem ruhigen Feld drehen.</translation>
+        <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
+        <translation>Den Prüfling in einem ruhigen Feld um eine Körperachse drehen; eine Achse allein reicht für keine Kalibrierung.</translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -3083,6 +3087,14 @@
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
         <translation>die Messung bestimmt {0} von {1} Parametern, nicht {2} und {3} weitere: {4}</translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
+        <translation>die Messung bestimmt nur {0} Kombinationen der {1} Parameter; offen sind {2} und {3} weitere: {4}</translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
+        <translation>die Messung bestimmt nur {0} Kombinationen der {1} Parameter; offen sind {2}: {3}</translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
@@ -4227,6 +4239,10 @@
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
         <translation>Nullpunkte bisher, allein aus Beträgen: {0} nT (k = 2)</translation>
+    </message>
+    <message>
+        <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
+        <translation>Offsets bisher: die schnelle Schätzung dieser Prozedur, aus Beträgen allein, folgt diesen Ablesungen nicht; Urteil und Fit beruhen nicht darauf</translation>
     </message>
     <message>
         <source>offsets so far: {0}</source>
@@ -5756,6 +5772,14 @@
 <context>
     <name>Drop</name>
     <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The chosen calibration alone again</source>
+        <translation>Wieder nur die gewählte Kalibrierung</translation>
+    </message>
+    <message>
         <source>Verify a file …</source>
         <translation>Datei prüfen …</translation>
     </message>
@@ -6262,6 +6286,25 @@
     </message>
 </context>
 <context>
+    <name>HoldButton</name>
+    <message>
+        <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
+        <translation>▲ {0} wurde gedrückt, bevor diese Frage eine Antwort nahm. Neu drücken.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold {1} for 0.7 s.</source>
+        <translation>▲ Zu früh losgelassen, nach {0} s: {1} 0,7 s halten.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.</source>
+        <translation>▲ Zu früh losgelassen: die Maus hat den Knopf verlassen. {1} 0,7 s halten.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.</source>
+        <translation>▲ Zu früh losgelassen, nach {0} s: diesen Knopf oder {1} 0,7 s halten.</translation>
+    </message>
+</context>
+<context>
     <name>KeySheet</name>
     <message>
         <source>Keys</source>
@@ -6529,6 +6572,10 @@ diesem Schritt …</translation>
         <translation>Einen wählen zeigt, was er allein ändern würde</translation>
     </message>
     <message>
+        <source>No cause was searched for: 4 says why.</source>
+        <translation>Nach keiner Ursache wurde gesucht: 4 sagt, warum.</translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation>3  Was es ändert</translation>
     </message>
@@ -6557,16 +6604,12 @@ diesem Schritt …</translation>
         <translation>Oben eine Messung wählen, dann ihren Rest auf eine Ursache zurückführen lassen.</translation>
     </message>
     <message>
-        <source>Looking at the residual; a whole preflight takes about a minute.</source>
-        <translation>Der Rest wird untersucht; ein ganzer Preflight dauert etwa eine Minute.</translation>
+        <source>Looking at the residual; a whole preflight takes some minutes.</source>
+        <translation>Der Rest wird untersucht; ein ganzer Preflight dauert einige Minuten.</translation>
     </message>
     <message>
         <source>Trace the residual of this run to its cause.</source>
         <translation>Den Rest dieser Messung auf seine Ursache zurückführen.</translation>
-    </message>
-    <message>
-        <source>tracing … {0}</source>
-        <translation>sucht … {0}</translation>
     </message>
     <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
@@ -6615,6 +6658,10 @@ diesem Schritt …</translation>
     <message>
         <source>Measure what would tell them apart</source>
         <translation>Messen, was sie unterscheidet</translation>
+    </message>
+    <message>
+        <source>Measure what is missing</source>
+        <translation>Messen, was fehlt</translation>
     </message>
     <message>
         <source>3  With {0}</source>
@@ -7135,10 +7182,6 @@ diesem Schritt …</translation>
         <translation>Diesen Knopf oder {0} 0,7 s lang halten</translation>
     </message>
     <message>
-        <source>▲ Let go too early. {0}.</source>
-        <translation>▲ Zu früh losgelassen. {0}.</translation>
-    </message>
-    <message>
         <source>A file for the record</source>
         <translation>Eine Datei für die Aufzeichnung</translation>
     </message>
@@ -7154,8 +7197,8 @@ diesem Schritt …</translation>
         <translation>Einzelheiten</translation>
     </message>
     <message>
-        <source>All that the procedure noted, in its order</source>
-        <translation>Alles, was die Prozedur vermerkt hat, der Reihe nach</translation>
+        <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
+        <translation>Alles, was die Prozedur vermerkt hat, der Reihe nach; kein Urteil beruht auf ihren Schätzungen</translation>
     </message>
 </context>
 <context>
@@ -7306,10 +7349,6 @@ diesem Schritt …</translation>
         <translation>{0} begonnen</translation>
     </message>
     <message>
-        <source>stopped by COILS OFF</source>
-        <translation>durch SPULEN AUS gestoppt</translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation>Wird beendet …</translation>
     </message>
@@ -7406,6 +7445,22 @@ diesem Schritt …</translation>
     <message>
         <source>Measure {0}</source>
         <translation>{0} messen</translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of no run yet.</source>
+        <translation>Die Zeichen links und Weiter gelten noch keiner Messung.</translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of another run: {0}.</source>
+        <translation>Die Zeichen links und Weiter gelten einer anderen Messung: {0}.</translation>
+    </message>
+    <message>
+        <source>Back to that run</source>
+        <translation>Zurück zu jener Messung</translation>
+    </message>
+    <message>
+        <source>Put it away</source>
+        <translation>Weglegen</translation>
     </message>
 </context>
 <context>
@@ -7931,6 +7986,17 @@ diesem Schritt …</translation>
     <message>
         <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
         <translation>Jede Spule jetzt auf null (F12). Geht in jedem Zustand und fragt nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>TraceProgress</name>
+    <message>
+        <source>tracing … {0}</source>
+        <translation>sucht … {0}</translation>
+    </message>
+    <message>
+        <source>Traced, run {0}: {1}</source>
+        <translation>Rest zurückverfolgt, Messung {0}: {1}</translation>
     </message>
 </context>
 <context>
@@ -9017,6 +9083,14 @@ diesem Schritt …</translation>
         <translation>Etwas stimmt nicht, was nichts Bekanntes erklärt. Nicht unterschreiben: siehe 4.</translation>
     </message>
     <message>
+        <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
+        <translation>▲ REICHT NICHT FÜR EINE GANZE ABBILDUNG</translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
+        <translation>Diese Messung bestimmt die Abbildung nicht ganz: zu wenige Achsen oder Felder wurden gemessen, deshalb wurde nach keiner Ursache gesucht. Gegen den Prüfling sagt das nichts. Was zu messen ist, steht bei 4.</translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
     </message>
@@ -9077,6 +9151,14 @@ diesem Schritt …</translation>
         <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
     </message>
     <message>
+        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
+        <translation>Eine Achse: für eine Kalibrierung allein nicht genug. Weiter führt zu dem, was fehlt.</translation>
+    </message>
+    <message>
+        <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
+        <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. Weiter führt fort.</translation>
+    </message>
+    <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
         <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder anpassen und sehen.</translation>
     </message>
@@ -9101,6 +9183,10 @@ diesem Schritt …</translation>
         <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
     </message>
     <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
+        <translation>BESTANDEN hat die Messung: |Wert| + U (k=2) liegt innerhalb der Grenze ({0} von {0}).</translation>
+    </message>
+    <message>
         <source>Not measured: {0}.</source>
         <translation>Nicht gemessen: {0}.</translation>
     </message>
@@ -9119,6 +9205,10 @@ diesem Schritt …</translation>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
+    </message>
+    <message>
+        <source>How good the calibration is, Fit and Loop judge.</source>
+        <translation>Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -9147,10 +9237,6 @@ diesem Schritt …</translation>
     <message>
         <source>To measure again: Close, then Begin.</source>
         <translation>Neu messen: Ablegen, dann Beginnen.</translation>
-    </message>
-    <message>
-        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
-        <translation>BESTANDEN hat die Messung: |Wert| + U (k=2) liegt innerhalb der Grenze ({0} von {0}). Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -9473,8 +9559,8 @@ diesem Schritt …</translation>
         <translation>Die Prozedur vermerkte {0} weitere, zuletzt: {1}</translation>
     </message>
     <message>
-        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
-        <translation>Die Prozedur vermerkte {0} weitere Schätzungen unterwegs; das Urteil beruht nicht darauf.</translation>
+        <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
+        <translation>Schätzungen unterwegs: {0} Vermerke; kein Urteil beruht darauf.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
@@ -9683,6 +9769,10 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
         <translation>{0}: Stillstand nicht bestätigt, als das Fenster geschlossen wurde, {1}</translation>
+    </message>
+    <message>
+        <source>about {0} s more, said at {1}</source>
+        <translation>noch etwa {0} s, gesagt um {1}</translation>
     </message>
 </context>
 <context>

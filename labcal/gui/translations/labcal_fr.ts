@@ -444,7 +444,7 @@
         <translation>Ses signatures sont des fichiers à côté, {0}.sshsig : les copier dans le même dossier et vérifier à nouveau.</translation>
     </message>
     <message>
-        <source>verified at {0}</source>
+        <source>checked at {0}</source>
         <translation>vérifié à {0}</translation>
     </message>
     <message>
@@ -1217,6 +1217,10 @@
         <translation>Les bobines vont à {0} µT et le plateau tourne. Mains loin ?</translation>
     </message>
     <message>
+        <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
+        <translation>Les bobines vont jusqu’à {0} µT et la plateforme tourne. Mains retirées ?</translation>
+    </message>
+    <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
         <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains loin ?</translation>
     </message>
@@ -1949,8 +1953,8 @@
         <translation>Tourner une fois en avant et une fois en arrière à une même vitesse.</translation>
     </message>
     <message>
-        <source>Turn the DUT about one body axis in one steady field.</source>
-        <translation>Tourner le DUT autour d&apos;un axe du corps dans un champ constant.</translation>
+        <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
+        <translation>Tourner le DUT autour d’un axe du corps dans un champ constant ; un seul axe ne suffit pas pour un étalonnage.</translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -3083,6 +3087,14 @@
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
         <translation>la mesure détermine {0} paramètres sur {1}, pas {2} ni {3} autres : {4}</translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
+        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres ; restent ouverts {2} et {3} autres : {4}</translation>
+    </message>
+    <message>
+        <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
+        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres ; restent ouverts {2} : {3}</translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
@@ -4227,6 +4239,10 @@
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
         <translation>décalages jusqu&apos;ici, d&apos;après les seuls modules : {0} nT (k = 2)</translation>
+    </message>
+    <message>
+        <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
+        <translation>offsets jusqu’ici : l’estimation rapide de cette procédure, des seules normes, ne suit pas ces lectures ; ni le verdict ni Ajuster ne reposent sur elle</translation>
     </message>
     <message>
         <source>offsets so far: {0}</source>
@@ -5756,6 +5772,14 @@
 <context>
     <name>Drop</name>
     <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The chosen calibration alone again</source>
+        <translation>De nouveau l’étalonnage choisi seul</translation>
+    </message>
+    <message>
         <source>Verify a file …</source>
         <translation>Vérifier un fichier …</translation>
     </message>
@@ -6262,6 +6286,25 @@
     </message>
 </context>
 <context>
+    <name>HoldButton</name>
+    <message>
+        <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
+        <translation>▲ {0} a été pressée avant que cette question prenne une réponse. Pressez de nouveau.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold {1} for 0.7 s.</source>
+        <translation>▲ Lâché trop tôt, après {0} s : tenir {1} 0,7 s.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.</source>
+        <translation>▲ Lâché trop tôt : la souris a quitté le bouton. Tenir {1} 0,7 s.</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.</source>
+        <translation>▲ Lâché trop tôt, après {0} s : tenir ce bouton, ou {1}, 0,7 s.</translation>
+    </message>
+</context>
+<context>
     <name>KeySheet</name>
     <message>
         <source>Keys</source>
@@ -6529,6 +6572,10 @@ cette étape …</translation>
         <translation>Choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
     </message>
     <message>
+        <source>No cause was searched for: 4 says why.</source>
+        <translation>Aucune cause n’a été cherchée : 4 dit pourquoi.</translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation>3  Ce que cela change</translation>
     </message>
@@ -6557,16 +6604,12 @@ cette étape …</translation>
         <translation>Choisissez une mesure ci-dessus, puis faites remonter son résidu à une cause.</translation>
     </message>
     <message>
-        <source>Looking at the residual; a whole preflight takes about a minute.</source>
-        <translation>Examen du résidu ; un préflight entier prend environ une minute.</translation>
+        <source>Looking at the residual; a whole preflight takes some minutes.</source>
+        <translation>Examen du résidu ; un préflight entier prend quelques minutes.</translation>
     </message>
     <message>
         <source>Trace the residual of this run to its cause.</source>
         <translation>Remonter du résidu de cette mesure à sa cause.</translation>
-    </message>
-    <message>
-        <source>tracing … {0}</source>
-        <translation>recherche … {0}</translation>
     </message>
     <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
@@ -6615,6 +6658,10 @@ cette étape …</translation>
     <message>
         <source>Measure what would tell them apart</source>
         <translation>Mesurer ce qui les distingue</translation>
+    </message>
+    <message>
+        <source>Measure what is missing</source>
+        <translation>Mesurer ce qui manque</translation>
     </message>
     <message>
         <source>3  With {0}</source>
@@ -7135,10 +7182,6 @@ cette étape …</translation>
         <translation>Maintenir ce bouton, ou {0}, pendant 0,7 s</translation>
     </message>
     <message>
-        <source>▲ Let go too early. {0}.</source>
-        <translation>▲ Relâché trop tôt. {0}.</translation>
-    </message>
-    <message>
         <source>A file for the record</source>
         <translation>Un fichier pour l&apos;enregistrement</translation>
     </message>
@@ -7154,8 +7197,8 @@ cette étape …</translation>
         <translation>Détails</translation>
     </message>
     <message>
-        <source>All that the procedure noted, in its order</source>
-        <translation>Tout ce que la procédure a noté, dans l&apos;ordre</translation>
+        <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
+        <translation>Tout ce que la procédure a noté, dans l’ordre ; aucun verdict ne repose sur ses estimations</translation>
     </message>
 </context>
 <context>
@@ -7306,10 +7349,6 @@ cette étape …</translation>
         <translation>{0} commencé</translation>
     </message>
     <message>
-        <source>stopped by COILS OFF</source>
-        <translation>arrêtée par BOBINES À ZÉRO</translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation>Arrêt …</translation>
     </message>
@@ -7406,6 +7445,22 @@ cette étape …</translation>
     <message>
         <source>Measure {0}</source>
         <translation>Mesurer {0}</translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of no run yet.</source>
+        <translation>Les marques à gauche et Suite ne sont encore d’aucune mesure.</translation>
+    </message>
+    <message>
+        <source>The marks at the left and Next are of another run: {0}.</source>
+        <translation>Les marques à gauche et Suite sont d’une autre mesure : {0}.</translation>
+    </message>
+    <message>
+        <source>Back to that run</source>
+        <translation>Retour à cette mesure</translation>
+    </message>
+    <message>
+        <source>Put it away</source>
+        <translation>Ranger</translation>
     </message>
 </context>
 <context>
@@ -7931,6 +7986,17 @@ cette étape …</translation>
     <message>
         <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
         <translation>Mettre toutes les bobines à zéro (F12). Marche en tout état et ne demande rien.</translation>
+    </message>
+</context>
+<context>
+    <name>TraceProgress</name>
+    <message>
+        <source>tracing … {0}</source>
+        <translation>recherche … {0}</translation>
+    </message>
+    <message>
+        <source>Traced, run {0}: {1}</source>
+        <translation>Résidu tracé, mesure {0} : {1}</translation>
     </message>
 </context>
 <context>
@@ -9017,6 +9083,14 @@ cette étape …</translation>
         <translation>Quelque chose ne va pas que rien de connu n&apos;explique. Ne signez pas : voir 4.</translation>
     </message>
     <message>
+        <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
+        <translation>▲ PAS ASSEZ POUR UNE APPLICATION ENTIÈRE</translation>
+    </message>
+    <message>
+        <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
+        <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
     </message>
@@ -9077,6 +9151,14 @@ cette étape …</translation>
         <translation>Ajuster, Causes, Certificat : Suite y mène.</translation>
     </message>
     <message>
+        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
+        <translation>Un seul axe : pas assez pour un étalonnage. Suite mène à ce qui manque.</translation>
+    </message>
+    <message>
+        <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
+        <translation>Cette procédure ne donne pas d’étalonnage d’un DUT. Suite mène plus loin.</translation>
+    </message>
+    <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
         <translation>À moins de U de sa limite : remesurez cette partie, ou ajustez pour voir.</translation>
     </message>
@@ -9101,6 +9183,10 @@ cette étape …</translation>
         <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
     </message>
     <message>
+        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
+        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}).</translation>
+    </message>
+    <message>
         <source>Not measured: {0}.</source>
         <translation>Non mesuré : {0}.</translation>
     </message>
@@ -9119,6 +9205,10 @@ cette étape …</translation>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
+    </message>
+    <message>
+        <source>How good the calibration is, Fit and Loop judge.</source>
+        <translation>La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
@@ -9147,10 +9237,6 @@ cette étape …</translation>
     <message>
         <source>To measure again: Close, then Begin.</source>
         <translation>Pour remesurer : Fermer, puis Démarrer.</translation>
-    </message>
-    <message>
-        <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). How good the calibration is, Fit and Loop judge.</source>
-        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}). La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -9473,8 +9559,8 @@ cette étape …</translation>
         <translation>La procédure en a noté {0} de plus, le dernier : {1}</translation>
     </message>
     <message>
-        <source>The procedure noted {0} more, estimates as it went; the verdict does not rest on them.</source>
-        <translation>La procédure a noté {0} autres estimations en chemin ; le verdict ne repose pas dessus.</translation>
+        <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
+        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur elles.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
@@ -9683,6 +9769,10 @@ cette étape …</translation>
     <message>
         <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
         <translation>{0} : arrêt non confirmé à la fermeture de la fenêtre, {1}</translation>
+    </message>
+    <message>
+        <source>about {0} s more, said at {1}</source>
+        <translation>encore {0} s environ, dit à {1}</translation>
     </message>
 </context>
 <context>

@@ -60,7 +60,10 @@ TITLES = (
     QT_TRANSLATE_NOOP("Data", "Switch each load and measure the bias per ampere (3 × N) and its delay, coils off."),
     QT_TRANSLATE_NOOP("Data", "The whole calibration before flight, from the zero to the closing."),
     QT_TRANSLATE_NOOP("Data", "Turn once forwards and once backwards at one rate."),
-    QT_TRANSLATE_NOOP("Data", "Turn the DUT about one body axis in one steady field."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.",
+    ),
     QT_TRANSLATE_NOOP("Data", "Turn there and back at several rates in one mounting."),
 )
 NEEDS = (

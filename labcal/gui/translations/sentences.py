@@ -151,6 +151,7 @@ QUESTIONS = (
     QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, later with the DUT turning in it. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The field steps up to {0} µT. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The coils go to {0} µT and the platform turns. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The coils go up to {0} µT and the platform turns. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "The coils step by {0} µT and the platform turns. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "A square wave of {0} µT follows. Hands off?"),
     QT_TRANSLATE_NOOP("Data", "Each coil goes to {0} µT in turn. Hands off?"),

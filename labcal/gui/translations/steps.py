@@ -5,6 +5,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 EVENTS = (
     QT_TRANSLATE_NOOP("Data", "offsets so far: not yet determined by the turns made"),
     QT_TRANSLATE_NOOP("Data", "offsets so far, from magnitudes alone: {0} nT (k = 2)"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; "
+        "verdict and Fit do not rest on it",
+    ),
     QT_TRANSLATE_NOOP("Data", "offsets so far: {0}"),
     QT_TRANSLATE_NOOP("Data", "axes, handedness and angle are as stated"),
     QT_TRANSLATE_NOOP("Data", "the angle runs the wrong way round: turn angle_sign in bench.toml"),

@@ -29,6 +29,15 @@ MEANS = {
     ),
     "unexplained": QT_TRANSLATE_NOOP("Words", "Something is wrong that nothing known explains. Do not sign: see 4."),
 }
+OPEN_MAP = "the run does not determine the whole map"  # as the loop says why it asks for more
+NOT_DETERMINED = (
+    QT_TRANSLATE_NOOP("Words", "▲ NOT ENOUGH FOR A WHOLE MAP"),
+    QT_TRANSLATE_NOOP(
+        "Words",
+        "This run does not determine the whole map: too few axes or fields were measured, so no cause was searched "
+        "for. That says nothing against the DUT. What to measure stands at 4.",
+    ),
+)
 OF_WHICH = QT_TRANSLATE_NOOP(
     "Words",
     "before → after: held-out rms of the vector, with the errors in it that the run declares of reference and "
@@ -81,8 +90,21 @@ def of_which_error(loop: Loop) -> str:
     return translated(str(OF_WHICH)).format(floor, translated(loop.noise_floor_source))
 
 
+def not_determined(loop: Loop) -> bool:
+    """Whether the run is only too short for a whole map: nothing is known to be wrong by that."""
+    return loop.next_experiment is not None and loop.next_experiment.why == OPEN_MAP
+
+
+def headline(loop: Loop) -> tuple[str, str]:
+    """The verdict in the largest letters, and its colour."""
+    words, state = (str(NOT_DETERMINED[0]), "warning") if not_determined(loop) else VERDICTS[loop.verdict]
+    return translated(words), state
+
+
 def said_plainly(loop: Loop) -> str:
     """One sentence or two for the technician, without a figure."""
+    if not_determined(loop):
+        return translated(str(NOT_DETERMINED[1]))
     names = [cause_name(effect.effect, effect.channels) for effect in loop.accepted]
     named = names[0] if len(names) == 1 else translated("rows that were set aside")
     if len(names) > 1:

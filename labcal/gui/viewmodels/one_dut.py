@@ -76,6 +76,13 @@ class OneDut(QObject):
             serial, run = self.calibration.dut.serial, self.calibration.run_id
         return (serial, run) if serial and serial != self._lab.state.dut_serial else ("", "")
 
+    def beside_the_marks(self, page: str) -> bool:
+        """Whether `page` shows a run of the DUT at the top that is not the one of which the marks and Next speak."""
+        if page not in STUDIES or self.shown(page) != ("", "") or self._run.alive:
+            return False
+        last, run = self._path.last(), self._study.run
+        return any(one.run_id == run for one in self._path.runs) and (last is None or last.run_id != run)
+
     def take_calibration(self, one: CalibrationFile | None) -> None:
         """The Certificate page shows this one."""
         if one != self.calibration:
@@ -85,7 +92,7 @@ class OneDut(QObject):
     def back(self) -> None:
         """What is of the DUT at the top is shown again."""
         self.calibration = None
-        if self.studied() not in ("", self._lab.state.dut_serial):
+        if self.studied() not in ("", self._lab.state.dut_serial) or self.beside_the_marks(STUDIES[0]):
             self._let_go()
         self.take_up()
         self.changed.emit()

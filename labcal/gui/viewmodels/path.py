@@ -13,7 +13,7 @@ from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import WATCHED_S, mark_of
 from labcal.gui.viewmodels.may_answer import may_answer, wanted
-from labcal.gui.viewmodels.procedure_groups import GROUPS
+from labcal.gui.viewmodels.procedure_groups import CALIBRATES
 from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.signing import NO_LONGER, awaited, doubts, file_word, handed_out_as, handed_out_word
@@ -23,7 +23,6 @@ from labcal.record.endings import ended_word
 
 Mark = Literal["done", "now", "doubt", "broken", "open"]
 SHAPES: dict[Mark, str] = {"done": "✓", "now": "●", "doubt": "▲", "broken": "✕", "open": "○"}
-CALIBRATES = GROUPS["Calibrate a DUT"]
 WHOLE = ("finished", "imported")  # runs that a calibration may be made of
 EXPLAINED = ("clean", "explained")
 

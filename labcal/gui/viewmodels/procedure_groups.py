@@ -9,10 +9,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.translations.translate import translated
 
 GROUPS = {
-    "Calibrate a DUT": ("preflight", "field-sphere", "rotate-axis", "configuration"),
+    "Calibrate a DUT": ("preflight", "field-sphere", "configuration"),
     "Every morning": ("morning-check", "axes-check", "sync-check", "ambient"),
     "Test a DUT": (
         "verify",
+        "rotate-axis",
         "linearity",
         "rate-sweep",
         "temperature-drift",
@@ -33,6 +34,7 @@ GROUPS = {
     ),
     "Fields": ("field-hold", "play-field"),
 }
+CALIBRATES = ("preflight", "field-sphere")  # a calibration may come of one run of them alone
 OTHERS = "Others"
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "Calibrate a DUT"),
@@ -42,6 +44,11 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "Fields"),
     QT_TRANSLATE_NOOP("Words", "Others"),
 )
+
+
+def calibrates(procedure: str) -> bool:
+    """Whether a calibration may come of one run of it; of one of another package it may."""
+    return procedure in CALIBRATES or not any(procedure in names for names in GROUPS.values())
 
 
 def group_of(name: str) -> str:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.coils.state import LabState
-from labcal.bench.named_links import named_links
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.messages import (
@@ -29,19 +28,18 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
-from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
 from labcal.gui.viewmodels.covered import Covered, seen_about
 from labcal.gui.viewmodels.drawn import Drawn
 from labcal.gui.viewmodels.failed_step import FAILED, asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.hands import STOP, says_hands_off
+from labcal.gui.viewmodels.last_words import last_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
-from labcal.record.endings import ended_words
 from labcal.record.stream import (
     COVERAGE,
     FAULT,
@@ -89,14 +87,14 @@ class RunViewModel(QObject):
         self.state: State = "idle"
         self.prompt: Prompt | None = None
         self.fault: Fault | None = None
-        self.run_id, self.status, self.message, self._ending = "", "", "", ""
+        self.run_id, self.status, self.message, self.ending = "", "", "", ""
         self.step: Step | None = None
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
         self.drawn, self.covered = Drawn(), Covered()
         self.segment: str | None = None
-        self._turned = False  # in any segment
+        self._turned = self._measures = self._unbegun = False  # in any segment; in this step; ended at its question
         self.goes_on = self._begins = self.by_off = False  # an interrupted run; one of which nothing has come yet
         self.anew = False  # a simulated bench began anew, and nothing was answered since
         self.time = RunTime()
@@ -187,6 +185,7 @@ class RunViewModel(QObject):
     def _end(self, word: Word, message: str) -> None:
         if self.alive:
             self._worker.send(word)
+            self._unbegun = self.prompt is not None and not self._measures
             self.prompt, self.message = None, message
             self._be("stopping")
 
@@ -229,7 +228,8 @@ class RunViewModel(QObject):
             return []
         at = self.names.index(self.step.name) if self.step.name in self.names else len(self.names)
         over = self.state in ("ended", "starting")  # it broke off there, and nothing of it goes on yet
-        here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
+        broken: Mark = "next" if self._unbegun else "broken"
+        here: Mark = ("done" if self.status == "finished" else broken) if over else "now"
         marks = marks_of(self.names, at, here, self.measurements, self.skipped)
         return list(zip(self.names, marks, strict=True))
 
@@ -288,6 +288,7 @@ class RunViewModel(QObject):
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
+                self._measures = self._unbegun = False
                 self.time.begin(item)
                 self.covered.begin()
                 self._running(step_title(item.name))
@@ -301,7 +302,7 @@ class RunViewModel(QObject):
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", asked_text(item)
             case SegmentOpened():
-                self.segment = item.segment.id
+                self.segment, self._measures = item.segment.id, True
                 self.covered.begin()
                 self._forget((item.segment.id,))  # as it was before, where it is begun again
                 self.drawn.begin(item.segment.id)
@@ -376,16 +377,10 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _done(self, result: Ended) -> None:
-        self.run_id, self.status, self._ending = result.run_id, result.status, result.ending
+        self.run_id, self.status, self.ending = result.run_id, result.status, result.ending
         self.began = began.began_at(self.run_id) or self.began
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
-
-    def _last_words(self) -> str:
-        said = in_words(ended_words(named_links(self._ending or self.status, self.links)))
-        said = self.tr("stopped by COILS OFF") if self.by_off and self.status != "finished" else said
-        names = (self.order.dut, self.began, self.order.procedure) if self.order else ()
-        return ": ".join(filter(None, (" · ".join(filter(None, names)), said)))
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(ended_by_off(fault) if self.by_off else fault, self.links)
@@ -393,8 +388,13 @@ class RunViewModel(QObject):
         self.status = "interrupted" if left else f"failed: {self.fault.text}"
         self._over()
 
+    def say_how_it_ended(self) -> None:
+        """In the language that the window speaks."""
+        by_off = self.by_off and self.status != "finished"
+        self.message = last_words(self.order, self.began, self.ending or self.status, self.links, by_off=by_off)
+
     def _over(self) -> None:
-        self.unheard = self.pausing = False
-        self.prompt, self.segment, self.message = None, None, self._last_words()
+        self.unheard, self.pausing, self.prompt, self.segment = False, False, None, None
+        self.say_how_it_ended()
         self._be("ended")
         self.ended.emit(self.run_id, self.status)

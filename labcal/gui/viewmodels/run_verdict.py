@@ -11,6 +11,7 @@ from labcal.gui.theming.theme import STATES
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.axis_checks import WORST
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
+from labcal.gui.viewmodels.procedure_groups import calibrates
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.run_steps import name_a_turn
 from labcal.record.endings import ended_word
@@ -19,6 +20,10 @@ from labcal.record.stream import Measurement
 ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
 NEXT = {
     "PASS": QT_TRANSLATE_NOOP("Words", "Fit, Loop, Certificate: Next leads there."),
+    "one axis": QT_TRANSLATE_NOOP(
+        "Words", "One axis: not enough for a calibration by itself. Next leads to what is missing."
+    ),
+    "no calibration": QT_TRANSLATE_NOOP("Words", "No calibration of a DUT comes of this procedure. Next leads on."),
     "MARGINAL": QT_TRANSLATE_NOOP("Words", "Within U of its limit: measure that part again, or Fit and see."),
     "CANNOT DECIDE": QT_TRANSLATE_NOOP(
         "Words", "Fit, and trace what is left over. Still open then? Measure longer, or with less noise."
@@ -51,8 +56,7 @@ NEXT = {
 TEXTS = (
     QT_TRANSLATE_NOOP(
         "Words",
-        "PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}). "
-        "How good the calibration is, Fit and Loop judge.",
+        "PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).",
     ),
     QT_TRANSLATE_NOOP("Words", "FAIL where |value| − U (k=2) is beyond the limit: {0}."),
     QT_TRANSLATE_NOOP("Words", "MARGINAL where the limit lies within ± U (k=2): {0}."),
@@ -68,6 +72,7 @@ TEXTS = (
     ),
 )
 NOT_MEASURED, WITHOUT, NOTHING, NOTHING_OF = 6, 7, 8, 9
+JUDGED = QT_TRANSLATE_NOOP("Words", "How good the calibration is, Fit and Loop judge.")
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
 
@@ -115,10 +120,22 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
         return RunVerdict(word, state, "", _next(""))
     about = [one for one in run.measurements.values() if one.verdict == worst]
     said = str(len(about)) if worst == "PASS" else listed(about)
-    rule = translated(RULES[worst]).format(said)
+    rule, fitted = translated(RULES[worst]).format(said), run.order is None or calibrates(run.order.procedure)
+    if worst == "PASS" and fitted:
+        rule = f"{rule} {translated(str(JUDGED))}"
     if missing:
         rule = f"{rule} {translated(str(TEXTS[NOT_MEASURED])).format(', '.join(map(step_title, missing)))}"
-    return RunVerdict(word, state, rule, _next(worst))
+    return RunVerdict(word, state, rule, _next(worst if fitted or worst != "PASS" else _without(run)))
+
+
+def to_be_fitted(run: RunViewModel) -> bool:
+    """Whether a calibration is the next thing to make of a run that has ended."""
+    return run.status == "finished" and run.order is not None and calibrates(run.order.procedure)
+
+
+def _without(run: RunViewModel) -> str:
+    """What comes next of a good run of which no calibration can be made."""
+    return "one axis" if run.order is not None and run.order.procedure == "rotate-axis" else "no calibration"
 
 
 def result_word(worst: str, missing: Collection[str] = ()) -> tuple[str, str]:

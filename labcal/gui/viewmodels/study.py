@@ -22,6 +22,7 @@ from labcal.gui.ipc.messages import (
     WriteDraft,
 )
 from labcal.gui.ipc.wire import BROKEN, Fault
+from labcal.gui.viewmodels.trace_pace import TracePace
 
 R = TypeVar("R")
 
@@ -31,6 +32,7 @@ class StudyViewModel(QObject):
 
     changed = Signal()
     progressed = Signal()  # how far it is
+    traced = Signal(str)  # the run whose residual was traced to its end
     drafted = Signal(str)  # path of a calibration file
     added = Signal()  # a run of all rows is new in the store
 
@@ -55,6 +57,7 @@ class StudyViewModel(QObject):
         self.waiting: list[str] = []
         self._followed: set[str] = set()
         self.message = ""
+        self.pace = TracePace()
 
     @property
     def busy(self) -> bool:
@@ -102,7 +105,7 @@ class StudyViewModel(QObject):
     def close_loop(self) -> None:
         """Trace the residual to its cause."""
         if "loop" not in self.waiting:
-            self.loop = None
+            self.loop, self.pace = None, TracePace()
             self._ask("loop", CloseLoop(self.run), self._looped)
 
     def want(self, procedure: str) -> None:
@@ -178,9 +181,11 @@ class StudyViewModel(QObject):
     def _looped(self, said: Loop) -> None:
         self.loop, self.message = said, ""
         self.drafted.emit(said.draft)
+        self.traced.emit(self.run)
 
     def _progress(self, text: str) -> None:
         self.message = text
+        self.pace.hear(text)
         self.progressed.emit()
 
 

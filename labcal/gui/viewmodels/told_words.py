@@ -27,9 +27,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "Noted, in the run's record (History shows it): {0}"),
     QT_TRANSLATE_NOOP("Words", "Noted: {0}"),
     QT_TRANSLATE_NOOP("Words", "The procedure noted {0} more, the last: {1}"),
-    QT_TRANSLATE_NOOP(
-        "Words", "The procedure noted {0} more, estimates as it went; the verdict does not rest on them."
-    ),
+    QT_TRANSLATE_NOOP("Words", "Estimates on the way: {0} notes; no verdict rests on them."),
     QT_TRANSLATE_NOOP("Words", "▲ Open in the run itself: {0}. An approval takes that as it is."),
     QT_TRANSLATE_NOOP("Words", "{0} not measured"),
 )

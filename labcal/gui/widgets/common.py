@@ -18,7 +18,10 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QStackedWidget,
+    QStyle,
     QStyledItemDelegate,
+    QStyleOptionComboBox,
+    QStylePainter,
     QVBoxLayout,
     QWidget,
 )
@@ -61,9 +64,28 @@ def shrinkable(widget: W) -> W:
     return widget
 
 
+class Chooser(QComboBox):
+    """A list to choose from; what there is no room for ends in dots."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """As Qt does, with the text as long as its place."""
+        option = QStyleOptionComboBox()
+        self.initStyleOption(option)
+        if self.currentIndex() < 0 and self.placeholderText():
+            option.palette.setBrush(QPalette.ColorRole.ButtonText, option.palette.placeholderText())
+            option.currentText = self.placeholderText()
+        kind, part = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
+        width = self.style().subControlRect(kind, option, part, self).width() - 2
+        option.currentText = self.fontMetrics().elidedText(option.currentText, Qt.TextElideMode.ElideRight, width)
+        painter = QStylePainter(self)
+        painter.drawComplexControl(kind, option)
+        painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
+        painter.end()
+
+
 def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     """A list to choose from, as wide as it may be and no wider than `letters` where there is no room."""
-    widget = QComboBox()
+    widget = Chooser()
     widget.setToolTip(tip)
     widget.setAccessibleName(name or tip)
     widget.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)

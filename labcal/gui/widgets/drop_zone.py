@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.files.home import home
 from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.common import button, label, set_state
+from labcal.gui.widgets.common import Card, button, label, set_state
 
 
 class Drop(QWidget):
@@ -20,6 +20,7 @@ class Drop(QWidget):
     """
 
     dropped = Signal(str)
+    closed = Signal()  # what was said of a file is put away
 
     def __init__(self, beside: QWidget) -> None:
         super().__init__()
@@ -27,8 +28,15 @@ class Drop(QWidget):
         column, row = QVBoxLayout(self), QHBoxLayout()
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(GRID)
-        self.words = label("", wrap=True)
-        self.words.hide()
+        self.name, self.words = label("", "ask", wrap=True), label("", wrap=True)
+        self.card = Card()
+        for said in (self.name, self.words):
+            self.card.body.addWidget(said)
+        self.close_card = button(self.tr("Close"), self.tr("The chosen calibration alone again"))
+        self.close_card.clicked.connect(self.put_away)
+        self.close_card.clicked.connect(self.closed)
+        self.card.body.addWidget(self.close_card, 0, Qt.AlignmentFlag.AlignLeft)
+        self.card.hide()
         self.choose = button(
             self.tr("Verify a file …"),
             self.tr("Choose a calibration .json with its .sshsig beside it, or drop it on the window"),
@@ -39,7 +47,7 @@ class Drop(QWidget):
         row.addStretch()
         row.addWidget(self.choose)
         column.addLayout(row)
-        column.addWidget(self.words)
+        column.addWidget(self.card)
 
     def open_at(self, folder: str) -> None:
         """Choose from this folder: something was handed out there last."""
@@ -48,13 +56,15 @@ class Drop(QWidget):
     def put_away(self) -> None:
         """What was said of a file is past."""
         self.words.clear()
-        self.words.hide()
+        self.card.hide()
 
-    def say(self, words: str, state: str) -> None:
-        """How a file stands."""
+    def say(self, name: str, words: str, state: str) -> None:
+        """How the file called `name` stands: on a card of its own, above those of the calibration that is chosen."""
+        self.name.setText(name)
         self.words.setText(words)
-        self.words.show()
-        set_state(self.words, state)
+        self.card.show()
+        for said in (self.name, self.words):
+            set_state(said, state)
 
     def _choose(self) -> None:
         there = Path(self._folder) if self._folder else None

@@ -1,16 +1,19 @@
 """A button for what acts on the lab: a click, or its own key held for 0.7 s. Never Enter, never a scanner's burst.
 
-What energises or turns is held by mouse as well. It fills while it is held. A key that repeats by letting go for a
-blink, as through a remote screen, is held all the same; one that is only tapped says what it wants. A key that stays
-down after it has answered begins nothing: it has to be let go, and pressed anew on a button that is alive.
+What energises or turns is held by mouse as well. It fills while it is held. How long it was held is told by the time
+stamps of press and release: a busy window hears of both late, and of the one later than of the other. A key that
+repeats by letting go for a blink, as through a remote screen, is held all the same; one that is only tapped says what
+it wants. A key that stays down after it has answered begins nothing: it has to be let go, and pressed anew on a button
+that is alive.
 """
 
 from __future__ import annotations
 
 import time
+from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QRect, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 HOLD_MS = 700
@@ -18,6 +21,25 @@ LET_GO_MS = 150  # a key that comes down again sooner was not let go
 FILL_MS, FILL_PX = 30, 6
 KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)  # a button's own is one of these
 heard_ms: dict[int, tuple[float, float]] = {}  # by key: its last event, by this computer's clock and by the screen's
+
+
+@dataclass(frozen=True, slots=True)
+class HeardAt:
+    """When an event was: by the screen's stamp of it, where it has one, and by this computer's clock as it is heard."""
+
+    stamp_ms: float
+    clock_ms: float
+
+    @classmethod
+    def of(cls, event: QInputEvent) -> HeardAt:
+        """Of this one."""
+        return cls(float(event.timestamp()), time.monotonic() * 1000)
+
+    def after_ms(self, earlier: HeardAt) -> float:
+        """How long after another one."""
+        if self.stamp_ms and earlier.stamp_ms:
+            return self.stamp_ms - earlier.stamp_ms
+        return self.clock_ms - earlier.clock_ms
 
 
 def handle_key(watched: QWidget, event: QKeyEvent) -> bool:
@@ -47,7 +69,7 @@ class HoldButton(QPushButton):
     Enabled it is alive, and only then a press begins.
     """
 
-    tapped = Signal()  # it was let go too early
+    tapped = Signal(str)  # it was let go too early, or pressed too soon: which of them, in words
 
     def __init__(self, text: str, key: Qt.Key, *, held_by_mouse: bool = False) -> None:
         super().__init__(text)
@@ -55,7 +77,10 @@ class HoldButton(QPushButton):
         self.setObjectName("primary")
         self.setAutoDefault(False)
         self.held = QTimer(self, interval=HOLD_MS, singleShot=True)
-        self.held.timeout.connect(self._confirm)
+        self.held.timeout.connect(lambda: QTimer.singleShot(0, self, self._confirm))  # a release that waits comes first
+        self._began: HeardAt | None = None  # of the press that is held
+        self._ended: HeardAt | None = None  # of the release that may be a blink
+        self._dead = False  # its key was pressed while it took none
         self.let_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
         self.let_go.timeout.connect(self._give_up)
         self._fill = QTimer(self, interval=FILL_MS)
@@ -63,41 +88,62 @@ class HoldButton(QPushButton):
 
     def handle_key(self, event: QKeyEvent, *, anew: bool) -> bool:
         """Take press and release of its own key, and say whether it was; only what is pressed `anew` begins."""
-        if event.key() != self.key or not self.isVisible() or not self.isEnabled():
+        if event.key() != self.key or not self.isVisible():
+            return False
+        pressed = event.type() == QEvent.Type.KeyPress
+        if not event.isAutoRepeat() and self._dead_says(pressed=pressed, anew=anew):
+            return True
+        if not self.isEnabled():
             return False
         if event.isAutoRepeat():
             return True
-        if event.type() == QEvent.Type.KeyRelease:
-            self.let_go.start() if self.held.isActive() else None
-        elif self.held.isActive():
+        if not pressed:
+            if self._began is not None:
+                self._ended = HeardAt.of(event)
+                self.let_go.start()
+        elif self._began is not None:
+            self._ended = None
             self.let_go.stop()
         elif anew:
-            self._hold()
+            self._hold(event)
         return True
+
+    def _dead_says(self, *, pressed: bool, anew: bool) -> bool:
+        """Of a press that came too soon: that it did, when the key is let go."""
+        if pressed:
+            self._dead = self._dead or (anew and not self.isEnabled())
+            return False
+        dead, self._dead = self._dead, False
+        if dead:
+            too_soon = self.tr("▲ {0} was pressed before this question took an answer. Press it anew.")
+            self.tapped.emit(too_soon.format(self._key_name()))
+        return dead
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to hold it, where a click is not enough."""
         if not self.held_by_mouse:
             return super().mousePressEvent(event)
-        if event.button() == Qt.MouseButton.LeftButton and not self.held.isActive():
-            self._hold()
+        if event.button() == Qt.MouseButton.LeftButton and self._began is None:
+            self._hold(event)
         return None
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """A press that leaves the button is over."""
         if not self.held_by_mouse:
             super().mouseMoveEvent(event)
-        elif self.held.isActive() and event.buttons() and not self.rect().contains(event.position().toPoint()):
+        elif self._began is not None and event.buttons() and not self.rect().contains(event.position().toPoint()):
             self._give_up()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let go: too early, where it is still filling."""
         if not self.held_by_mouse:
             super().mouseReleaseEvent(event)
-        elif self.held.isActive():
+        elif self._began is not None:
+            self._ended = HeardAt.of(event)
             self._give_up()
 
-    def _hold(self) -> None:
+    def _hold(self, event: QInputEvent) -> None:
+        self._began, self._ended = HeardAt.of(event), None
         self.held.start()
         self._fill.start()
 
@@ -114,16 +160,33 @@ class HoldButton(QPushButton):
                 painter.fillRect(QRect(0, self.height() - FILL_PX, width, FILL_PX), self.palette().brightText())
 
     def _confirm(self) -> None:
-        """Held long enough; but a key that may have been let go already has first to be heard again."""
-        going = self.let_go.isActive()
-        self._stop()
-        self.tapped.emit() if going else self.click()
+        """Held long enough; but where it may have been let go already that counts."""
+        if self._ended is not None:
+            return self._give_up()
+        if self._began is not None:
+            self._stop()
+            self.click()
+        return None
 
     def _give_up(self) -> None:
+        """Let go, or the mouse has left it."""
+        lasted_ms = 0.0 if self._began is None or self._ended is None else self._ended.after_ms(self._began)
+        left = self._ended is None
         self._stop()
-        self.tapped.emit()
+        if lasted_ms >= HOLD_MS:
+            return self.click()
+        words = self.tr("▲ Let go too early, after {0} s: hold {1} for 0.7 s.")
+        if left:
+            words = self.tr("▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.")
+        elif self.held_by_mouse:
+            words = self.tr("▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.")
+        return self.tapped.emit(words.format(f"{lasted_ms / 1000:.1f}", self._key_name()))
+
+    def _key_name(self) -> str:
+        return self.key.name.removeprefix("Key_")
 
     def _stop(self) -> None:
+        self._began = self._ended = None
         for timer in (self.held, self.let_go, self._fill):
             timer.stop()
         self.update()
@@ -134,6 +197,7 @@ class HoldButton(QPushButton):
 
     def hideEvent(self, event: object) -> None:
         """A key held over the end of a card confirms nothing in the next."""
+        self._dead = False
         self._stop()
 
     def changeEvent(self, event: QEvent) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -29,6 +30,7 @@ from labcal.gui.widgets.common import button, named, offer, set_state
 from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
 MOST_LETTERS = 24  # of a list of values that are all in sight
+LEAST_LETTERS = 75  # of a form with what settings mean beside them
 SEEN = 6  # settings, the first of each procedure
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
 
@@ -86,16 +88,17 @@ class ParameterForm(QWidget):
         grid.setHorizontalSpacing(2 * GRID)
         grid.setVerticalSpacing(GRID)
         self._parts: dict[str, tuple[QWidget, ...]] = {}
+        self._grid, self._narrow = grid, False
         for row, spec in enumerate(specs):
-            self._add(grid, row, spec)
+            self._add(grid, 2 * row, spec)
         self._folded = list(specs[SEEN:]) if len(specs) > SEEN + 1 else []
         self.more = button("", self.tr("Settings that most runs leave as they are"))
         self.more.setCheckable(True)
         self.more.toggled.connect(self._fold)
-        grid.addWidget(self.more, len(specs), 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
+        grid.addWidget(self.more, 2 * len(specs), 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
         self.more.setVisible(bool(self._folded))
         grid.setColumnStretch(3, 1)
-        grid.setRowStretch(len(specs) + 1, 1)
+        grid.setRowStretch(2 * len(specs) + 1, 1)
         self._check()
 
     def _add(self, grid: QGridLayout, row: int, spec: ParameterSpec) -> None:
@@ -113,6 +116,19 @@ class ParameterForm(QWidget):
         self._parts[spec.name] = (name, field, beside, complaint)
         for column, part in enumerate(self._parts[spec.name]):
             grid.addWidget(part, row, column)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """What a setting means stands beside it, or below where beside it there is room for a word or two alone."""
+        super().resizeEvent(event)
+        narrow = event.size().width() < LEAST_LETTERS * self.fontMetrics().horizontalAdvance("n")
+        if narrow is self._narrow:
+            return
+        self._narrow = narrow
+        for row, spec in enumerate(self._specs):
+            complaint = self.complaints[spec.name]
+            self._grid.removeWidget(complaint)
+            place = (2 * row + 1, 0, 1, 4) if narrow else (2 * row, 3, 1, 1)
+            self._grid.addWidget(complaint, *place)
 
     def _chooser(self, spec: ParameterSpec) -> QPushButton:
         """A file is chosen, and not typed letter by letter."""

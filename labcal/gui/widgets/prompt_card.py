@@ -374,13 +374,13 @@ class PromptCard(Card):
         how = self.tr("Hold this button, or {0}, for 0.7 s") if held else self.tr("Click, or hold {0} for 0.7 s")
         words = how.format(key.name.removeprefix("Key_"))
         made.setToolTip(words)
-        made.tapped.connect(lambda: self._say_tapped(words))
+        made.tapped.connect(self._say_tapped)
         return made
 
     def _say_tapped(self, words: str) -> None:
         """In the room that the hint had: the question above does not move."""
         self.hint.setMinimumHeight(self.hint.height())
-        self.hint.setText(self.tr("▲ Let go too early. {0}.").format(words))
+        self.hint.setText(words)
 
     def _enter(self) -> None:
         if self._prompt is not None and (SERIAL in self._prompt.drawing or (self.alive and not self._prompt.acts)):

@@ -30,14 +30,19 @@ class RecordWords(QWidget):
         self.serials = label("", wrap=True)
         for doubt in (self.interrupted, self.serials):
             set_state(doubt, "warning")
-        self.remarked, self.all = OneLine(), QPlainTextEdit()
+        self.remarked, self.all = OneLine() if here else label("", wrap=True), QPlainTextEdit()
         self.all.setReadOnly(True)
         self.all.setFixedHeight(DETAILS_PX)
         self.all.setAccessibleName(self.tr("What the procedure noted"))
-        self.fold = button(self.tr("Details"), self.tr("All that the procedure noted, in its order"))
+        self.fold = button(
+            self.tr("Details"), self.tr("All that the procedure noted, in its order; no verdict rests on its estimates")
+        )
         self.fold.setCheckable(True)
         self.fold.toggled.connect(self.all.setVisible)
         self.line = QWidget()
+        kept = self.line.sizePolicy()
+        kept.setRetainSizeWhenHidden(not here)  # what is above it stays where it is once the record is read
+        self.line.setSizePolicy(kept)
         row = QHBoxLayout(self.line)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.remarked, 1)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from labcal.gui.theming.theme import GRID
 
-LEAST_PX, MOST_PX = 16 * GRID, 24 * GRID  # of them that are in sight without a bar; with more of it buttons would move
+LEAST_PX, MOST_PX = 16 * GRID, 30 * GRID  # of them that are in sight without a bar; with more of it buttons would move
 
 
 class Rolled(QScrollArea):

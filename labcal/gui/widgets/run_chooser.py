@@ -10,7 +10,7 @@ from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_search import local_time
-from labcal.gui.widgets.common import button
+from labcal.gui.widgets.common import Chooser, button
 from labcal.record.endings import ended_word
 
 VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
@@ -31,7 +31,7 @@ def run_name(one: RunLine) -> str:
     return " · ".join(filter(None, (one.dut_serial, when, one.procedure or "bundle", simulated)))
 
 
-class RunChooser(QComboBox):
+class RunChooser(Chooser):
     """`chosen` carries the run id that a person picked."""
 
     chosen = Signal(str)

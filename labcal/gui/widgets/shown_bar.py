@@ -1,4 +1,4 @@
-"""Says on a page whose run it shows, where that is not the DUT to be measured, and leads back to that one."""
+"""Says on a page whose run it shows, where that is not the one of the marks, and leads back to that one."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from labcal.gui.widgets.run_chooser import run_name
 
 
 class ShownBar(Card):
-    """Above every page; in sight on those that show a run, or a calibration, of another DUT."""
+    """Above every page; in sight on those that show a run, or a calibration, of another DUT, or another run."""
 
     def __init__(self, app_state: AppState) -> None:
         super().__init__()
@@ -36,7 +36,9 @@ class ShownBar(Card):
         self.show_shown()
 
     def show_shown(self) -> None:
-        """Whose it is, and of which DUT the marks and Next speak."""
+        """Whose it is, and of which DUT, or which run, the marks and Next speak."""
+        if self._app_state.one_dut.beside_the_marks(self._page):
+            return self._show_another_run()
         serial, run = self._app_state.one_dut.shown(self._page)
         here = self._app_state.lab.state.dut_serial
         listed = (run_name(one) for one in self._app_state.path.runs if one.run_id == run)
@@ -46,9 +48,23 @@ class ShownBar(Card):
         self.words.setText(self.tr("Shown: {0}. {1}").format(next(listed, serial), measured))
         self.back.setText(self.tr("Back to {0}").format(here))
         self.back.setVisible(bool(here))
+        self.take.show()
         self.take.setText(self.tr("Measure {0}").format(serial))
         self.setVisible(bool(serial))
-        self._enable()
+        return self._enable()
+
+    def _show_another_run(self) -> None:
+        """Of the same DUT."""
+        path = self._app_state.path
+        last, shown = path.last(), next(one for one in path.runs if one.run_id == self._app_state.study_vm.run)
+        marked = self.tr("The marks at the left and Next are of no run yet.")
+        if last is not None:
+            marked = self.tr("The marks at the left and Next are of another run: {0}.").format(run_name(last))
+        self.words.setText(self.tr("Shown: {0}. {1}").format(run_name(shown), marked))
+        self.back.setText(self.tr("Back to that run") if last is not None else self.tr("Put it away"))
+        self.back.show()
+        self.take.hide()
+        self.show()
 
     def _take(self) -> None:
         self._app_state.set_identity(dut=self._app_state.one_dut.shown(self._page)[0])

@@ -1,0 +1,18 @@
+"""Whose run it was, and how it ended, in one line: in the language that the window speaks now."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from labcal.bench.named_links import named_links
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.record.endings import BY_OFF, ended_words
+
+
+def last_words(order: RunProcedure | None, began: str, ending: str, links: Mapping[str, str], *, by_off: bool) -> str:
+    """Of a run that has ended as `ending` says, or `by_off`: by COILS OFF."""
+    said = translated(BY_OFF) if by_off else in_words(ended_words(named_links(ending, links)))
+    name = " · ".join(filter(None, (order.dut, began, order.procedure))) if order else ""
+    return f"{name}: {said}" if name else said
