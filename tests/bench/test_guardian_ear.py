@@ -53,7 +53,7 @@ class Coils:
 
     def ignore(self, *_: Any, **__: Any) -> None: ...
 
-    identify = reopen = modbus = set_point = measure_current = output = order_zero = ignore
+    identify = reopen = modbus = set_point = measure_current = read = output = order_zero = ignore
 
 
 class Ear:

@@ -227,7 +227,7 @@ class Coils:
     def order_zero(self, why, *, by_session=False): pass
     def facts(self): return {}
     def set_current(self, axis, current_A): self.heard.append(current_A)
-    identify = reopen = modbus = set_point = measure_current = output = facts
+    identify = reopen = modbus = set_point = measure_current = read = output = facts
 listener, card = wire.listen()
 guards = server.Server(Coils(), listener, card["token"], "f" * 64)
 guards.ready.set(); guards.start()
