@@ -54,6 +54,9 @@ NO_CLAIM = {
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
     "▲ Hands off: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
     "the reference sees {0} µT along {1} more than with the coils off": READ,
+    "; the guardian of the last session has {0} until {1} is read back at zero": NOT_KNOWN,
+    "{0}: not confirmed at zero when the window closed, {1}": NOT_KNOWN,
+    "HANDS OFF: not at zero yet. The window does not close by itself.": NOT_KNOWN,
     "With the window closed the guardian keeps trying to bring every coil to zero; "
     "nobody sees whether it does.": NOT_KNOWN,
     "No guardian holds the supplies: COILS OFF is given once more on closing; "

@@ -65,6 +65,7 @@ class InstrumentRow(QWidget):
         row.setSpacing(GRID // 2)
         row.addWidget(self.mark, 0, Qt.AlignmentFlag.AlignTop)
         self.name.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.name.setAlignment(Qt.AlignmentFlag.AlignTop)
         row.addLayout(Flow(self.name, self.age), 1)  # the age below, where there is no room for it
 
     def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool) -> None:
@@ -113,9 +114,8 @@ class SidePanel(Surface):
         self.platform_group.body.addLayout(stands)
         self.coils_age, self.field_age = coils.age, field.age
         column.addWidget(self._hands())
-        for group in (coils, field, self.platform_group):
-            column.addWidget(group)
-        column.addWidget(self._instruments(), 1)
+        column.addWidget(coils)
+        column.addWidget(self._rolling(field, self.platform_group), 1)
         self.rows: list[InstrumentRow] = []
 
     @property
@@ -136,8 +136,8 @@ class SidePanel(Surface):
             column.addWidget(said)
         return self.hands_group
 
-    def _instruments(self) -> QScrollArea:
-        """Who answers. In a low window these roll, so that what is said of the coils above is always whole."""
+    def _rolling(self, *groups: QWidget) -> QScrollArea:
+        """These and who answers. In a low window they roll, so that what is said of hands and coils is always whole."""
         area, holder = QScrollArea(), QWidget()
         area.setWidgetResizable(True)
         area.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -153,6 +153,9 @@ class SidePanel(Surface):
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(GRID // 2)
+        for group in groups:
+            column.addWidget(group)
+            column.addSpacing(GRID)
         column.addLayout(Flow(title, self.read_all))  # above what may be longer than the room
         column.addWidget(self.legend)
         column.addLayout(self._lights)
@@ -214,7 +217,7 @@ class SidePanel(Surface):
         set_old, old = ("old" if one else "" for one in (age_words(now.coil_old_s), field_age(now)))
         self.field_age.setText(field_age(now))
         self.field.show_row(SET, size(now.field_set_nT), state=set_old)
-        self.field.keep_row(SET, kept=now.driven or now.field_set_nT is not None)  # in a run nothing moves up and down
+        self.field.keep_row(SET, shown=now.driven or now.field_set_nT is not None)  # in a run nothing moves up and down
         self.field.show_row(MEASURED, size(now.field_measured_nT), state=old)
         u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
         self.field.show_row(U, u, state=old)

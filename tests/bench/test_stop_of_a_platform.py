@@ -129,7 +129,7 @@ def test_on_the_line_of_the_supplies_it_is_stopped_once_the_coils_are_at_zero(la
     took = stopped_after(lab, lambda: read.append(labcal_session.coils_off_and_stopped(lab.file)))
     assert took < AFTER_ZERO_S
     assert at_zero(lab)
-    assert not any(end.fault for end in read[0][0])
+    assert [end.fault for end in read[0][0] if end.fault] == []
 
 
 def test_of_a_run_that_hangs_and_keeps_the_line_it_is_said(lab: Served) -> None:

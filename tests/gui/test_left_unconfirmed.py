@@ -30,7 +30,7 @@ def real(still):
     """A bench on lines of its own, known from its file."""
     app_state = still.app_state
     facts = replace(app_state.facts, virtual_time=False)
-    app_state._bench_known(app_state.bench or "/lab/bench.toml", facts)
+    app_state.bench_known(app_state.bench or "/lab/bench.toml", facts)
     return still
 
 

@@ -63,7 +63,7 @@ def test_so_at_rest_after_coils_off(running):
     assert red(running)
     verdict = running.page("Run").live.verdict
     running.page("Run").live.draw()
-    running.page("Run").live._show_verdict()
+    running.page("Run").live.show_verdict()
     assert verdict.word.text().replace("\N{NO-BREAK SPACE}", " ") == "HANDS OFF"
 
 
@@ -155,7 +155,7 @@ def test_what_waits_for_zero_does_not_promise_to_close_once_a_supply_has_failed(
     running.leaving.take("stop")
     says(running, (0.0, 0.0, None), platform=stands(), faulty=("supply_z",))
     assert running.leaving.going.heading.text() == "HANDS OFF: not at zero yet. The window does not close by itself."
-    running.leaving._stay()
+    running.leaving.going.stays.emit()
 
 
 @pytest.mark.parametrize("said", ["All 7 instruments answered", "7 of 7 instruments were read"])

@@ -145,7 +145,7 @@ def test_a_card_of_an_instrument_goes_once_it_answers_again_and_sends_nobody_to_
     live = lost.page("Run").live
     assert live.fault.isVisible()
     says(lost, (0.0, 0.0, None), stands(), ("supply_z",))
-    assert live.fault.isVisible()
+    assert lost.app_state.warning_shown  # the red card of its coil stands in its place
     assert live.verdict.next.text().startswith("Mend what is said above")
     answering = replace(lab(platform=stands()), instruments=(Heard("supply_z", time.monotonic()),))
     lost.app_state.bench_worker.states.emit(answering)
@@ -153,4 +153,4 @@ def test_a_card_of_an_instrument_goes_once_it_answers_again_and_sends_nobody_to_
     assert (live.verdict.reason.text(), live.verdict.reason.property("state")) == ("supply_z: answers again", "")
     assert live.verdict.next.text() == "Nothing was measured: Go on begins with the first step."
     says(lost, (0.0, 0.0, None), stands(), ("supply_z",))
-    assert live.fault.isVisible()
+    assert lost.app_state.warning_shown  # the red card of its coil stands in its place

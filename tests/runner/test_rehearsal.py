@@ -48,7 +48,7 @@ def test_a_plan_names_each_time_that_hands_are_needed_and_every_mounting_by_its_
     asked = lines[lines.index("what a person is asked, 8× in all:") + 1 :]
     ups = [(line.partition(" up ")[0], line.rpartition(".")[2]) for line in asked if line.startswith("– Mount")]
     assert ups == [("– Mount the DUT with body X", " (2×: zero, closing)"), ("– Mount the DUT with body Z", "")]
-    assert "– The coils go to 20 µT and the platform turns. Hands off? (3×)" in asked
+    assert "– The coils go up to 20 µT and the platform turns. Hands off? (3×)" in asked
     assert "– Switch the DUT to power mode nominal." in asked
 
 

@@ -23,7 +23,7 @@ from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
-from labcal.gui.widgets.headline import Headline
+from labcal.gui.widgets.headline import RunHeadline
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.paused_hands import PausedHands
@@ -35,8 +35,7 @@ from labcal.gui.widgets.step_list import StepList
 from labcal.gui.widgets.time_left import TimeLeft
 from labcal.gui.widgets.verdict_card import VerdictCard
 
-FRAME_MS = 40
-LOCI_EVERY = 12  # frames: a locus grows slowly, and is expensive to draw
+FRAME_MS, LOCI_EVERY = 40, 12  # the latter in frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
 
 
@@ -165,7 +164,7 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = Headline(self._theme)
+        self.headline = RunHeadline(self._theme)
         self.hands = PausedHands()
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
@@ -255,7 +254,7 @@ class Live(QWidget):
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.notes.enable(alive=run.alive)
         self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
-        self._show_verdict()
+        self.show_verdict()
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
         self._show_fault(run.fault)
@@ -267,7 +266,8 @@ class Live(QWidget):
         drawn = self._run.drawn
         return bool(self._run.axis) or bool(drawn.now) or bool(drawn.earlier)
 
-    def _show_verdict(self) -> None:
+    def show_verdict(self) -> None:
+        """What the run came to, as far as it has ended."""
         run = self._run
         if run.state != "ended":
             return self.verdict.word.set_text("")  # of the run before
@@ -317,7 +317,7 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         self._say_lab()
-        self._show_verdict()
+        self.show_verdict()
         if self._run.fault is not None:
             self._say_coils_left()
 

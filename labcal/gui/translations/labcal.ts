@@ -6128,13 +6128,6 @@
     </message>
 </context>
 <context>
-    <name>Headline</name>
-    <message>
-        <source>What happens now</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>HistoryPage</name>
     <message>
         <source>Runs</source>
@@ -7287,6 +7280,13 @@ after this step …</source>
     </message>
     <message>
         <source>The run in the store has not ended yet: it can be looked at then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RunHeadline</name>
+    <message>
+        <source>What happens now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

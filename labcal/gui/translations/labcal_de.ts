@@ -6128,13 +6128,6 @@
     </message>
 </context>
 <context>
-    <name>Headline</name>
-    <message>
-        <source>What happens now</source>
-        <translation>Was jetzt geschieht</translation>
-    </message>
-</context>
-<context>
     <name>HistoryPage</name>
     <message>
         <source>Runs</source>
@@ -7289,6 +7282,13 @@ diesem Schritt …</translation>
     <message>
         <source>The run in the store has not ended yet: it can be looked at then.</source>
         <translation>Die Messung im Speicher ist noch nicht zu Ende: danach lässt sie sich ansehen.</translation>
+    </message>
+</context>
+<context>
+    <name>RunHeadline</name>
+    <message>
+        <source>What happens now</source>
+        <translation>Was jetzt geschieht</translation>
     </message>
 </context>
 <context>

@@ -1218,7 +1218,7 @@
     </message>
     <message>
         <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
-        <translation>Les bobines vont jusqu’à {0} µT et la plateforme tourne. Mains retirées ?</translation>
+        <translation>Les bobines vont jusqu’à {0} µT et la plateforme tourne. Mains loin ?</translation>
     </message>
     <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
@@ -6128,13 +6128,6 @@
     </message>
 </context>
 <context>
-    <name>Headline</name>
-    <message>
-        <source>What happens now</source>
-        <translation>Ce qui se passe</translation>
-    </message>
-</context>
-<context>
     <name>HistoryPage</name>
     <message>
         <source>Runs</source>
@@ -7289,6 +7282,13 @@ cette étape …</translation>
     <message>
         <source>The run in the store has not ended yet: it can be looked at then.</source>
         <translation>La mesure conservée n’est pas encore finie : elle pourra être regardée ensuite.</translation>
+    </message>
+</context>
+<context>
+    <name>RunHeadline</name>
+    <message>
+        <source>What happens now</source>
+        <translation>Ce qui se passe</translation>
     </message>
 </context>
 <context>

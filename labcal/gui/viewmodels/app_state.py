@@ -115,13 +115,14 @@ class AppState(QObject):
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
         self.lab.update(message=self.tr("Opening {0} …").format(Path(path).name), opening=True)
         self.left.look_early()
-        return self.quick_worker.request(ReadBench(path), partial(self._bench_known, path), self._not_opened)
+        return self.quick_worker.request(ReadBench(path), partial(self.bench_known, path), self._not_opened)
 
     def _not_opened(self, fault: Fault) -> None:
         self.lab.update(message="", opening=False)
         self.fault.emit(fault)
 
-    def _bench_known(self, path: str, facts: Bench) -> None:
+    def bench_known(self, path: str, facts: Bench) -> None:
+        """Take what the file at `path` says."""
         if path != self.bench:
             self.forget()
         self.lab.update(message="", opening=False)
@@ -154,7 +155,7 @@ class AppState(QObject):
 
     def _came_back(self, to: GoesOn) -> None:
         self.run.order, self.run.began = to.order, to.began
-        self._bench_known(to.order.bench, to.bench)
+        self.bench_known(to.order.bench, to.bench)
         self.set_identity(dut=to.order.dut or None, operator=to.order.operator or None)
 
     def forget(self) -> None:

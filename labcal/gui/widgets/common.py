@@ -243,10 +243,10 @@ class ReadoutGrid(QWidget):
         self.values[row].setText(value)
         set_state(self.values[row], state)
 
-    def keep_row(self, row: int, *, kept: bool) -> None:
+    def keep_row(self, row: int, *, shown: bool) -> None:
         """Whether this row is there at all."""
         for part in (self._names[row], self.values[row]):
-            part.setVisible(kept)
+            part.setVisible(shown)
 
 
 class FaceStack(QStackedWidget):

@@ -11,7 +11,7 @@ LARGEST_PT = 36
 LOW, HIGH = (5 * GRID, 9 * GRID), (15 * GRID, 27 * GRID)  # at least, at most: an alarm has three lines
 
 
-class Headline(AutoSizeLabel):
+class RunHeadline(AutoSizeLabel):
     """In the middle of the Run page."""
 
     def __init__(self, theme: Theme) -> None:
