@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>Why it may begin</source>
-        <translation>Pourquoi elle peut commencer</translation>
+        <translation>Pourquoi commencer</translation>
     </message>
     <message>
         <source>What is known of the check standard: it was dropped</source>
@@ -7499,7 +7499,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>on</source>
-        <translation>alimentées</translation>
+        <translation>actives</translation>
     </message>
     <message>
         <source>stands</source>
@@ -7696,7 +7696,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Last runs</source>
-        <translation>Dernières mesures</translation>
+        <translation>Mesures</translation>
     </message>
     <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
@@ -8085,11 +8085,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Smaller   F11</source>
-        <translation>Plus petit   F11</translation>
+        <translation>Petit   F11</translation>
     </message>
     <message>
         <source>Larger   F11</source>
-        <translation>Plus grand   F11</translation>
+        <translation>Grand   F11</translation>
     </message>
     <message>
         <source>Save a problem report</source>
@@ -8264,7 +8264,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>✕ The check standard is out of control</source>
-        <translation>✕ L’étalon de contrôle est hors de contrôle</translation>
+        <translation>✕ Étalon de contrôle hors de contrôle</translation>
     </message>
     <message>
         <source>✕ The guardian failed</source>

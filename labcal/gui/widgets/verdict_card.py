@@ -31,9 +31,9 @@ class VerdictCard(Card):
         self.reason = label("", "title", wrap=True)  # where the card that says it gives way to another
         self.details = button(self.tr("What was measured"), self.tr("The pictures and every value with its limit"))
         self.details.clicked.connect(self.details_wanted)
-        for part, share in ((self.serial, 1), (self.word, 3)):
+        for part, share, least in ((self.serial, 1, 2 * GRID), (self.word, 3, 3 * GRID)):
             part.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            part.setMinimumHeight(6 * GRID)
+            part.setMinimumHeight(least)
             self.body.addWidget(part, share)
         for words in (self.reason, self.rule, self.next):
             words.setAlignment(Qt.AlignmentFlag.AlignCenter)
