@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.bench.coils.state import ON
 from labcal.gui.theming.theme import GRID
@@ -25,6 +25,7 @@ from labcal.gui.viewmodels.lab_now import (
 from labcal.gui.viewmodels.number_format import format_field, format_number
 from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.rolled import Rolled
 
 UNITS = ("nT", "µT", "mG")
 SET, MEASURED, U, AXES = 0, 1, 2, 3  # rows of the field
@@ -35,17 +36,12 @@ class PanelGroup(QWidget):
 
     def __init__(self, title: str, *beside: QWidget) -> None:
         super().__init__()
-        self.age = label("", "caption")
-        self.head, self.body = QHBoxLayout(), QVBoxLayout(self)
-        self.head.setSpacing(GRID)
-        self.head.addWidget(label(title, "caption"))
-        for one in beside:
-            self.head.addWidget(one)
-        self.head.addStretch()
-        self.head.addWidget(self.age)
+        self.age, self.body = label("", "caption"), QVBoxLayout(self)
+        self.age.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.age.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.body.setContentsMargins(0, 0, 0, 0)
         self.body.setSpacing(GRID // 2)
-        self.body.addLayout(self.head)
+        self.body.addLayout(Flow(label(title, "caption"), *beside, self.age))  # below, where there is no room beside
 
     def add(self, *rows: QWidget) -> PanelGroup:
         """Below what is there."""
@@ -136,22 +132,14 @@ class SidePanel(Surface):
             column.addWidget(said)
         return self.hands_group
 
-    def _rolling(self, *groups: QWidget) -> QScrollArea:
+    def _rolling(self, *groups: QWidget) -> Rolled:
         """These and who answers. In a low window they roll, so that what is said of hands and coils is always whole."""
-        area, holder = QScrollArea(), QWidget()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QScrollArea.Shape.NoFrame)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setMinimumHeight(GRID)
-        area.viewport().setAutoFillBackground(False)
         self.legend = label("", "caption", wrap=True)
         title = label(self.tr("INSTRUMENTS"), "caption")
         title.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._lights = QVBoxLayout()
         self._lights.setSpacing(GRID // 2)
-        column = QVBoxLayout(holder)
-        column.setContentsMargins(0, 0, 0, 0)
+        column = QVBoxLayout()
         column.setSpacing(GRID // 2)
         for group in groups:
             column.addWidget(group)
@@ -160,9 +148,7 @@ class SidePanel(Surface):
         column.addWidget(self.legend)
         column.addLayout(self._lights)
         column.addStretch()
-        area.setWidget(holder)
-        holder.setAutoFillBackground(False)
-        return area
+        return Rolled(column, least=GRID, beside_bar=0)
 
     def _next_unit(self) -> None:
         self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])

@@ -265,7 +265,7 @@ def settle(window):
 def faults_at(window, bring, page, words, sizes=SIZES):
     """What is wrong with this page at the size that is called so."""
     size, wall = sizes[words]
-    for _ in range(3):  # a narrow window has a narrow frame, then room for less, and then words in other lines
+    for _ in range(2):  # a narrow window has a narrow frame, and then room for less
         bring(size, wall)
         settle(window)
     if window.lazy_pages[page].area.horizontalScrollBar().isVisible():

@@ -7479,7 +7479,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>COILS   A</source>
-        <translation>SPULEN A</translation>
+        <translation>SPULEN   A</translation>
     </message>
     <message>
         <source>Read all</source>

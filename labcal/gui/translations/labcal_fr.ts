@@ -7479,7 +7479,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>COILS   A</source>
-        <translation>BOBINES A</translation>
+        <translation>BOBINES   A</translation>
     </message>
     <message>
         <source>Read all</source>

@@ -12,19 +12,24 @@ LEAST_PX, MOST_PX = 16 * GRID, 30 * GRID  # of them that are in sight without a 
 
 
 class Rolled(QScrollArea):
-    """Shows `layout`, as high as its wrapped texts are at this width, never cut; down to `first` without a bar."""
+    """Shows `layout`, as high as its wrapped texts are at this width, never cut; down to `first` without a bar.
 
-    def __init__(self, layout: QLayout, first: QWidget | None = None) -> None:
+    It keeps a height of `least`, and what it shows `beside_bar` from where a bar stands [px].
+    """
+
+    def __init__(
+        self, layout: QLayout, first: QWidget | None = None, *, least: int = LEAST_PX, beside_bar: int = GRID
+    ) -> None:
         super().__init__()
         self._first = first
         self._holder = QWidget()
         self._holder.setLayout(layout)
-        layout.setContentsMargins(0, 0, GRID, 0)  # no word touches the bar
+        layout.setContentsMargins(0, 0, beside_bar, 0)  # no word touches the bar
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setMinimumHeight(LEAST_PX)
+        self.setMinimumHeight(least)
         self.viewport().setAutoFillBackground(False)
         self.setWidget(self._holder)
         self._holder.setAutoFillBackground(False)
