@@ -50,7 +50,7 @@ class Flow(QLayout):
     def heightForWidth(self, width: int) -> int:
         """Of all rows at this width."""
         rows = self._rows(width)
-        return sum(map(_height, rows)) + self.spacing() * max(0, len(rows) - 1)
+        return sum(self._high(row, width) for row in rows) + self.spacing() * max(0, len(rows) - 1)
 
     def sizeHint(self) -> QSize:
         """All in one row."""
@@ -68,7 +68,7 @@ class Flow(QLayout):
         y = rect.y()
         for row in self._rows(rect.width()):
             self._place(row, QPoint(rect.x(), y), rect.width())
-            y += _height(row) + self.spacing()
+            y += self._high(row, rect.width()) + self.spacing()
 
     def _seen(self) -> list[QLayoutItem]:
         return [one for one in self._items if not one.isEmpty()]
@@ -98,14 +98,28 @@ class Flow(QLayout):
         return rows
 
     def _place(self, row: list[QLayoutItem], at: QPoint, width: int) -> None:
-        growing = [one for one in row if one.expandingDirections() & Qt.Orientation.Horizontal]
-        left = max(0, width - self._width(row))
-        x, high = at.x() + (0 if growing or self._at_left else left), _height(row)
+        growing, left = _growing(row), max(0, width - self._width(row))
+        x, high = at.x() + (0 if growing or self._at_left else left), self._high(row, width)
+        for one, size in self._sizes(row, width):
+            one.setGeometry(QRect(QPoint(x, at.y() + (high - size.height()) // 2), size))
+            x += size.width() + self.spacing()
+
+    def _high(self, row: list[QLayoutItem], width: int) -> int:
+        return max((size.height() for _, size in self._sizes(row, width)), default=0)
+
+    def _sizes(self, row: list[QLayoutItem], width: int) -> list[tuple[QLayoutItem, QSize]]:
+        """Each as wide as it is there, and as high as its words are at that width."""
+        growing, left = _growing(row), max(0, width - self._width(row))
+        out = list[tuple[QLayoutItem, QSize]]()
         for one in row:
-            size = one.sizeHint()
-            wide = min(width, size.width() + (left // len(growing) if one in growing else 0))
-            one.setGeometry(QRect(x, at.y() + (high - size.height()) // 2, wide, size.height()))
-            x += wide + self.spacing()
+            hint = one.sizeHint()
+            wide = min(width, hint.width() + (left // len(growing) if one in growing else 0))
+            out.append((one, QSize(wide, one.heightForWidth(wide) if one.hasHeightForWidth() else hint.height())))
+        return out
+
+
+def _growing(row: list[QLayoutItem]) -> list[QLayoutItem]:
+    return [one for one in row if one.expandingDirections() & Qt.Orientation.Horizontal]
 
 
 def _height(row: list[QLayoutItem]) -> int:
