@@ -27,7 +27,7 @@ from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
 from labcal.store import Store
 from labcal.store.listing import FILE as STORE
-from labcal.version import __version__
+from labcal.version import __version__, sources
 
 HALVES_S = 3600.0  # so long nobody writes at one: who did was killed
 FOLDER, ENDING, FORMAT = "made-ready", ".run", "labcal-made-ready/2"
@@ -90,7 +90,7 @@ def forget_all_but(heads: Iterable[str | None]) -> None:
 
 def _path(head: str) -> Path:
     """Rows decide the samples up to their last bits, which the labcal and the numpy that interpolate them decide."""
-    made_of = "\n".join((FORMAT, head, __version__, np.__version__))
+    made_of = "\n".join((FORMAT, head, __version__, sources(), np.__version__))
     return folder() / f"{sha256(made_of.encode()).hexdigest()}{ENDING}"
 
 

@@ -14,7 +14,7 @@ from labcal.files.home import FILE, home, own_folder
 from labcal.fit import draft_calibration, fit
 from labcal.model import Calibration
 from labcal.session.sources import Source, is_path, run_bundle
-from labcal.session.working_out import version
+from labcal.session.working_out import this_labcal
 from labcal.store import Store
 from labcal.uncertainty.conformity.change import SHOWN
 from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
@@ -57,8 +57,8 @@ def figures_of_calibration(calibration: Calibration) -> Mapping[str, SensorFigur
 
 
 def place_of(run: Source) -> Path:
-    """Where they are kept, by what the run holds and the version that worked them out."""
-    key = sha256(f"{_content_of(run)} {METHOD} {version()}".encode()).hexdigest()
+    """Where they are kept, by what the run holds and the labcal that worked them out."""
+    key = sha256(f"{_content_of(run)} {METHOD} {this_labcal()}".encode()).hexdigest()
     return home() / FOLDER / f"{key}.json"
 
 

@@ -27,7 +27,7 @@ from labcal.model.effects import find
 from labcal.record import Run
 from labcal.session.of_its_record import of_its_record
 from labcal.store import Bundle, Store
-from labcal.version import __version__
+from labcal.version import __version__, sources
 
 if TYPE_CHECKING:
     from labcal.loop.refit import Refit
@@ -50,6 +50,11 @@ def version() -> str:
     there = (entry.dist for group in ("labcal.effects", "labcal.estimators") for entry in entry_points(group=group))
     own = [f"{name} {value}" for name, value in policy.moved().items()]
     return " ".join([__version__, *own, *sorted({f"{d.name} {d.version}" for d in there if d and d.name != "labcal"})])
+
+
+def this_labcal() -> str:
+    """`version`, and what tells two labcals apart that say the same one: what is kept here is called by it."""
+    return f"{version()} {sources()}"
 
 
 def keep(made: Calibration) -> None:
@@ -218,9 +223,9 @@ def _whole_place(stated: Calibration) -> Path:
 
 
 def _final_place(stated: Calibration) -> Path:
-    """Where this version's final fit is kept: by the run's content, the effects that are named and the metrics."""
+    """Where this labcal's final fit is kept: by the run's content, the effects that are named and the metrics."""
     effects, metrics = [asdict(e) for e in _fitted_effects(stated)], {w: dict(m) for w, m in stated.metrics.items()}
-    return _place(stated.run_sha256, dict(way_of(stated)), version(), effects, metrics)
+    return _place(stated.run_sha256, dict(way_of(stated)), this_labcal(), effects, metrics)
 
 
 def _place(*made_from: object) -> Path:

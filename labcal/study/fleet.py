@@ -19,7 +19,7 @@ from labcal.model import Calibration, EffectRecord
 from labcal.model.effects import find
 from labcal.session.from_archive import calibrations_from_archive, runs_from_archive
 from labcal.session.signing import CALIBRATIONS
-from labcal.session.working_out import made_by, version, way_of, work_out
+from labcal.session.working_out import made_by, this_labcal, version, way_of, work_out
 from labcal.store import Bundle, load_bundle
 from labcal.study.job import Cell, Job, Row
 from labcal.study.specification import FleetStudy
@@ -71,7 +71,7 @@ def _job(study: FleetStudy, file: Path, folder: Path, stated: Calibration, place
     effect = None if study.effect is None else {"id": study.effect.id, "channels": list(study.effect.channels)}
     settings = {
         "calibration_sha256": _sha256(file), "run_sha256": stated.run_sha256, "by": study.by,
-        "effect": effect, "version": version(),
+        "effect": effect, "version": this_labcal(),
     }  # fmt: skip
     labels: dict[str, Cell] = {
         "calibration": file.relative_to(folder).as_posix(), "serial": stated.dut.serial, "run": stated.run_id

@@ -16,7 +16,7 @@ from labcal.files.toml_file import named_files, read_toml
 from labcal.fit.registry import methods
 from labcal.runner import find
 from labcal.runner.catalogue import FoundProcedure
-from labcal.session.working_out import version
+from labcal.session.working_out import this_labcal
 from labcal.study.fleet import fleet_jobs
 from labcal.study.grid import PROCEDURE, GridPoint, merged, points
 from labcal.study.job import Cell, Job, canonical
@@ -48,7 +48,7 @@ def _simulated(study: Simulated, file: Path) -> Iterator[Job]:
         raise InputError(f"is a study of {number} jobs; at most {MOST_JOBS} are meant", file=file)
     for point in grid:
         procedure = find(_procedure(study, str(point.changes.get(PROCEDURE, study.procedure)), file))
-        common = {**_common(study, procedure, bench, point), "version": version()}
+        common = {**_common(study, procedure, bench, point), "version": this_labcal()}
         for more in asked:
             for seed in study.all_seeds:
                 labels: dict[str, Cell] = {**point.labels, **more, "seed": seed}

@@ -14,13 +14,13 @@ _one_at_a_time = threading.Lock()  # the threads of a Dask worker share clocks, 
 def work(job: Job) -> Row:
     """The job's row. What a lab would have to live with, as a limit not met or a run without a fit, stands in it.
 
-    Raises InputError where this computer has another version of labcal than the one that asked.
+    Raises InputError where this computer has another labcal than the one that asked.
     """
     from labcal.loop.parallel import serially
-    from labcal.session.working_out import version
+    from labcal.session.working_out import this_labcal
 
-    if job.settings["version"] != version():
-        text = f"this worker has {version()}, the study was begun by {job.settings['version']}: install the same"
+    if job.settings["version"] != this_labcal():
+        text = f"this worker has {this_labcal()}, the study was begun by {job.settings['version']}: install the same"
         raise InputError(text)
     with _one_at_a_time, serially():
         try:

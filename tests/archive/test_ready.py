@@ -113,11 +113,20 @@ def test_a_record_that_has_gone_on_since_is_made_anew(postgres: Server, database
     assert [row[6] for row in rows_of(postgres, database)["run"]] == ["S-right"]
 
 
-@pytest.mark.parametrize("which", ["labcal.archive.ready.__version__", "numpy.__version__"])
-def test_what_another_program_made_is_made_anew(which: str, url: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("which", "other"),
+    [
+        ("labcal.archive.ready.__version__", "99.0"),
+        ("labcal.archive.ready.sources", lambda: "another day"),
+        ("numpy.__version__", "99.0"),
+    ],
+)
+def test_what_another_program_made_is_made_anew(
+    which: str, other: object, url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     stored_runs([0], SAMPLES)
     kept("size-0")
-    monkeypatch.setattr(which, "99.0")
+    monkeypatch.setattr(which, other)
     assert ready.kept("size-0") is None
     assert (archiving.push(url).runs, files()) == (1, [])
 

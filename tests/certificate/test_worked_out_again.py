@@ -283,6 +283,9 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
     assert working_out.recomputed(stated, only_kept=True).same is None
     assert working_out.recomputed(stated).same
     assert working_out.recomputed(stated, only_kept=True).same
+    with monkeypatch.context() as patch:
+        patch.setattr(working_out, "sources", lambda: "another day")  # of the same version
+        assert working_out.recomputed(stated, only_kept=True).same is None
     assert not working_out.recomputed(read_calibration(path)).same
     path.write_bytes(calibration_bytes(stated))
     edited(path, lambda c: c["effects"][0]["domain"][0]["hull"][1].__setitem__(0, 50.0))

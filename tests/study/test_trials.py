@@ -98,13 +98,17 @@ def recorded_before(recorded: SimulatedRun) -> float:
     return recorded.lab_s - sum(seconds for _, seconds in recorded.steps)
 
 
-def test_a_job_has_the_name_of_what_it_depends_on_and_of_nothing_else(tmp_path: Path) -> None:
+def test_a_job_has_the_name_of_what_it_depends_on_and_of_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     first, second = jobs(tmp_path, "monte-carlo")
     again = jobs(tmp_path, "monte-carlo", "accuracy_deg = 0.3")[0]  # asked of the results, not of the job
     assert first.key == again.key != second.key
     assert jobs(tmp_path, "monte-carlo", "field_nT = 4e4")[0].key != first.key
     assert jobs(tmp_path, "blind")[0].key != first.key
     assert replace(first, places={"run": "elsewhere"}).key == first.key
+    monkeypatch.setattr("labcal.session.working_out.sources", lambda: "another day")
+    assert jobs(tmp_path, "monte-carlo")[0].key != first.key
 
 
 def test_a_bench_that_fails_or_a_limit_that_refuses_is_told_in_the_row(settings: Mapping[str, Any]) -> None:
@@ -117,6 +121,8 @@ def test_a_bench_that_fails_or_a_limit_that_refuses_is_told_in_the_row(settings:
 def test_another_version_on_a_worker_is_refused(settings: Mapping[str, Any]) -> None:
     with pytest.raises(InputError, match="install the same"):
         work(Job("monte-carlo", {**settings, "version": "0.0.1"}))
+    with pytest.raises(InputError, match=r"this worker has 0\.1\.0 [0-9a-f]{12}, the study was begun by 0\.1\.0"):
+        work(Job("monte-carlo", {**settings, "version": "0.1.0"}))
 
 
 @pytest.mark.slow
