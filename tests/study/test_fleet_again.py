@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -12,6 +13,8 @@ from fleet import build, sensor
 
 from labcal import session
 from labcal.cli import execute as labcal
+from labcal.files.home import home
+from labcal.session.signing import CALIBRATIONS
 from labcal.study.run import run_study
 
 SLOPES = (12.0, 0.0)  # nT/K of two sensors
@@ -52,6 +55,18 @@ def test_the_loop_names_the_cause_in_those_that_have_it(fleet: Path, capsys: pyt
     assert labcal(["study", str(fleet / "again.toml"), "--out", str(fleet / "out")]) == 0
     told = dict(line.rsplit(maxsplit=1) for line in capsys.readouterr().out.splitlines()[:3])
     assert told == {"jobs": "2", "worked out": "2", "moved": "1"}
+
+
+def test_the_example_asks_it_of_this_lab_s_own(fleet: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    own = home() / CALIBRATIONS
+    own.mkdir(parents=True)
+    for number in range(len(SLOPES)):
+        session.import_bundle(fleet / f"run-00{number}")
+        shutil.copy(fleet / f"cal-00{number}.json", own)
+    example = Path(__file__).parents[2] / "examples" / "fleet.toml"
+    assert labcal(["study", str(example), "--out", str(fleet / "out")]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "1 of 2 calibrations would move by more than their U; the largest by" in told
 
 
 @pytest.mark.slow
