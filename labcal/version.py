@@ -33,6 +33,6 @@ def sources_of(folders: Iterable[Path]) -> str:
     for folder in folders:
         for path in sorted(path for kind in ("*.py", "*.toml") for path in folder.rglob(kind)):
             name = path.relative_to(folder).as_posix()
-            if not name.startswith(f"{WINDOW}/"):
+            if not name.startswith(f"{WINDOW}/") and path.is_file():  # an editor's lock is a link to nothing
                 found.update(f"{folder.name}/{name} {sha256(path.read_bytes()).hexdigest()}\n".encode())
     return found.hexdigest()[:12]

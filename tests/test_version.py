@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -44,6 +45,10 @@ def the_window(room: Path) -> None:
     (room / "gui/window.py").write_text("")
 
 
+def an_editor_s_lock(room: Path) -> None:
+    (room / "fit/.#ml.py").symlink_to("somebody@here.1234")
+
+
 def what_python_makes(room: Path) -> None:
     (room / "fit/ml.pyc").touch()
 
@@ -57,6 +62,7 @@ def what_python_makes(room: Path) -> None:
         (one_more, False),
         (the_window, True),
         (what_python_makes, True),
+        pytest.param(an_editor_s_lock, True, marks=pytest.mark.skipif(os.name != "posix", reason="links are POSIX's")),
     ],
 )
 def test_whatever_works_something_out_is_in_it(room: Path, change: Change, same: bool) -> None:
