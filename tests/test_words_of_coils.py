@@ -100,7 +100,7 @@ NO_CLAIM = {
     "coils-off zero before": HELP,
     "coils off between two turns": HELP,
     "DUT less reference, coils off": ASKED,
-    "Coil {} makes a gradient now. Hands off?": ASKED,
+    "Coil {} makes a gradient now, with the current of {} µT. Hands off?": ASKED,
     "COILS OFF": HELP,
     "For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.": HELP,
     "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.": HELP,
@@ -109,7 +109,7 @@ NO_CLAIM = {
     "Try again: its output has to go on anew.": ORDER,
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,
-    "Each coil goes to ±{} µT, then the field rotates. Hands off?": ASKED,
+    "The coils go up to {} µT, then the field rotates. Hands off?": ASKED,
     "current at zero {}": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
     "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "

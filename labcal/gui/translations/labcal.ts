@@ -1133,7 +1133,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
+        <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1153,19 +1157,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The coils go to {0} A. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The platform turns to {0}°. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1181,15 +1185,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1233,10 +1241,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1245,15 +1249,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coil {0} makes a gradient now. Hands off?</source>
+        <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6797,6 +6797,13 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>OneDut</name>
+    <message>
+        <source>{0}: what is being computed goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -7994,7 +8001,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Traced, run {0}: {1}</source>
+        <source>Traced, {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

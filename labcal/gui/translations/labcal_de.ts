@@ -1133,8 +1133,12 @@
         <translation>Datei des Fotos ({0}), oder leer:</translation>
     </message>
     <message>
-        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
-        <translation>Das Feld wird immer wieder gestellt, während der Prüfling warm wird und abkühlt. Hände weg?</translation>
+        <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
+        <translation>Die Spulen gehen bis {0} µT, dann dreht sich das Feld. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
+        <translation>Felder bis {0} µT werden abgespielt, wie {1} sie will. Hände weg?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in all directions. Hands off?</source>
@@ -1153,20 +1157,20 @@
         <translation>Das Feld geht auf {0} µT, und der Tisch kann drehen. Hände weg?</translation>
     </message>
     <message>
-        <source>The coils go to {0} A. Hands off?</source>
-        <translation>Die Spulen gehen auf {0} A. Hände weg?</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation>Die Spulen gehen auf {0} A, und der Tisch kann drehen. Hände weg?</translation>
-    </message>
-    <message>
         <source>The platform turns to {0}°. Hands off?</source>
         <translation>Der Tisch dreht auf {0}°. Hände weg?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
         <translation>Als Nächstes sucht der Tisch seine Null und dreht auf {0}°. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT.</source>
+        <translation>Die Spulen gehen auf {0} µT.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn.</source>
+        <translation>Die Spulen gehen auf {0} µT, und der Tisch kann drehen.</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°.</source>
@@ -1181,16 +1185,20 @@
         <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie vor der Unterbrechung?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT, während der Prüfling warm wird und abkühlt. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} µT. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} µT, und der Tisch kann drehen. Hände weg?</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation>Das Feld geht auf {0} µT, und die Plattform kann sich drehen.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A.</source>
-        <translation>Die Spulen gehen auf {0} A.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn.</source>
-        <translation>Die Spulen gehen auf {0} A, und die Plattform kann sich drehen.</translation>
     </message>
     <message>
         <source>The platform turns to {0}°.</source>
@@ -1233,10 +1241,6 @@
         <translation>Jede Spule geht nacheinander auf {0} µT. Hände weg?</translation>
     </message>
     <message>
-        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation>Jede Spule geht auf {0} µT, dann dreht sich das Feld. Hände weg?</translation>
-    </message>
-    <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
         <translation>Jede Spule geht auf {0} µT. Hände weg?</translation>
     </message>
@@ -1245,16 +1249,12 @@
         <translation>Jede Spule wechselt von {0} µT abwärts. Hände weg?</translation>
     </message>
     <message>
-        <source>Coil {0} makes a gradient now. Hands off?</source>
-        <translation>Spule {0} macht jetzt einen Gradienten. Hände weg?</translation>
+        <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
+        <translation>Spule {0} macht jetzt einen Gradienten, mit dem Strom, der sonst {1} µT macht. Hände weg?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
         <translation>Felder bis {0} µT werden abgespielt. Hände weg?</translation>
-    </message>
-    <message>
-        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
-        <translation>Felder werden abgespielt, wie {0} sie will, innerhalb der Grenzen. Hände weg?</translation>
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
@@ -6798,6 +6798,13 @@ diesem Schritt …</translation>
     </message>
 </context>
 <context>
+    <name>OneDut</name>
+    <message>
+        <source>{0}: what is being computed goes on.</source>
+        <translation>{0}: Was gerechnet wird, läuft weiter.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -7995,8 +8002,8 @@ diesem Schritt …</translation>
         <translation>sucht … {0}</translation>
     </message>
     <message>
-        <source>Traced, run {0}: {1}</source>
-        <translation>Rest zurückverfolgt, Messung {0}: {1}</translation>
+        <source>Traced, {0}: {1}</source>
+        <translation>Zurückverfolgt, {0}: {1}</translation>
     </message>
 </context>
 <context>

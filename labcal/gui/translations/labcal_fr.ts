@@ -1133,8 +1133,12 @@
         <translation>Fichier de la photo ({0}), ou vide :</translation>
     </message>
     <message>
-        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
-        <translation>Le champ est réglé encore et encore pendant que le DUT chauffe et refroidit. Mains loin ?</translation>
+        <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
+        <translation>Les bobines vont jusqu’à {0} µT, puis le champ tourne. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
+        <translation>Des champs jusqu’à {0} µT sont joués comme {1} les veut. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in all directions. Hands off?</source>
@@ -1153,20 +1157,20 @@
         <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains loin ?</translation>
     </message>
     <message>
-        <source>The coils go to {0} A. Hands off?</source>
-        <translation>Les bobines vont à {0} A. Mains loin ?</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation>Les bobines vont à {0} A, et le plateau peut tourner. Mains loin ?</translation>
-    </message>
-    <message>
         <source>The platform turns to {0}°. Hands off?</source>
         <translation>La plate-forme tourne à {0}°. Mains loin ?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
         <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT.</source>
+        <translation>Les bobines vont à {0} µT.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn.</source>
+        <translation>Les bobines vont à {0} µT, et la plateforme peut tourner.</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°.</source>
@@ -1181,16 +1185,20 @@
         <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme avant l&apos;interruption ?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
+        <translation>Le champ va à {0} µT pendant que le DUT chauffe et refroidit. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT. Hands off?</source>
+        <translation>Les bobines vont à {0} µT. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Les bobines vont à {0} µT, et la plateforme peut tourner. Mains loin ?</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation>Le champ passe à {0} µT, et la plateforme peut tourner.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A.</source>
-        <translation>Les bobines passent à {0} A.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn.</source>
-        <translation>Les bobines passent à {0} A, et la plateforme peut tourner.</translation>
     </message>
     <message>
         <source>The platform turns to {0}°.</source>
@@ -1233,10 +1241,6 @@
         <translation>Chaque bobine va tour à tour à {0} µT. Mains loin ?</translation>
     </message>
     <message>
-        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation>Chaque bobine va à {0} µT, puis le champ tourne. Mains loin ?</translation>
-    </message>
-    <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
         <translation>Chaque bobine va à {0} µT. Mains loin ?</translation>
     </message>
@@ -1245,16 +1249,12 @@
         <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains loin ?</translation>
     </message>
     <message>
-        <source>Coil {0} makes a gradient now. Hands off?</source>
-        <translation>La bobine {0} fait maintenant un gradient. Mains loin ?</translation>
+        <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
+        <translation>La bobine {0} fait maintenant un gradient, avec le courant qui fait sinon {1} µT. Mains loin ?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
         <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains loin ?</translation>
-    </message>
-    <message>
-        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
-        <translation>Des champs sont joués comme {0} les veut, dans les limites. Mains loin ?</translation>
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
@@ -6798,6 +6798,13 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>OneDut</name>
+    <message>
+        <source>{0}: what is being computed goes on.</source>
+        <translation>{0} : le calcul en cours continue.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -7995,8 +8002,8 @@ cette étape …</translation>
         <translation>recherche … {0}</translation>
     </message>
     <message>
-        <source>Traced, run {0}: {1}</source>
-        <translation>Résidu tracé, mesure {0} : {1}</translation>
+        <source>Traced, {0}: {1}</source>
+        <translation>Expliqué, {0} : {1}</translation>
     </message>
 </context>
 <context>
