@@ -235,7 +235,7 @@ def test_an_axis_that_was_not_read_back_is_never_at_zero(unread: str) -> None:
 
 def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
-    assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
+    assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference has confirmed it"
     assert of_ends(ended).sentence(110.0) == "coils read back at zero by the supply's word 10 s ago; not watched since"
     assert (
         of_ends(ended).sentence(100.0 + 61 * 60)

@@ -412,23 +412,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to Fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose a calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Estimate a calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -449,6 +433,14 @@
     </message>
     <message>
         <source>U: k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The page where that is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -893,10 +885,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no reference was asked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the reference does not answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1178,6 +1166,10 @@
     </message>
     <message>
         <source>The field goes to {0} µT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reference has confirmed it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3801,6 +3793,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4218,10 +4214,6 @@
     </message>
     <message>
         <source>so far nothing has the evidence of a name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6992,15 +6984,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Tracing: see how far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting: see how far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Try the other methods</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>See what is found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7833,7 +7829,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7885,6 +7881,10 @@ after this step …</source>
     </message>
     <message>
         <source>Supersedes {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is over: the last day on which it is good is today or later</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9157,10 +9157,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9218,6 +9214,10 @@ after this step …</source>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One axis: not enough for a calibration by itself. Measure the others too, or a preflight.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9498,6 +9498,10 @@ after this step …</source>
     </message>
     <message>
         <source>the next field or turn comes unasked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopping</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

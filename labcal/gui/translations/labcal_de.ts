@@ -412,24 +412,8 @@
         <translation>Kalibrierungen, die neueste zuerst</translation>
     </message>
     <message>
-        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
-        <translation>Noch keine. Eine Messung anpassen, dann ihren Rest erklären: das schreibt einen Entwurf.</translation>
-    </message>
-    <message>
-        <source>Go to Fit</source>
-        <translation>Zum Fit</translation>
-    </message>
-    <message>
         <source>Choose a calibration</source>
         <translation>Eine Kalibrierung wählen</translation>
-    </message>
-    <message>
-        <source>Estimate a calibration</source>
-        <translation>Eine Kalibrierung schätzen</translation>
-    </message>
-    <message>
-        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
-        <translation>Noch keine Kalibrierung von {0}. Eine Messung davon auswerten, dann den Rest erklären; oder eine andere wählen.</translation>
     </message>
     <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
@@ -450,6 +434,14 @@
     <message>
         <source>U: k=2</source>
         <translation>U: k=2</translation>
+    </message>
+    <message>
+        <source>The page where that is done</source>
+        <translation>Die Seite, auf der das getan wird</translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.</source>
+        <translation>Noch keine Kalibrierung von {0}: Ein Fit und die Suche nach dem, was er übrig lässt, schreiben einen Entwurf.</translation>
     </message>
     <message>
         <source>nobody yet</source>
@@ -893,10 +885,6 @@
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
     <message>
-        <source>no reference was asked</source>
-        <translation>keine Referenz wurde gefragt</translation>
-    </message>
-    <message>
         <source>the reference does not answer</source>
         <translation>die Referenz antwortet nicht</translation>
     </message>
@@ -1179,6 +1167,10 @@
     <message>
         <source>The field goes to {0} µT.</source>
         <translation>Das Feld geht auf {0} µT.</translation>
+    </message>
+    <message>
+        <source>no reference has confirmed it</source>
+        <translation>keine Referenz hat es bestätigt</translation>
     </message>
     <message>
         <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
@@ -3801,6 +3793,10 @@
         <translation>Die Messwerte folgen der Referenz nicht: Das Grundmodell lässt {0} von {1} nT übrig, und kein Umdrehen oder Vertauschen von Achsen und kein Versatz einer Uhr erklärt es.</translation>
     </message>
     <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
+        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2} Mal das Rauschen in den durchsuchten Zeilen</translation>
+    </message>
+    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} tun bei dieser Messung gleich viel, und nichts, was die Abläufe dieses Labors tun, trennte sie um {1} Standardabweichungen</translation>
     </message>
@@ -4219,10 +4215,6 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>bisher hat nichts die Evidenz eines Namens</translation>
-    </message>
-    <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
-        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2}-faches Rauschen</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -6993,16 +6985,20 @@ diesem Schritt …</translation>
         <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
+        <source>Tracing: see how far</source>
+        <translation>Wird zurückverfolgt: ansehen</translation>
+    </message>
+    <message>
+        <source>Fitting: see how far</source>
+        <translation>Wird gerechnet: ansehen</translation>
+    </message>
+    <message>
         <source>Try the other methods</source>
         <translation>Die anderen Verfahren versuchen</translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
         <translation>{0} kalibrieren</translation>
-    </message>
-    <message>
-        <source>See what is found</source>
-        <translation>Sehen, was gefunden wird</translation>
     </message>
     <message>
         <source>was broken off: {0}</source>
@@ -7794,6 +7790,10 @@ diesem Schritt …</translation>
         <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
+    </message>
+    <message>
         <source>Go on with {0}</source>
         <translation>Weiter mit {0}</translation>
     </message>
@@ -7842,10 +7842,6 @@ diesem Schritt …</translation>
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
     </message>
     <message>
-        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
-        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden noch einmal gemessen, dann was fehlt.</translation>
-    </message>
-    <message>
         <source>{0} more on the History page.</source>
         <translation>{0} weitere auf der Seite Verlauf.</translation>
     </message>
@@ -7887,6 +7883,10 @@ diesem Schritt …</translation>
     <message>
         <source>Supersedes {0}</source>
         <translation>Ersetzt {0}</translation>
+    </message>
+    <message>
+        <source>{0} is over: the last day on which it is good is today or later</source>
+        <translation>{0} ist vorbei: Der letzte Tag der Gültigkeit ist heute oder später</translation>
     </message>
     <message>
         <source>“{0}” is no day: 2027-11-21, or {1}</source>
@@ -9158,10 +9158,6 @@ diesem Schritt …</translation>
         <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
     </message>
     <message>
-        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
-        <translation>Eine Achse: für eine Kalibrierung allein nicht genug. Weiter führt zu dem, was fehlt.</translation>
-    </message>
-    <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
         <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. Weiter führt fort.</translation>
     </message>
@@ -9220,6 +9216,10 @@ diesem Schritt …</translation>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Anpassen und den Rest erklären. Dann noch offen? Länger messen oder mit weniger Rauschen.</translation>
+    </message>
+    <message>
+        <source>One axis: not enough for a calibration by itself. Measure the others too, or a preflight.</source>
+        <translation>Eine Achse: für eine Kalibrierung allein zu wenig. Auch die anderen messen, oder einen Preflight.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
@@ -9500,6 +9500,10 @@ diesem Schritt …</translation>
     <message>
         <source>the next field or turn comes unasked</source>
         <translation>das nächste Feld oder die nächste Drehung kommt ungefragt</translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation>es wird angehalten</translation>
     </message>
     <message>
         <source>the run begins</source>

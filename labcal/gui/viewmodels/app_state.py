@@ -342,7 +342,7 @@ class AppState(QObject):
         return hands_at(self.run, lab_there(self.lab.state.now, self.facts))
 
     def _at_hands(self) -> dict[str, tuple[str, str]]:
-        return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts, self.known)
+        return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts)
 
     @property
     def known(self) -> state.LabState | None:

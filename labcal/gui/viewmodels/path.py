@@ -189,8 +189,9 @@ class PathViewModel(QObject):
             return self._to_calibrate(state.dut_serial)
         studied = self._study.of(last.run_id)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and (studied is None or studied.best() is None)):
-            page = "Loop" if marks["Loop"] == "now" else "Fit"
-            return Next(page, self.tr("See what is found"), last.run_id, waits=True)
+            traces = marks["Loop"] == "now"
+            words = self.tr("Tracing: see how far") if traces else self.tr("Fitting: see how far")
+            return Next("Loop" if traces else "Fit", words, last.run_id, waits=True)
         if marks["Fit"] == "broken":
             others = Next("Fit", self.tr("Try the other methods"), presses=True)
             return others if self._study.untried else self._to_calibrate(state.dut_serial, again=True)
