@@ -6296,6 +6296,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>

@@ -6296,6 +6296,10 @@
         <translation>Tasten</translation>
     </message>
     <message>
+        <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
+        <translation>Solange dieses Blatt offen ist, beantwortet keine Taste eine Frage; SPULEN AUS (F12) wirkt.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>

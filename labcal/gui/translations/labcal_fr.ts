@@ -6296,6 +6296,10 @@
         <translation>Touches</translation>
     </message>
     <message>
+        <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
+        <translation>Tant que cette feuille est ouverte, aucune touche ne répond à une question ; BOBINES À ZÉRO (F12) agit.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
