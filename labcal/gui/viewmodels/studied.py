@@ -11,6 +11,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.trace_pace import TracePace
 
 T = TypeVar("T")
+QUICK = {"look", "methods"}
 
 
 @dataclass(eq=False)
@@ -36,6 +37,11 @@ class Studied:
     def busy(self) -> bool:
         """Whether a worker has something to do for it."""
         return bool(self.waiting)
+
+    @property
+    def computes(self) -> bool:
+        """Whether that takes long: a look, and the names of methods, keep no other run waiting."""
+        return bool(set(self.waiting) - QUICK)
 
     @property
     def traces(self) -> bool:

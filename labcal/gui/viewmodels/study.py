@@ -217,7 +217,7 @@ class StudyViewModel(QObject):
         """The one that works for it already, else one at rest, else the last: it does one thing after another."""
         if studied.busy and studied.worker is not None:
             return studied.worker
-        taken = [one.worker for one in self._kept.values() if one.busy]
+        taken = [one.worker for one in self._kept.values() if one.computes]
         return next((worker for worker in self._workers if worker not in taken), self._workers[-1])
 
     def _methods_known(self, said: tuple[str, ...]) -> None:
