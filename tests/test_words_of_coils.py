@@ -110,6 +110,7 @@ NO_CLAIM = {
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,
     "The coils go up to {} µT, then the field rotates. Hands off?": ASKED,
+    "While this sheet is open no key answers a question; COILS OFF (F12) works.": HELP,
     "current at zero {}": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
     "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
