@@ -79,7 +79,8 @@ def follow(bench: Bench, url: str, duration_s: float, silent_s: float, max_age_s
         yield plan.begin(bench, AMBIENT[0])
         yield from measure_ambient(bench, AMBIENT[1])
         yield plan.begin(bench, WAIT)
-        yield from ready(bench, f"Fields are played as {url} wants them, within the limits. Hands off?")
+        largest = min(bench.config.cage.limits.field_nT, bench.config.dut.limits.field_nT or np.inf) / 1000
+        yield from ready(bench, f"Fields up to {largest:g} µT are played as {url} wants them. Hands off?")
         source = FieldSource(
             link, bench.clock, refuse=bench.cage.refuse_beyond_limits, ramp_s=lambda step: ramp_s(bench, step),
             silent_s=FIRST_S, max_age_s=max_age_s,

@@ -100,7 +100,7 @@ def _geometry(bench: Bench) -> GeometryConfig:
 def _with_a_half_reversed(bench: Bench, axis: str, field_nT: float, dwell_s: float) -> Work[Response]:
     """One coil's pair with its halves opposed, and put back."""
     yield from _leads(bench, axis, True)
-    yield from ready(bench, f"Coil {axis} makes a gradient now. Hands off?")
+    yield from ready(bench, f"Coil {axis} makes a gradient now, with the current of {field_nT / 1000:g} µT. Hands off?")
     response = yield from _driven(bench, AXES.index(axis), field_nT, dwell_s, confirm_signs=False)
     yield from _leads(bench, axis, False)
     return response

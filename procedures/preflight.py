@@ -56,6 +56,7 @@ ONE_AXIS = (
     "No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. "
     "It repeats or checks turns."
 )
+AXES_nT, SYNC_nT = 5_000.0, 8_000.0  # that the coils make in axes-check and sync-check
 LONGEST_DELAY_S = 0.5  # of an axis, as sync-check allows
 
 
@@ -122,7 +123,7 @@ def _open_and_check_axes(bench: Bench, setting: PreflightPlan, axis: str, resume
         try:
             first = yield from _open(bench, setting, axis, resume, stood)
             yield setting.plan().begin(bench, "axes-check")
-            yield from check_axes(bench, axis, 5_000.0, 2.0, 20.0, 15.0)
+            yield from check_axes(bench, axis, AXES_nT, 2.0, 20.0, 15.0)
             return first
         except LimitNotMet as wrong:
             yield from _mounted_wrongly(bench, "opening-failed", wrong)
@@ -179,7 +180,7 @@ def _first_mode_again(bench: Bench, setting: PreflightPlan) -> Work[None]:
 def _check_sync(bench: Bench, setting: PreflightPlan, axis: str) -> Work[PreflightPlan]:
     """Timing; the rate follows from the timing uncertainty found."""
     yield setting.plan().begin(bench, "sync-check")
-    u_time_s = yield from check_sync(bench, axis, 8_000.0, 15, 1.0, 40.0, 0.5)
+    u_time_s = yield from check_sync(bench, axis, SYNC_nT, 15, 1.0, 40.0, 0.5)
     found = replace(setting, u_time_s=max(u_time_s, setting.u_time_s)).at_rate_of(bench)
     yield from measured(bench, "rotation rate", found.rate_deg_per_s, 0.0, "deg/s")
     return found
@@ -337,7 +338,7 @@ def _zero_and_first_position(bench: Bench, setting: PreflightPlan, name: str) ->
 
 
 def _all_hands_off(bench: Bench, setting: PreflightPlan) -> Work[None]:
-    strongest = max(abs(b) for b in setting.fields_nT) / 1000
+    strongest = max(AXES_nT, SYNC_nT, *map(abs, setting.fields_nT)) / 1000
     yield from hands_off(bench, f"The coils go up to {strongest:g} µT and the platform turns.")
 
 

@@ -40,6 +40,7 @@ T = TypeVar("T")
 STEP_S = 1.6  # of lab time for a field beside its dwell
 PARTS = (1.0, 0.55)  # of the largest current and the largest modulus: what a supply lets through at zero shows in two
 OFF_EVERY = 10  # components, then all coils off
+EARTH_nT = 65_000.0  # at most, at a place that is not known yet
 UNSEEN_TURN = 2.0  # rad, of the lattice that no fit sees
 
 
@@ -72,7 +73,8 @@ def scalar_cage(
             [0.0, 0.0, 0.0],
         )
         yield Prompt(bench.clock.now(), "sensor-in-the-centre", text, acts=True, drawing={"reference_m": place})
-        yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT, then the field rotates. Hands off?")
+        largest = max(2**0.5 * field_nT, modulus_nT + EARTH_nT) / 1000  # of two coils together; against the place's
+        yield from ready(bench, f"The coils go up to {largest:.0f} µT, then the field rotates. Hands off?")
         first = yield from _seen(bench, singles, dwell_s)
         A, b0 = _asked(lambda: by_components(first))
         yield plan.begin(bench, "constant modulus")

@@ -58,7 +58,8 @@ def temperature_drift(
         yield from mount(bench, "mount-z", at_zero, how_to_mount("z"))
         yield from switch_mode(bench, mode)
         yield Prompt(bench.clock.now(), "warm", "Warm the DUT within its limits, then let it cool.", acts=True)
-        yield from ready(bench, "The field is set again and again while the DUT warms and cools. Hands off?")
+        largest = max(map(abs, fields_nT)) / 1000
+        yield from ready(bench, f"The field goes to {largest:g} µT as the DUT warms and cools. Hands off?")
         yield from measure_ambient(bench, 10.0)
         for number, (step, _) in enumerate(visits):
             yield plan.begin(bench, step)

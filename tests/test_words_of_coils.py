@@ -100,7 +100,7 @@ NO_CLAIM = {
     "coils-off zero before": HELP,
     "coils off between two turns": HELP,
     "DUT less reference, coils off": ASKED,
-    "Coil {} makes a gradient now. Hands off?": ASKED,
+    "Coil {} makes a gradient now, with the current of {} µT. Hands off?": ASKED,
     "COILS OFF": HELP,
     "For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.": HELP,
     "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.": HELP,
@@ -109,7 +109,8 @@ NO_CLAIM = {
     "Try again: its output has to go on anew.": ORDER,
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,
-    "Each coil goes to ±{} µT, then the field rotates. Hands off?": ASKED,
+    "The coils go up to {} µT, then the field rotates. Hands off?": ASKED,
+    "While this sheet is open no key answers a question; COILS OFF (F12) works.": HELP,
     "current at zero {}": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
     "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
@@ -235,7 +236,7 @@ def test_an_axis_that_was_not_read_back_is_never_at_zero(unread: str) -> None:
 
 def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
-    assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
+    assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference has confirmed it"
     assert of_ends(ended).sentence(110.0) == "coils read back at zero by the supply's word 10 s ago; not watched since"
     assert (
         of_ends(ended).sentence(100.0 + 61 * 60)

@@ -106,6 +106,7 @@ class Bench:
         self.asking = False  # a person: with the coils at zero nothing is missed until the answer
         self.hands_near = True  # as far as is known: nothing is energised or turned before somebody denies it
         self.field_taken = False  # by a pause, from a procedure that has not said since which field it wants
+        self.promised = ("", 0.0)  # what "hands off" was said to last, and the largest field of that [nT]
         self.announced: list[str] = []  # what has come on and turned since the step began, in words
         self.homed = False  # the platform, by whoever has this bench now
         self._stands: PlatformReading | None = None  # as it was read last

@@ -11,23 +11,24 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, TypeVar
+from math import inf
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.coils.state import LabState
 from labcal.bench.plan import Plan as Plan  # procedures have both from here
 from labcal.bench.plan import Resume as Resume
+from labcal.bench.remarks import not_used as not_used
+from labcal.bench.remarks import note as note
+from labcal.bench.remarks import read_back as read_back
+from labcal.bench.remarks import set_point as set_point
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError, LimitNotMet
 from labcal.record.run import Segment
 from labcal.record.stream import (
-    BY,
     FAULT,
-    NOT_USED,
-    PROCEDURE,
     Block,
     Event,
     Item,
@@ -44,6 +45,7 @@ Work = Generator[Item, str | None, T]  # yields what it measured, receives answe
 Procedure = Work[None]
 Blocks = list[Block]
 QUESTION = "question"  # in the drawing of "hands off" that was refused: what is about to happen
+HANDS_OFF, ROUNDING = "Hands off?", 1e-6
 ANEW = "again"  # in that of a step that failed: what comes on and turns where it is tried again
 MARGIN_S = 0.3
 AT_REST_DEG = 0.5  # a dial so near is not turned again
@@ -97,7 +99,7 @@ def turn(
     if limit is not None and rate_deg_per_s > limit:
         raise InputError(f"{rate_deg_per_s:g} deg/s is beyond the DUT's limit of {limit:g} deg/s; nothing was moved.")
     if abs(to_deg - bench.platform.angle_deg()) > AT_REST_DEG:
-        yield from hands_off(bench, f"The platform turns to {to_deg:g}°.")
+        yield from hands_off(bench, f"The platform turns to {to_deg:g}°.", 0.0)
     seconds = abs(to_deg - bench.platform.angle_deg()) / rate_deg_per_s
     bench.platform.move_to(to_deg, rate_deg_per_s)
     kept = yield from record(bench, seconds, look=look)
@@ -118,16 +120,20 @@ def turn_by_hand(bench: Bench, to_deg: float) -> Work[None]:
     bench.hands_near = False  # as the question asks
 
 
-def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
-    """Bring the platform to `angle_deg`, homed first where it does not know where it is; without a motor, by hand."""
+def to_angle(bench: Bench, angle_deg: float, *, then_asks: bool = False) -> Work[None]:
+    """Bring the platform to `angle_deg`, homed first where it does not know where it is; without a motor, by hand.
+
+    `then_asks`: a question comes next, and nothing else that was promised before it.
+    """
     if bench.by_hand is not None:
         if bench.platform.moving() or abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:
             yield from turn_by_hand(bench, angle_deg)
         return
     if not bench.homed:
-        yield from hands_off(bench, f"Next the platform looks for its zero and turns to {angle_deg:g}°.")
+        what = f"Next the platform looks for its zero and turns to {angle_deg:g}°."
+        yield from hands_off(bench, what, 0.0, alone=then_asks)
     elif abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:  # to find its zero it turns as well
-        yield from hands_off(bench, f"The platform turns to {angle_deg:g}°.")
+        yield from hands_off(bench, f"The platform turns to {angle_deg:g}°.", 0.0, alone=then_asks)
     bench.platform.home()
     bench.homed = True
     while bench.platform.moving():
@@ -208,7 +214,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
             yield _coils_read_back(bench)
             yield from standstill(bench)
             text = f"{name}: {said} ({bench.sentence()})"
-            again = {ANEW: " ".join(dict.fromkeys(bench.announced))}
+            again = {ANEW: bench.promised[0] or " ".join(dict.fromkeys(bench.announced))}
             drawing = _of_fault(bench, fault) | again
             choices = ("stop", "retry", "skip")
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, choices, drawing=drawing)
@@ -238,10 +244,11 @@ def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Wo
     """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record; as `Cage.set_field`."""
     b = [float(v) for v in np.asarray(b_nT)]
     bench.cage.refuse_beyond_limits(b)  # before anybody is asked for what cannot be done
-    yield from hands_off(bench, f"The field goes to {np.linalg.norm(b) / 1000:g} µT{_and_turns(bench)}.")
+    most_nT = float(np.linalg.norm(b))
+    yield from hands_off(bench, f"The field goes to {most_nT / 1000:g} µT{_and_turns(bench)}.", most_nT)
     bench.cage.set_field(b, confirm_signs=confirm_signs)
     bench.field_taken = False
-    yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
+    yield set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
 
 
 def energise_again(bench: Bench, b_nT: ArrayLike) -> Work[None]:
@@ -254,10 +261,11 @@ def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[N
     """Bring the coil currents to `i_A` (3,), and say so in the record; as `Cage.set_currents`."""
     i = [float(v) for v in np.asarray(i_A)]
     if any(i):
-        yield from hands_off(bench, f"The coils go to {max(map(abs, i)):.2g} A{_and_turns(bench)}.")
+        most_nT = float(np.linalg.norm(bench.cage.matrix_nT_per_A @ i))
+        yield from hands_off(bench, f"The coils go to {most_nT / 1000:.3g} µT{_and_turns(bench)}.", most_nT)
     bench.cage.set_currents(i, confirm_signs=confirm_signs)
     bench.field_taken = False
-    yield _set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
+    yield set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
 
 
 def coils_off(bench: Bench) -> Work[None]:
@@ -277,19 +285,13 @@ def standstill(bench: Bench) -> Work[None]:
         yield Event(bench.clock.now(), "standstill", said)
 
 
-def read_back(bench: Bench, kind: str, before: str = "", state: LabState | None = None, **data: Any) -> Event:
-    """An event that says how the coils are, by what was read of them last; `before` opens the sentence."""
-    now, state = bench.clock.now(), state or bench.state()
-    return Event(now, kind, before + state.sentence(now), data | {"state": state.as_json(now)})
-
-
 def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str, *instead: str) -> Work[str]:
     """Coils off, platform to zero, then ask the person to mount the DUT so; `body_from_cage` (3, 3) at angle 0.
 
     Returns the answer: "done", or one of what may be chosen `instead`.
     """
     yield from coils_off(bench)
-    yield from to_angle(bench, 0.0)
+    yield from to_angle(bench, 0.0, then_asks=True)
     bench.look_at_platform()
     attitude = np.asarray(body_from_cage, dtype=float)
     drawing = {"body_from_cage": attitude.tolist(), "axis_cage": list(bench.config.platform.axis_cage)}
@@ -308,12 +310,6 @@ def serial_of_what_is_mounted(bench: Bench, key: str) -> Work[None]:
         if (said or "").strip() == wanted:
             return
         text = f"{said or 'nothing'}: that is not the DUT of this run. Mount {wanted}, then scan its serial again."
-
-
-def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:
-    """Segments recorded so far that stay in the record and count no more, and why."""
-    text = f"not used: {', '.join(segments)}: {reason}"
-    return Event(bench.clock.now(), NOT_USED, text, {"segments": list(segments), "reason": reason})
 
 
 def switch_mode(bench: Bench, mode: str) -> Work[None]:
@@ -335,6 +331,7 @@ def switch_mode(bench: Bench, mode: str) -> Work[None]:
 def ready(bench: Bench, text: str) -> Work[None]:
     """Ask whether all hands are off; whoever says so stands back until the next question.
 
+    `text` names the largest field [µT] that comes before that: it is what a pause, or a step that failed, asks anew.
     While an instrument is lost nobody's word is taken: who puts it right has a hand at its plug. It is asked again.
     """
     still, drawing = "", dict[str, str]()
@@ -344,17 +341,29 @@ def ready(bench: Bench, text: str) -> Work[None]:
             break
         drawing = {QUESTION: text}  # whole: what comes on and turns is said until it is answered
         yield from record(bench, TICK_S)  # what stays away for too long ends this, whoever answers
-    bench.hands_near = False
+    bench.hands_near, bench.promised = False, (text.removesuffix(HANDS_OFF).strip(), inf)
 
 
-def hands_off(bench: Bench, what: str) -> Work[None]:
+def hands_off(bench: Bench, what: str, most_nT: float = inf, *, alone: bool = False) -> Work[None]:
     """Before anything is energised or turned: `ready`, unless nobody was asked for anything since it was answered.
 
-    `what` is about to happen. Every question may bring hands to the lab, for a person mounts, switches, puts right.
+    `what` is about to happen, with a field of `most_nT`; inf: nothing stronger comes before the next question. Every
+    question may bring hands to the lab, for a person mounts, switches, puts right. After a pause what was promised
+    before it still comes, and is asked anew, but for what is done `alone` before a question. Nobody who was told of
+    one field stands near a stronger one.
     """
     bench.announced.append(what)
-    if bench.hands_near:
-        yield from ready(bench, f"{what} Hands off?")
+    words, promised_nT = bench.promised
+    stronger = most_nT > promised_nT * (1 + ROUNDING)
+    if alone:
+        if bench.hands_near:
+            yield from ready(bench, f"{what} {HANDS_OFF}")
+            bench.promised = words, promised_nT
+    elif bench.hands_near or (stronger and most_nT < inf):
+        if stronger or most_nT == inf or not words:
+            words, promised_nT = what, most_nT
+        yield from ready(bench, f"{words} {HANDS_OFF}")
+        bench.promised = words, promised_nT
 
 
 def _and_turns(bench: Bench) -> str:
@@ -371,18 +380,7 @@ def measured(
     return result
 
 
-def note(bench: Bench, text: str, **data: Any) -> Event:
-    """A remark for the record, told from what a person notes."""
-    return Event(bench.clock.now(), "note", text, {BY: PROCEDURE, **data})
-
-
 def dut_nT(bench: Bench, blocks: Sequence[Block]) -> Samples:
     """The DUT's readings as nominal nT, body axes."""
     raw = samples(blocks, "dut")
     return replace(raw, values=raw.values * bench.config.dut.nominal_nT_per_unit)
-
-
-def _set_point(bench: Bench, text: str, **data: Any) -> Event:
-    currents = bench.cage.currents_A().tolist()
-    data |= {"read_back_A": currents, "state": bench.state().as_json(bench.clock.now())}
-    return Event(bench.clock.now(), "set-point", text, data)

@@ -44,7 +44,8 @@ class Shown:
         ended = lab.state.message == run.message
         if run.state == "ended":
             run.say_how_it_ended()
-        lab.update(message=run.message if ended else "")  # all else is in the other language
+        said_at = lab.state.said_at if ended else ""  # the words are new, what they tell is not
+        lab.update(message=run.message if ended else "", said_at=said_at)  # all else is in the other language
         self.window = Window(old.app_state)
         self._listen()
         self.window.setGeometry(old.geometry())

@@ -100,7 +100,9 @@ def accepted_in_words(pool: CandidateSet, accepted: Sequence[Candidate]) -> str:
     if not accepted:
         return NOTHING
     before, after = (rms(pool.residual(some)[pool.rows]) for some in ((), accepted))
-    return f"so far {_named(accepted)}, not proven yet: {before:.1f} to {after:.1f} times the noise"
+    return (
+        f"so far {_named(accepted)}, not proven yet: {before:.1f} to {after:.1f} times the noise in the rows searched"
+    )
 
 
 def _named(accepted: Sequence[Candidate]) -> str:

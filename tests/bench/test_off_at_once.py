@@ -56,7 +56,7 @@ def test_nothing_slow_is_loaded_before_its_last_word_so_that_what_was_read_is_no
     loaded = {line.rpartition("|")[2].strip() for line in said.stderr.splitlines()}
     assert "labcal.bench.coils.doubt" in loaded
     assert loaded & SLOW_TO_LOAD == set()
-    assert said.stdout.splitlines()[-1] == "zero by the supply's word only: no reference was asked"
+    assert said.stdout.splitlines()[-1] == "zero by the supply's word only: no reference has confirmed it"
 
 
 def test_with_an_option_the_command_line_is_asked_what_was_meant() -> None:

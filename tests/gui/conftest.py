@@ -165,7 +165,7 @@ def at_rest(window):
     app_state.watch.stop()
     app_state.watch.timer.stop()  # a test calls it, and no clock does
     workers = (app_state.quick_worker, app_state.bench_worker, app_state.fit_worker, app_state.off_worker)
-    for worker in (*workers, app_state.watch_worker):
+    for worker in (*workers, app_state.second_fit_worker, app_state.watch_worker):
         worker.asked, worker.said, worker.killed = [], [], 0
     window.scanner.now = time.monotonic
     window.scanner.wait.setInterval(SCAN_WAIT_MS)

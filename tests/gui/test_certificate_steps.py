@@ -242,6 +242,10 @@ def test_until_when_it_will_be_good_and_whence_that_comes_is_said_before_it_is_s
     assert valid.text().startswith("No last day of use is stated: it never expires by itself. That day is stated by")
     page.steps.stated.until.setText("2027-11-21")
     assert valid.text().startswith("Good until 2027-11-21. That day is stated by who approves (2), by the interval of")
+    page.steps.stated.until.setText("2025-01-01")
+    assert page.steps.stated.until.property("state") == "bad"
+    assert not page.steps.approve.isEnabled()
+    assert "2025-01-01 is over" in page.steps.approval.wrong.text()
     page.steps.stated.until.setText("21.13.2027")
     assert valid.text().startswith("No last day of use is stated")
     page.refresh()

@@ -54,7 +54,7 @@ def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbo
     card = fail(still, LOST, coils=(ON,))
     qtbot.keyClick(still, Qt.Key.Key_F12)
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "zero", True) for a in "xyz")))
-    assert card.coils.text() == "coils read back at zero by their supplies; no reference was asked"
+    assert card.coils.text() == "coils read back at zero by their supplies; no reference has confirmed it"
 
 
 def test_what_was_read_grows_old_in_the_window(still):

@@ -7,7 +7,10 @@ from test_hands_in_the_cage import lab, stands
 from test_hands_in_the_cage import real as real
 
 from labcal.bench.coils.state import Heard, LabState, unread
+from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.theming.theme import GRID
+from labcal.gui.viewmodels.run import RunViewModel
+from labcal.record.stream import Step
 
 SILENT = (Heard("stage", None, "silent"),)
 KNOWN = {
@@ -48,3 +51,25 @@ def test_a_bench_that_nobody_has_read_yet_is_calm(real):
 def test_a_simulated_lab_whose_run_is_over_is_no_alarm(still):
     still.app_state.take_lab(replace(lab(platform=stands()), instruments=SILENT))
     assert at(still) == ("", "")
+
+
+def test_a_bench_that_is_open_and_was_not_read_keeps_hands_off_at_once(still):
+    """Simulated or not: the panel said nothing of hands until the first look."""
+    assert still.app_state.facts.virtual_time
+    assert still.app_state.known is None
+    panel = still.side
+    assert (panel.may_go_in.text(), panel.hands.text(), panel.hands_group.isVisible()) == (
+        "▲ Hands off", "▲ Hands off: not read yet", True,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("end", [RunViewModel.stop, RunViewModel.abort])
+def test_once_the_end_is_ordered_nothing_comes_unasked(still, end):
+    run, panel = still.app_state.run, still.side
+    run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.bench_worker.items.emit((Step(0.0, 1, 2, "x-1", 60.0, ("x-1", "x-2")),))
+    run.hands_off = True
+    run.changed.emit()
+    assert panel.hands.text() == "▲ Hands off: the next field or turn comes unasked"
+    end(run)
+    assert (panel.keep_off.text(), panel.hands.text()) == ("HANDS OFF", "▲ Hands off: stopping")

@@ -129,9 +129,11 @@ def test_how_a_run_ended_is_said_anew_in_the_other_language(qapp, qtbot, new_win
     run.abort()
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("stopped", "stopped")))
     assert app_state.lab.state.message.endswith("stopped by COILS OFF")
+    app_state.lab.update(said_at="00:17:08")
     shown.speak("de")
     qtbot.addWidget(shown.window)
     assert app_state.lab.state.message.endswith("durch SPULEN AUS gestoppt")
+    assert app_state.lab.state.said_at == "00:17:08"  # when it ended, not when it was said anew
     assert shown.window.message.text().endswith("durch SPULEN AUS gestoppt")
 
 

@@ -41,7 +41,7 @@ def test_it_says_before_begin_that_it_is_not_enough(still):
     ("procedure", "words"),
     [
         ("preflight", "Fit, Loop, Certificate: Next leads there."),
-        ("rotate-axis", "One axis: not enough for a calibration by itself. Next leads to what is missing."),
+        ("rotate-axis", "One axis: not enough for a calibration by itself. Measure the others too, or a preflight."),
         ("axes-check", "No calibration of a DUT comes of this procedure. Next leads on."),
     ],
 )

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from test_path import calibration, marks
 
-from labcal.gui.ipc.answers import Look, RunLine
-from labcal.gui.ipc.messages import ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
+from labcal.gui.ipc.answers import Ended, FitFigures, Fitted, Look, RunLine
+from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
 from labcal.gui.standing import come_back
 from labcal.gui.viewmodels.one_dut import KEPT
 from labcal.gui.viewmodels.path import Next
@@ -105,6 +105,26 @@ def test_another_serial_at_the_top_lets_go_of_the_run_of_the_one_before(listed):
     listed.top.dut.editingFinished.emit()
     assert listed.app_state.study_vm.run == ""
     assert listed.page("Fit").chooser.currentData() is None
+
+
+def test_a_trace_goes_on_behind_another_dut_and_is_there_when_its_serial_is_typed_again(listed):
+    app_state = listed.app_state
+    study, worker = app_state.study_vm, app_state.fit_worker
+    app_state.set_identity(dut="EM-21")
+    listed.top.dut.editingFinished.emit()
+    app_state.open_study("r21")
+    study.fits["ml"] = Fitted(FitFigures(True))
+    study.close_loop()
+    app_state.set_identity(dut="EM-23")
+    listed.top.dut.editingFinished.emit()
+    assert (study.run, worker.killed, len(worker.commands(CloseLoop))) == ("", 0, 1)
+    assert listed.app_state.lab.state.message == "EM-21: what is being computed goes on."
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-23", "J. Doe"))
+    app_state.bench_worker.answer(RunProcedure, Ended("r23", "finished", None, ()))
+    assert (worker.killed, len(worker.commands(CloseLoop))) == (0, 1)
+    app_state.set_identity(dut="EM-21")
+    listed.top.dut.editingFinished.emit()
+    assert (study.run, study.traces, list(study.fits), marks(listed)[1:3]) == ("r21", True, ["ml"], "✓●")
 
 
 def test_while_a_run_goes_on_its_dut_stays_and_any_run_may_be_looked_at(listed):

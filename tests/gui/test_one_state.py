@@ -80,7 +80,7 @@ def told(names, coils, instruments, guardian, now):
     if instruments is not None and instruments[1]:
         heard = (*heard[:-1], Heard(names[-1], now - 5.0, instruments[1]))
     field_s = now - (age_s if instruments is None else max(age_s, instruments[0]))
-    witness = Witness(verdict, "no reference was asked", difference_nT=9e4, limit_nT=2e3, read_s=now - age_s)
+    witness = Witness(verdict, "no reference has confirmed it", difference_nT=9e4, limit_nT=2e3, read_s=now - age_s)
     field = FieldReading((3e4, 0.0, 4e4) if max(map(abs, filter(None, currents)), default=0) > 0.1 else None,
                          (3e4, 10.0, 4e4), field_s)  # fmt: skip
     stands = None if instruments is None else PlatformReading(69.0, False, now - instruments[0])

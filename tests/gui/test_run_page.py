@@ -6,11 +6,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
 from labcal import session
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.record.stream import Block, Step
 
 QUICK = {
     "axes": "x",
@@ -132,3 +135,18 @@ def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbo
     assert not page.live.prompt.isVisible()
     assert not run.coils_at_zero
     assert [one.simulated for one in session.runs() if one.run_id == run.run_id] == [True]
+
+
+def test_no_empty_graph_is_drawn_before_the_first_reading(still):
+    """Axes from 0.1 to 0.9 stood there as a run began."""
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.open_page("Run")
+    live = still.page("Run").live
+    live.draw()
+    plot, height = live.traces.plot, live.traces.height()
+    assert not plot.isVisible()
+    values = np.ones((4, 3))
+    block = Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), np.arange(4.0), values)
+    still.app_state.bench_worker.items.emit((Step(0.0, 1, 2, "zero", 60.0, ("zero", "x")), block))
+    live.draw()
+    assert (plot.isVisible(), live.traces.height()) == (True, height)

@@ -193,7 +193,7 @@ def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new
     assert card.stands.property("state") == "bad"
     run.answer("done")
     assert Answer("mount-x", "done") in new_window.app_state.bench_worker.said
-    assert "Feld" in in_words("Each coil goes to ±50 µT, then the field rotates. Hands off?")
+    assert "Feld" in in_words("The coils go up to 115 µT, then the field rotates. Hands off?")
 
 
 def test_what_a_person_notes_is_no_step_and_no_measurement(new_window, german):

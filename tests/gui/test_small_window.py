@@ -3,12 +3,14 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QToolTip
 from test_a_question_keeps_its_places import asking
-from test_nothing_is_cut import WORST, begun, settle
+from test_nothing_is_cut import WORST, begun, by_word, settle
+from test_nothing_is_cut import sized as sized
 from test_path import RUN
 from test_sixth_walk import STANDS
 
+from labcal.bench.coils.agreement import BEFORE_HANDS
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.widgets.rolled import Rolled
 
@@ -41,6 +43,24 @@ def test_whether_hands_may_go_in_is_seen_whole_at_a_question_after_an_interrupti
     assert card.hands.mapTo(rolled, card.hands.rect().bottomLeft()).y() < rolled.viewport().height()
 
 
+def test_the_longest_reservation_is_whole_below_the_longest_such_question(still, sized):
+    """As a preflight asks it, gone on with at 1024 × 700, on a bench that began anew."""
+    whole = "Is the DUT still mounted with body X up, exactly as it was before the interruption?"
+    still.open_page(by_word(still, replace(STANDS, text=whole)))
+    run, worker = still.app_state.run, still.app_state.bench_worker
+    run.anew = run.goes_on = True
+    worker.states.emit(replace(run.lab, reference=replace(run.lab.reference, why=BEFORE_HANDS)))
+    for _ in range(2):
+        sized((1024, 700), False)
+        settle(still)
+    card = still.page("Run").live.prompt
+    assert card.hands.text().endswith(BEFORE_HANDS)
+    rolled = card.findChild(Rolled)
+    assert card.hands.height() >= card.hands.heightForWidth(card.hands.width())
+    assert card.hands.mapTo(rolled, card.hands.rect().bottomLeft()).y() < rolled.viewport().height()
+    assert still.lazy_pages["Run"].area.horizontalScrollBar().maximum() == 0
+
+
 def test_the_verdict_of_a_measurement_is_seen(new_window):
     new_window.resize(*SMALL)
     begun(new_window, WORST)
@@ -55,4 +75,5 @@ def test_where_there_is_no_room_for_larger_letters_that_is_said(new_window):
     new_window.resize(*SMALL)
     new_window.toggle_wall()
     assert new_window.message.text() == "The window has no room for larger letters: make it larger."
+    assert QToolTip.text() == new_window.message.text()  # at the button: a run writes the line below anew
     new_window.toggle_wall()

@@ -12,6 +12,7 @@ from test_path import calibration
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
 from labcal.gui.ipc.messages import Sign, VerifyFile
 from labcal.gui.viewmodels.stages import stages
+from labcal.gui.widgets import next_button
 
 ALONE = calibration(provisional=True)
 NOBODY, BOTH = Named("", ""), Named("A lab, Bern (CH)", "Holm AS, Oslo (NO)")
@@ -76,6 +77,20 @@ def test_who_is_not_named_is_asked_for_before_a_signature_and_nobody_is_a_second
     assert (page.steps.sign.text(), page.steps.signature.asked.isVisible()) == ("Sign it all the same", True)
     page.steps.sign.click()
     assert [one for one in asked if isinstance(one.command, Sign)]
+
+
+def test_a_double_click_on_sign_is_no_answer_to_what_the_first_click_asks(page, monkeypatch):
+    monkeypatch.setattr(next_button, "TOO_SOON_MS", 700)
+    told(page, APPROVED, "a.smith")
+    known(page, NOBODY)
+    page.steps.passphrase.setText("four words for it")
+    page.steps.sign.click()
+    page.steps.sign.click()
+    asked = page._app_state.quick_worker
+    assert (asked.commands(Sign), page.steps.signature.asked.isVisible()) == ([], True)
+    monkeypatch.setattr(next_button, "TOO_SOON_MS", 0)
+    page.steps.sign.click()
+    assert asked.commands(Sign)
 
 
 def test_who_is_named_stands_there_with_its_title_before_the_key_so_that_nothing_is_pushed_down(page):

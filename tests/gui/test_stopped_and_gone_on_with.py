@@ -38,6 +38,16 @@ def test_at_the_end_the_focus_is_at_what_is_next_and_never_in_the_serial(running
     assert QApplication.focusWidget() is (live.fit if fit else live.close_run)
 
 
+def test_in_the_last_step_nothing_offers_a_pause(running):
+    """There is no step after it to pause at: it was promised, and the run ended with Close where Pause had stood."""
+    live = running.page("Run").live
+    assert live.pause.isEnabled()
+    assert live.time_left.left.text().startswith("step 1 of 2")
+    running.app_state.bench_worker.items.emit((SECOND,))
+    assert not live.pause.isEnabled()
+    assert live.time_left.left.text().startswith("step 2 of 2")  # at once, as the list beside it
+
+
 def test_who_works_elsewhere_keeps_the_focus_when_a_run_ends(running):
     running.open_page("History")
     search = running.page("History").search

@@ -6,7 +6,7 @@ from lab_states import told
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError, InstrumentError
-from labcal.gui.ipc.answers import Change, Ended, FitFigures, Fitted
+from labcal.gui.ipc.answers import Change, Ended, FitFigures, Fitted, Look
 from labcal.gui.ipc.messages import Abort, Answer, FilterHistory, ListMethods, LookAt, RunProcedure, Stop, TryCause
 from labcal.gui.ipc.wire import Fault, fault_of, item_from_json, item_to_json, pack, unpack
 from labcal.gui.viewmodels.run import RunViewModel
@@ -111,15 +111,22 @@ def test_after_stop_no_answer_goes_out(run, worker, end, word):
     assert worker.said == [word]
 
 
-def test_a_study_forgets_what_belongs_to_another_run(worker):
-    study = StudyViewModel(worker)
+def test_what_is_computed_of_a_run_goes_on_behind_another_and_is_there_again(worker, deaf):
+    second = deaf()
+    study = StudyViewModel(worker, second)
+    look = Look("one", "EM-1", 0, np.zeros((0, 3)), {})
     study.open("one")
+    worker.answer(LookAt, look)
     study.fit("ml")
-    late = worker.asked[-1].then
+    late, fitted = worker.asked[-1].then, Fitted(FitFigures(True))
     study.open("two")
-    assert worker.killed == 1
-    late(Fitted(FitFigures(True)))
-    assert study.fits == {}
+    assert (worker.killed, second.commands(LookAt)) == (0, [LookAt("two")])  # nobody waits for another's fit
+    late(fitted)
+    assert (study.fits, study.of("one").fits) == ({}, {"ml": fitted})
+    study.open("one")
+    assert (study.fits, study.look, len(worker.commands(LookAt))) == ({"ml": fitted}, look, 0)
+    study.let_go()
+    assert (study.run, study.of("one").fits) == ("", {"ml": fitted})
 
 
 def test_a_worker_made_ready_ahead_is_not_given_up_when_a_run_is_opened(worker):

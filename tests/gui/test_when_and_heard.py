@@ -197,6 +197,16 @@ def test_the_pace_is_learnt_as_a_run_goes_on_and_a_person_counts_for_nothing():
     assert pace.learnt(100.0) == pytest.approx(50.0, rel=0.05)
 
 
+def test_the_time_between_stop_and_go_on_is_no_pace():
+    """Two minutes between were learnt as the pace, and what was promised after them was out by ten."""
+    pace = Pace()
+    for second in range(20):
+        pace.see(20.0 * second, float(second))
+    for second in range(140, 160):
+        pace.see(20.0 * (second - 120), float(second))
+        assert pace.learnt(100.0) == pytest.approx(20.0)
+
+
 def test_a_bench_that_is_faster_than_life_says_that_its_seconds_are_simulated(deaf):
     for pace, said in (
         ("100 times", "Hands off · 20 s simulated · offset and first position"),

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from scalar_lab import SCALAR, sensor
 from short_settings import SHORT
 
 from labcal.demo import simulated_bench
-from labcal.record.stream import Event, Item, SegmentOpened, Step
+from labcal.record.stream import Event, Item, Prompt, SegmentOpened, Step
 from labcal.runner import find, procedures
 from labcal.runner.prompts import first_choice
 from labcal.testing.procedures import ProcedureTrial
@@ -24,13 +26,28 @@ class Paused(ProcedureTrial):
 
     at_each_step: bool = False
     flows: dict[str, list[float]] = field(default_factory=dict)
+    promised_nT: float = 0.0  # the largest field that the last "Hands off?" names
+    stand_back: bool = False  # whoever said "hands off", and was asked for nothing since
+    asked_twice: list[str] = field(default_factory=list)
+    unsaid: list[tuple[float, str]] = field(default_factory=list)  # what was stronger [nT], and at which set-point
 
     def _notice(self, item: Item) -> None:
         super()._notice(item)
+        if isinstance(item, Prompt):
+            self.asked_twice += [item.text] if item.key == "ready" and self.stand_back else []
+            self.stand_back = item.key == "ready"
+            named = re.findall(r"([0-9.]+) µT", item.text) if item.key == "ready" else []
+            self.promised_nT = 1000 * max(map(float, named), default=0.0)
+        elif isinstance(item, Event) and item.kind == "set-point":
+            currents = np.asarray(item.data.get("current_A", (0.0, 0.0, 0.0)))
+            made = item.data.get("field_nT") or self.bench.cage.matrix_nT_per_A @ currents
+            if (most_nT := float(np.linalg.norm(made))) > 1.01 * self.promised_nT:
+                self.unsaid.append((most_nT, item.text))
         if isinstance(item, Step) and self.at_each_step:
             self.control.pause()
         elif isinstance(item, Event) and item.kind == "pause":
             self.control.resume()
+            self.stand_back = False
         elif isinstance(item, SegmentOpened):
             self.flows[item.segment.id] = self._currents_A()
 
@@ -58,6 +75,8 @@ def test_what_is_measured_after_a_pause_is_measured_in_the_same_field(
     for segment, amperes in without.items():
         assert paused[segment] == pytest.approx(amperes, rel=0.02, abs=0.02), segment
     assert trials[1].hands_near == []
+    for trial in trials:  # whoever said "hands off" was told of the strongest field until the next question
+        assert (trial.unsaid, trial.asked_twice) == ([], [])
 
 
 GRANTED = '''

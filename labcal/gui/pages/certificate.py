@@ -74,6 +74,7 @@ class CertificatePage(QWidget):
         app_state.calibrations_changed.connect(self._new)
         app_state.one_dut.changed.connect(self._other_dut)
         app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
+        app_state.path.changed.connect(self._say_empty)
         self._show()
 
     def showEvent(self, event: object) -> None:
@@ -110,8 +111,8 @@ class CertificatePage(QWidget):
     def _empty_card(self) -> Card:
         card = Card()
         self.empty = label("", wrap=True)
-        self.to_fit = button(self.tr("Go to Fit"), self.tr("Estimate a calibration"), primary=True)
-        self.to_fit.clicked.connect(lambda: self._app_state.page_requested.emit("Fit"))
+        self.to_fit = button("", self.tr("The page where that is done"), primary=True)
+        self.to_fit.clicked.connect(self._app_state.next_requested)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.to_fit, 0, Qt.AlignmentFlag.AlignLeft)
         return card
@@ -181,11 +182,12 @@ class CertificatePage(QWidget):
         return words if run is None or run.dut_serial != one.dut.serial else run_name(run)
 
     def _say_empty(self) -> None:
-        none = self.tr("None yet. Fit a run, then trace its residual: that writes a draft.")
-        words = self.tr("No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.")
-        here = self._app_state.one_dut.looked_at()
-        which = words.format(here) if here else self.tr("Choose a calibration, or say at the top which DUT.")
-        self.empty.setText(which if self._files else none)
+        here, to = self._app_state.one_dut.looked_at(), self._app_state.path.next()
+        none = self.tr("No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.").format(here)
+        which = none if here else self.tr("Choose a calibration, or say at the top which DUT.")
+        self.empty.setText(which)
+        self.to_fit.setVisible(to.page != "Certificate" and not to.off)
+        self.to_fit.setText(to.words)
 
     def _keys_known(self, names: tuple[str, ...]) -> None:
         self.steps.take_keys(names)

@@ -223,7 +223,7 @@ class SigningSteps(StepRow):
 
     def _approve(self) -> None:
         """Where the cause is not certain the first press asks, and the second one approves."""
-        if (one := self._chosen()) is not None:
+        if (one := self._chosen()) is not None and not self.approval.asked_just_now():
             if (doubt := doubts(one)) and self.approval.asked.isHidden():
                 return self._ask_before_approval(self.tr("{0} Approve it all the same?").format(doubt))
             self._ask_before_approval("")
@@ -243,7 +243,7 @@ class SigningSteps(StepRow):
 
     def _sign(self) -> None:
         """Where nobody is named as laboratory or customer the first press asks, and the second one signs."""
-        if (one := self._chosen()) is not None:
+        if (one := self._chosen()) is not None and not self.signature.asked_just_now():
             if not one.standing.signatures and (lacks := self._lacks()) and self.signature.asked.isHidden():
                 return self._ask_before_signing(self.tr("{0} Sign it all the same?").format(lacks))
             self._ask_before_signing("")

@@ -105,7 +105,7 @@ class LoopPage(QWidget):
         self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
-        self.most_of_U = shrinkable(label("", "caption", wrap=True))
+        self.most_of_U = shrinkable(label("", wrap=True))
         words.addWidget(self.plainly)
         words.addWidget(self.most_of_U)
         words.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignLeft)

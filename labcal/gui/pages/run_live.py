@@ -16,6 +16,7 @@ from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
+from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
@@ -221,9 +222,7 @@ class Live(QWidget):
         self._show_steps()
         waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
         self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
-        self.pause.setEnabled(run.state in ("running", "asking", "paused") and not run.pausing)
-        if self._just_went_on.isActive():
-            self.pause.setEnabled(False)
+        self.pause.setEnabled(may_pause(run.state, run.step, pausing=run.pausing) and not self._just_went_on.isActive())
         self.stop.setEnabled(run.alive and run.state != "stopping" and not self._just_went_on.isActive())
         turned = run.turns() or bool(run.drawn.now)  # else nothing is recorded, and there is nothing to fit
         self._details = self._details and ended
@@ -371,7 +370,7 @@ class Live(QWidget):
 
     def _show_steps(self) -> None:
         self.steps.show_steps(self._run.steps(), self._theme)
-        self.time_left.show_share()
+        self.time_left.show_now(self._app_state.lab.state.now)
 
     def _say_now(self) -> None:
         now = self._app_state.lab.state.now

@@ -324,7 +324,8 @@ class StartPage(QWidget):
     def _list_interrupted(self, broken: list[RunLine]) -> None:
         """A button each; how many more there are is said."""
         lost = self.tr(
-            "Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing."
+            "Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was "
+            "finished it begins with the first step."
         )
         more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
         bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")

@@ -412,23 +412,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to Fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose a calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Estimate a calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -449,6 +433,14 @@
     </message>
     <message>
         <source>U: k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The page where that is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -893,10 +885,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no reference was asked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the reference does not answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1133,7 +1121,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
+        <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1153,19 +1145,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The coils go to {0} A. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The platform turns to {0}°. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1177,19 +1169,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>no reference has confirmed it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1233,10 +1233,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1245,15 +1241,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coil {0} makes a gradient now. Hands off?</source>
+        <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3801,6 +3793,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4218,10 +4214,6 @@
     </message>
     <message>
         <source>so far nothing has the evidence of a name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6304,6 +6296,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6797,6 +6793,13 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>OneDut</name>
+    <message>
+        <source>{0}: what is being computed goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6985,15 +6988,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Tracing: see how far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting: see how far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Try the other methods</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>See what is found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7826,7 +7833,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7878,6 +7885,10 @@ after this step …</source>
     </message>
     <message>
         <source>Supersedes {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is over: the last day on which it is good is today or later</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7994,7 +8005,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Traced, run {0}: {1}</source>
+        <source>Traced, {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9150,10 +9161,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9211,6 +9218,10 @@ after this step …</source>
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One axis: not enough for a calibration by itself. Measure the others too, or a preflight.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9491,6 +9502,10 @@ after this step …</source>
     </message>
     <message>
         <source>the next field or turn comes unasked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopping</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -412,24 +412,8 @@
         <translation>Kalibrierungen, die neueste zuerst</translation>
     </message>
     <message>
-        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
-        <translation>Noch keine. Eine Messung anpassen, dann ihren Rest erklären: das schreibt einen Entwurf.</translation>
-    </message>
-    <message>
-        <source>Go to Fit</source>
-        <translation>Zum Fit</translation>
-    </message>
-    <message>
         <source>Choose a calibration</source>
         <translation>Eine Kalibrierung wählen</translation>
-    </message>
-    <message>
-        <source>Estimate a calibration</source>
-        <translation>Eine Kalibrierung schätzen</translation>
-    </message>
-    <message>
-        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
-        <translation>Noch keine Kalibrierung von {0}. Eine Messung davon auswerten, dann den Rest erklären; oder eine andere wählen.</translation>
     </message>
     <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
@@ -450,6 +434,14 @@
     <message>
         <source>U: k=2</source>
         <translation>U: k=2</translation>
+    </message>
+    <message>
+        <source>The page where that is done</source>
+        <translation>Die Seite, auf der das getan wird</translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.</source>
+        <translation>Noch keine Kalibrierung von {0}: Ein Fit und die Suche nach dem, was er übrig lässt, schreiben einen Entwurf.</translation>
     </message>
     <message>
         <source>nobody yet</source>
@@ -893,10 +885,6 @@
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
     <message>
-        <source>no reference was asked</source>
-        <translation>keine Referenz wurde gefragt</translation>
-    </message>
-    <message>
         <source>the reference does not answer</source>
         <translation>die Referenz antwortet nicht</translation>
     </message>
@@ -1133,8 +1121,12 @@
         <translation>Datei des Fotos ({0}), oder leer:</translation>
     </message>
     <message>
-        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
-        <translation>Das Feld wird immer wieder gestellt, während der Prüfling warm wird und abkühlt. Hände weg?</translation>
+        <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
+        <translation>Die Spulen gehen bis {0} µT, dann dreht sich das Feld. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
+        <translation>Felder bis {0} µT werden abgespielt, wie {1} sie will. Hände weg?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in all directions. Hands off?</source>
@@ -1153,20 +1145,20 @@
         <translation>Das Feld geht auf {0} µT, und der Tisch kann drehen. Hände weg?</translation>
     </message>
     <message>
-        <source>The coils go to {0} A. Hands off?</source>
-        <translation>Die Spulen gehen auf {0} A. Hände weg?</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation>Die Spulen gehen auf {0} A, und der Tisch kann drehen. Hände weg?</translation>
-    </message>
-    <message>
         <source>The platform turns to {0}°. Hands off?</source>
         <translation>Der Tisch dreht auf {0}°. Hände weg?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
         <translation>Als Nächstes sucht der Tisch seine Null und dreht auf {0}°. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT.</source>
+        <translation>Die Spulen gehen auf {0} µT.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn.</source>
+        <translation>Die Spulen gehen auf {0} µT, und der Tisch kann drehen.</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°.</source>
@@ -1177,20 +1169,28 @@
         <translation>Das Feld geht auf {0} µT.</translation>
     </message>
     <message>
+        <source>no reference has confirmed it</source>
+        <translation>keine Referenz hat es bestätigt</translation>
+    </message>
+    <message>
         <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
         <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie vor der Unterbrechung?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT, während der Prüfling warm wird und abkühlt. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} µT. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} µT, und der Tisch kann drehen. Hände weg?</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation>Das Feld geht auf {0} µT, und die Plattform kann sich drehen.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A.</source>
-        <translation>Die Spulen gehen auf {0} A.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn.</source>
-        <translation>Die Spulen gehen auf {0} A, und die Plattform kann sich drehen.</translation>
     </message>
     <message>
         <source>The platform turns to {0}°.</source>
@@ -1233,10 +1233,6 @@
         <translation>Jede Spule geht nacheinander auf {0} µT. Hände weg?</translation>
     </message>
     <message>
-        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation>Jede Spule geht auf {0} µT, dann dreht sich das Feld. Hände weg?</translation>
-    </message>
-    <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
         <translation>Jede Spule geht auf {0} µT. Hände weg?</translation>
     </message>
@@ -1245,16 +1241,12 @@
         <translation>Jede Spule wechselt von {0} µT abwärts. Hände weg?</translation>
     </message>
     <message>
-        <source>Coil {0} makes a gradient now. Hands off?</source>
-        <translation>Spule {0} macht jetzt einen Gradienten. Hände weg?</translation>
+        <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
+        <translation>Spule {0} macht jetzt einen Gradienten, mit dem Strom, der sonst {1} µT macht. Hände weg?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
         <translation>Felder bis {0} µT werden abgespielt. Hände weg?</translation>
-    </message>
-    <message>
-        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
-        <translation>Felder werden abgespielt, wie {0} sie will, innerhalb der Grenzen. Hände weg?</translation>
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
@@ -3801,6 +3793,10 @@
         <translation>Die Messwerte folgen der Referenz nicht: Das Grundmodell lässt {0} von {1} nT übrig, und kein Umdrehen oder Vertauschen von Achsen und kein Versatz einer Uhr erklärt es.</translation>
     </message>
     <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
+        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2} Mal das Rauschen in den durchsuchten Zeilen</translation>
+    </message>
+    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} tun bei dieser Messung gleich viel, und nichts, was die Abläufe dieses Labors tun, trennte sie um {1} Standardabweichungen</translation>
     </message>
@@ -4219,10 +4215,6 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>bisher hat nichts die Evidenz eines Namens</translation>
-    </message>
-    <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
-        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2}-faches Rauschen</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -6304,6 +6296,10 @@
         <translation>Tasten</translation>
     </message>
     <message>
+        <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
+        <translation>Solange dieses Blatt offen ist, beantwortet keine Taste eine Frage; SPULEN AUS (F12) wirkt.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -6798,6 +6794,13 @@ diesem Schritt …</translation>
     </message>
 </context>
 <context>
+    <name>OneDut</name>
+    <message>
+        <source>{0}: what is being computed goes on.</source>
+        <translation>{0}: Was gerechnet wird, läuft weiter.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6986,16 +6989,20 @@ diesem Schritt …</translation>
         <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
+        <source>Tracing: see how far</source>
+        <translation>Wird zurückverfolgt: ansehen</translation>
+    </message>
+    <message>
+        <source>Fitting: see how far</source>
+        <translation>Wird gerechnet: ansehen</translation>
+    </message>
+    <message>
         <source>Try the other methods</source>
         <translation>Die anderen Verfahren versuchen</translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
         <translation>{0} kalibrieren</translation>
-    </message>
-    <message>
-        <source>See what is found</source>
-        <translation>Sehen, was gefunden wird</translation>
     </message>
     <message>
         <source>was broken off: {0}</source>
@@ -7787,6 +7794,10 @@ diesem Schritt …</translation>
         <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
+    </message>
+    <message>
         <source>Go on with {0}</source>
         <translation>Weiter mit {0}</translation>
     </message>
@@ -7835,10 +7846,6 @@ diesem Schritt …</translation>
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
     </message>
     <message>
-        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
-        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden noch einmal gemessen, dann was fehlt.</translation>
-    </message>
-    <message>
         <source>{0} more on the History page.</source>
         <translation>{0} weitere auf der Seite Verlauf.</translation>
     </message>
@@ -7880,6 +7887,10 @@ diesem Schritt …</translation>
     <message>
         <source>Supersedes {0}</source>
         <translation>Ersetzt {0}</translation>
+    </message>
+    <message>
+        <source>{0} is over: the last day on which it is good is today or later</source>
+        <translation>{0} ist vorbei: Der letzte Tag der Gültigkeit ist heute oder später</translation>
     </message>
     <message>
         <source>“{0}” is no day: 2027-11-21, or {1}</source>
@@ -7995,8 +8006,8 @@ diesem Schritt …</translation>
         <translation>sucht … {0}</translation>
     </message>
     <message>
-        <source>Traced, run {0}: {1}</source>
-        <translation>Rest zurückverfolgt, Messung {0}: {1}</translation>
+        <source>Traced, {0}: {1}</source>
+        <translation>Zurückverfolgt, {0}: {1}</translation>
     </message>
 </context>
 <context>
@@ -9151,10 +9162,6 @@ diesem Schritt …</translation>
         <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
     </message>
     <message>
-        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
-        <translation>Eine Achse: für eine Kalibrierung allein nicht genug. Weiter führt zu dem, was fehlt.</translation>
-    </message>
-    <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
         <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. Weiter führt fort.</translation>
     </message>
@@ -9213,6 +9220,10 @@ diesem Schritt …</translation>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Anpassen und den Rest erklären. Dann noch offen? Länger messen oder mit weniger Rauschen.</translation>
+    </message>
+    <message>
+        <source>One axis: not enough for a calibration by itself. Measure the others too, or a preflight.</source>
+        <translation>Eine Achse: für eine Kalibrierung allein zu wenig. Auch die anderen messen, oder einen Preflight.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
@@ -9493,6 +9504,10 @@ diesem Schritt …</translation>
     <message>
         <source>the next field or turn comes unasked</source>
         <translation>das nächste Feld oder die nächste Drehung kommt ungefragt</translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation>es wird angehalten</translation>
     </message>
     <message>
         <source>the run begins</source>

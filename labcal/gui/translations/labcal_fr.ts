@@ -412,24 +412,8 @@
         <translation>Étalonnages, le plus récent d&apos;abord</translation>
     </message>
     <message>
-        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
-        <translation>Aucun. Ajustez une mesure, puis expliquez son résidu : cela écrit un projet.</translation>
-    </message>
-    <message>
-        <source>Go to Fit</source>
-        <translation>Aller à Ajuster</translation>
-    </message>
-    <message>
         <source>Choose a calibration</source>
         <translation>Choisir un étalonnage</translation>
-    </message>
-    <message>
-        <source>Estimate a calibration</source>
-        <translation>Estimer un étalonnage</translation>
-    </message>
-    <message>
-        <source>No calibration of {0} yet. Fit a run of it, then trace its residual; or choose another one.</source>
-        <translation>Pas encore d’étalonnage de {0}. Ajuster une mesure, puis expliquer le résidu ; ou en choisir un autre.</translation>
     </message>
     <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
@@ -450,6 +434,14 @@
     <message>
         <source>U: k=2</source>
         <translation>U : k=2</translation>
+    </message>
+    <message>
+        <source>The page where that is done</source>
+        <translation>La page où cela se fait</translation>
+    </message>
+    <message>
+        <source>No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.</source>
+        <translation>Pas encore d’étalonnage de {0} : un ajustement et l’explication de son résidu écrivent un projet.</translation>
     </message>
     <message>
         <source>nobody yet</source>
@@ -893,10 +885,6 @@
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
     <message>
-        <source>no reference was asked</source>
-        <translation>aucune référence n&apos;a été interrogée</translation>
-    </message>
-    <message>
         <source>the reference does not answer</source>
         <translation>la référence ne répond pas</translation>
     </message>
@@ -1133,8 +1121,12 @@
         <translation>Fichier de la photo ({0}), ou vide :</translation>
     </message>
     <message>
-        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
-        <translation>Le champ est réglé encore et encore pendant que le DUT chauffe et refroidit. Mains loin ?</translation>
+        <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
+        <translation>Les bobines vont jusqu’à {0} µT, puis le champ tourne. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
+        <translation>Des champs jusqu’à {0} µT sont joués comme {1} les veut. Mains loin ?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in all directions. Hands off?</source>
@@ -1153,20 +1145,20 @@
         <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains loin ?</translation>
     </message>
     <message>
-        <source>The coils go to {0} A. Hands off?</source>
-        <translation>Les bobines vont à {0} A. Mains loin ?</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn. Hands off?</source>
-        <translation>Les bobines vont à {0} A, et le plateau peut tourner. Mains loin ?</translation>
-    </message>
-    <message>
         <source>The platform turns to {0}°. Hands off?</source>
         <translation>La plate-forme tourne à {0}°. Mains loin ?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
         <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT.</source>
+        <translation>Les bobines vont à {0} µT.</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn.</source>
+        <translation>Les bobines vont à {0} µT, et la plateforme peut tourner.</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°.</source>
@@ -1177,20 +1169,28 @@
         <translation>Le champ passe à {0} µT.</translation>
     </message>
     <message>
+        <source>no reference has confirmed it</source>
+        <translation>aucune référence ne l’a confirmé</translation>
+    </message>
+    <message>
         <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
         <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme avant l&apos;interruption ?</translation>
     </message>
     <message>
+        <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
+        <translation>Le champ va à {0} µT pendant que le DUT chauffe et refroidit. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT. Hands off?</source>
+        <translation>Les bobines vont à {0} µT. Mains loin ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
+        <translation>Les bobines vont à {0} µT, et la plateforme peut tourner. Mains loin ?</translation>
+    </message>
+    <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
         <translation>Le champ passe à {0} µT, et la plateforme peut tourner.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A.</source>
-        <translation>Les bobines passent à {0} A.</translation>
-    </message>
-    <message>
-        <source>The coils go to {0} A, and the platform may turn.</source>
-        <translation>Les bobines passent à {0} A, et la plateforme peut tourner.</translation>
     </message>
     <message>
         <source>The platform turns to {0}°.</source>
@@ -1233,10 +1233,6 @@
         <translation>Chaque bobine va tour à tour à {0} µT. Mains loin ?</translation>
     </message>
     <message>
-        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
-        <translation>Chaque bobine va à {0} µT, puis le champ tourne. Mains loin ?</translation>
-    </message>
-    <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
         <translation>Chaque bobine va à {0} µT. Mains loin ?</translation>
     </message>
@@ -1245,16 +1241,12 @@
         <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains loin ?</translation>
     </message>
     <message>
-        <source>Coil {0} makes a gradient now. Hands off?</source>
-        <translation>La bobine {0} fait maintenant un gradient. Mains loin ?</translation>
+        <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
+        <translation>La bobine {0} fait maintenant un gradient, avec le courant qui fait sinon {1} µT. Mains loin ?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
         <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains loin ?</translation>
-    </message>
-    <message>
-        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
-        <translation>Des champs sont joués comme {0} les veut, dans les limites. Mains loin ?</translation>
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
@@ -3801,6 +3793,10 @@
         <translation>Les lectures ne suivent pas la référence : le modèle de base laisse {0} de {1} nT, et ni retournement ni échange d&apos;axes ni décalage d&apos;horloge ne l&apos;explique.</translation>
     </message>
     <message>
+        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
+        <translation>jusqu’ici {0}, pas encore prouvé : de {1} à {2} fois le bruit dans les lignes examinées</translation>
+    </message>
+    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure, et rien de ce que font les procédures de ce laboratoire ne les séparerait de {1} écarts-types</translation>
     </message>
@@ -4219,10 +4215,6 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>jusqu&apos;ici rien n&apos;a l&apos;évidence d&apos;un nom</translation>
-    </message>
-    <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise</source>
-        <translation>jusqu&apos;ici {0}, pas encore prouvé : {1} à {2} fois le bruit</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -6304,6 +6296,10 @@
         <translation>Touches</translation>
     </message>
     <message>
+        <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
+        <translation>Tant que cette feuille est ouverte, aucune touche ne répond à une question ; BOBINES À ZÉRO (F12) agit.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
@@ -6798,6 +6794,13 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>OneDut</name>
+    <message>
+        <source>{0}: what is being computed goes on.</source>
+        <translation>{0} : le calcul en cours continue.</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>Report …</source>
@@ -6986,16 +6989,20 @@ cette étape …</translation>
         <translation>Dire qui travaille</translation>
     </message>
     <message>
+        <source>Tracing: see how far</source>
+        <translation>Recherche en cours : voir</translation>
+    </message>
+    <message>
+        <source>Fitting: see how far</source>
+        <translation>Ajustement en cours : voir</translation>
+    </message>
+    <message>
         <source>Try the other methods</source>
         <translation>Essayer les autres méthodes</translation>
     </message>
     <message>
         <source>Calibrate {0}</source>
         <translation>Étalonner {0}</translation>
-    </message>
-    <message>
-        <source>See what is found</source>
-        <translation>Voir ce qui est trouvé</translation>
     </message>
     <message>
         <source>was broken off: {0}</source>
@@ -7787,6 +7794,10 @@ cette étape …</translation>
         <translation>Le fichier du banc indique une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
+    </message>
+    <message>
         <source>Go on with {0}</source>
         <translation>Continuer {0}</translation>
     </message>
@@ -7835,10 +7846,6 @@ cette étape …</translation>
         <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
     </message>
     <message>
-        <source>Finished turns are kept; the zero, the axes and the timing are measured again, then what is missing.</source>
-        <translation>Les rotations terminées sont gardées ; le zéro, les axes et les temps sont mesurés encore, puis ce qui manque.</translation>
-    </message>
-    <message>
         <source>{0} more on the History page.</source>
         <translation>{0} autres à la page Historique.</translation>
     </message>
@@ -7880,6 +7887,10 @@ cette étape …</translation>
     <message>
         <source>Supersedes {0}</source>
         <translation>Remplace {0}</translation>
+    </message>
+    <message>
+        <source>{0} is over: the last day on which it is good is today or later</source>
+        <translation>{0} est passé : le dernier jour de validité est aujourd’hui ou plus tard</translation>
     </message>
     <message>
         <source>“{0}” is no day: 2027-11-21, or {1}</source>
@@ -7995,8 +8006,8 @@ cette étape …</translation>
         <translation>recherche … {0}</translation>
     </message>
     <message>
-        <source>Traced, run {0}: {1}</source>
-        <translation>Résidu tracé, mesure {0} : {1}</translation>
+        <source>Traced, {0}: {1}</source>
+        <translation>Expliqué, {0} : {1}</translation>
     </message>
 </context>
 <context>
@@ -9151,10 +9162,6 @@ cette étape …</translation>
         <translation>Ajuster, Causes, Certificat : Suite y mène.</translation>
     </message>
     <message>
-        <source>One axis: not enough for a calibration by itself. Next leads to what is missing.</source>
-        <translation>Un seul axe : pas assez pour un étalonnage. Suite mène à ce qui manque.</translation>
-    </message>
-    <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
         <translation>Cette procédure ne donne pas d’étalonnage d’un DUT. Suite mène plus loin.</translation>
     </message>
@@ -9213,6 +9220,10 @@ cette étape …</translation>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
         <translation>Ajustez, puis expliquez le résidu. Toujours indécis ? Mesurez plus longtemps, ou avec moins de bruit.</translation>
+    </message>
+    <message>
+        <source>One axis: not enough for a calibration by itself. Measure the others too, or a preflight.</source>
+        <translation>Un axe : seul, il ne suffit pas à un étalonnage. Mesurez aussi les autres, ou un preflight.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
@@ -9493,6 +9504,10 @@ cette étape …</translation>
     <message>
         <source>the next field or turn comes unasked</source>
         <translation>le prochain champ ou la prochaine rotation vient sans question</translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation>arrêt en cours</translation>
     </message>
     <message>
         <source>the run begins</source>

@@ -70,9 +70,9 @@ class AppState(QObject):
         super().__init__()
         self.settings = settings or window_settings()
         self.quick_worker, self.bench_worker = Client(self), Client(self, WATCHED) if watched else Client(self)
-        self.fit_worker, self.off_worker = Client(self), Client(self)
+        self.fit_worker, self.second_fit_worker, self.off_worker = Client(self), Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
-        self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
+        self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker, self.second_fit_worker)
         self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
@@ -215,8 +215,8 @@ class AppState(QObject):
         if (broken := to.resumes) is not None:
             return self.resume(broken.run_id, broken.procedure, broken.dut_serial)
         if to.run:
-            self.study_vm.open(to.run)
-            self.study_vm.fit("ml") if to.page == "Fit" else self.study_vm.close_loop()
+            self.one_dut.open(to.run)
+            self.study_vm.begin("" if to.waits else to.page)
         if to.page == "Run" and not self.run.alive:
             self.open_procedure("preflight")
         if to.closes:
@@ -302,8 +302,7 @@ class AppState(QObject):
         if self.facts is None and self.bench:  # of a run that could not be come back to
             self.open_bench(self.bench)
         order = self.run.order
-        if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
-            self.study_vm.add(order.procedure, run_id)
+        if status == "finished" and order is not None and self.study_vm.add(order.procedure, run_id, order.after):
             self.page_requested.emit("Loop")
         self.off.run_ended()
         self.left.look()
@@ -343,7 +342,7 @@ class AppState(QObject):
         return hands_at(self.run, lab_there(self.lab.state.now, self.facts))
 
     def _at_hands(self) -> dict[str, tuple[str, str]]:
-        return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts, self.known)
+        return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts)
 
     @property
     def known(self) -> state.LabState | None:
@@ -396,5 +395,6 @@ class AppState(QObject):
             ends()
         self.bench_worker.close(8000)
         self.watch.stop()
-        for worker in (self.quick_worker, self.fit_worker, self.off_worker, self.watch_worker, self.archived):
+        fits = self.fit_worker, self.second_fit_worker
+        for worker in (self.quick_worker, *fits, self.off_worker, self.watch_worker, self.archived):
             worker.close(500)

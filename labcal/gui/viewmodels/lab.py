@@ -48,7 +48,7 @@ class LabViewModel(QObject):
 
     def update(self, **known: Any) -> None:
         """Take what is known by name (the fields of `LabState`) and tell the frame."""
-        if known.get("message", self.state.message) != self.state.message:
+        if "said_at" not in known and known.get("message", self.state.message) != self.state.message:
             known["said_at"] = f"{datetime.now():%H:%M:%S}" if known["message"] else ""
         new = replace(self.state, **known)
         if new != self.state:

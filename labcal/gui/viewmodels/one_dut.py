@@ -93,23 +93,25 @@ class OneDut(QObject):
         """What is of the DUT at the top is shown again."""
         self.calibration = None
         if self.studied() not in ("", self._lab.state.dut_serial) or self.beside_the_marks(STUDIES[0]):
-            self._let_go()
+            self._study.let_go()
         self.take_up()
         self.changed.emit()
 
     def settle(self) -> None:
-        """Once it is said which DUT it is: what was opened while another stood at the top is let go of."""
+        """Once it is said which DUT it is: what was opened while another stood at the top is let go of.
+
+        What is being computed of that goes on; and what was computed of this DUT's last run is shown again.
+        """
         studied, here = self.studied(), self._lab.state.dut_serial
         if here == self._looked_from or self._run.alive or self._scan.asks:
             return
         self._looked_from = here
         if studied and studied != here:
-            self._let_go()
-
-    def _let_go(self) -> None:
-        self._study.cancel()
-        self._study.forget("")
-        self._study.changed.emit()
+            if self._study.busy:
+                self._lab.update(message=self.tr("{0}: what is being computed goes on.").format(studied))
+            self._study.let_go()
+        if (last := self._path.last()) is not None and self._study.of(last.run_id) is not None:
+            self.take_up()
 
     def _scanned(self) -> None:
         self.stated = self.stated or self._scan.taken

@@ -5,12 +5,13 @@ from __future__ import annotations
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.simulated_clock import SPEEDS
 
+GAP_S = 5.0  # without a word: it stood, as between Stop and Go on, or the computer slept
 LEARNT_S = 5.0  # on the wall, before what is seen counts
-MEMORY_S = 60.0  # and of so long
+MEMORY_S = 20.0  # and of about so long: what the computer has to do beside it comes and goes
 
 
 class Pace:
-    """Seconds of the bench for each one on the wall, of the last minute in which nobody was waited for."""
+    """Seconds of the bench for each one on the wall, of the last moments in which nobody was waited for."""
 
     def __init__(self) -> None:
         self._last: tuple[float, float] | None = None
@@ -19,7 +20,7 @@ class Pace:
     def see(self, lab_s: float, wall_s: float) -> None:
         """It is `lab_s` on the bench, and `wall_s` on the wall."""
         last, self._last = self._last, (lab_s, wall_s)
-        if last is not None and wall_s >= last[1]:
+        if last is not None and 0 <= wall_s - last[1] < GAP_S:
             keeps = max(0.0, 1.0 - (wall_s - last[1]) / MEMORY_S)
             self._lab_s = keeps * self._lab_s + lab_s - last[0]
             self._wall_s = keeps * self._wall_s + wall_s - last[1]

@@ -187,8 +187,11 @@ class PathViewModel(QObject):
             return Next("Run", self.tr("Go on with {0}").format(state.dut_serial), resumes=broken)
         if last is None or marks["Run"] != "done":
             return self._to_calibrate(state.dut_serial)
-        if marks["Loop"] == "now" or (marks["Fit"] == "now" and self._study.best() is None):
-            return Next("Loop" if marks["Loop"] == "now" else "Fit", self.tr("See what is found"), waits=True)
+        studied = self._study.of(last.run_id)
+        if marks["Loop"] == "now" or (marks["Fit"] == "now" and (studied is None or studied.best() is None)):
+            traces = marks["Loop"] == "now"
+            words = self.tr("Tracing: see how far") if traces else self.tr("Fitting: see how far")
+            return Next("Loop" if traces else "Fit", words, last.run_id, waits=True)
         if marks["Fit"] == "broken":
             others = Next("Fit", self.tr("Try the other methods"), presses=True)
             return others if self._study.untried else self._to_calibrate(state.dut_serial, again=True)
@@ -197,8 +200,7 @@ class PathViewModel(QObject):
         if marks["Loop"] == "open":
             return Next("Loop", self.tr("Trace the residual"), last.run_id)
         if marks["Loop"] == "doubt" and marks["Certificate"] == "open":  # the loop says what to do before signing
-            shown = self._study.run == last.run_id and self._study.loop is not None
-            return Next("Loop", self.tr("See what is not known"), "" if shown else last.run_id)
+            return Next("Loop", self.tr("See what is not known"), last.run_id)
         return self._of_the_signatures(last)
 
     def may_answer(self) -> bool:
@@ -258,16 +260,17 @@ class PathViewModel(QObject):
         return "done" if last.status in WHOLE else broken
 
     def _of_the_fit(self, last: RunLine) -> Mark:
-        studied = self._study.run == last.run_id
-        if studied and self._study.busy and not self._study.traces:
+        studied = self._study.of(last.run_id)
+        if studied is not None and studied.busy and not studied.traces:
             return "now"
-        fitted = (studied and self._study.best() is not None) or self._file(last) is not None
-        return "done" if fitted else "broken" if studied and self._study.no_fit else "open"
+        fitted = (studied is not None and studied.best() is not None) or self._file(last) is not None
+        return "done" if fitted else "broken" if studied is not None and studied.no_fit else "open"
 
     def _of_the_loop(self, last: RunLine) -> Mark:
-        if self._study.run == last.run_id and self._study.traces:
+        studied = self._study.of(last.run_id)
+        if studied is not None and studied.traces:
             return "now"
-        loop = self._study.loop if self._study.run == last.run_id else None
+        loop = None if studied is None else studied.loop
         verdict = loop.verdict if loop is not None else last.verdict
         return "open" if not verdict else "done" if verdict in EXPLAINED else "doubt"
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from typing import Literal
 
+from labcal.record.stream import Step
+
 Mark = Literal["done", "now", "next", "skipped", "broken"]
 
 
@@ -24,6 +26,12 @@ def marks_of(
 def name_a_turn(steps: Sequence[str]) -> bool:
     """Whether one of them is a turn about a body axis: x+20uT-nominal."""
     return any(step[:1] in ("x", "y", "z") and step[1:2] in ("+", "-") for step in steps)
+
+
+def may_pause(state: str, step: Step | None, *, pausing: bool) -> bool:
+    """Whether it may be asked to, or to go on after it: where the next step begins it pauses, and the last has none."""
+    last = step is not None and step.number == step.total
+    return state == "paused" or (state in ("running", "asking") and not pausing and not last)
 
 
 def axis_of(name: str) -> str:

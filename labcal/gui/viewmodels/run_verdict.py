@@ -21,7 +21,7 @@ ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "faile
 NEXT = {
     "PASS": QT_TRANSLATE_NOOP("Words", "Fit, Loop, Certificate: Next leads there."),
     "one axis": QT_TRANSLATE_NOOP(
-        "Words", "One axis: not enough for a calibration by itself. Next leads to what is missing."
+        "Words", "One axis: not enough for a calibration by itself. Measure the others too, or a preflight."
     ),
     "no calibration": QT_TRANSLATE_NOOP("Words", "No calibration of a DUT comes of this procedure. Next leads on."),
     "MARGINAL": QT_TRANSLATE_NOOP("Words", "Within U of its limit: measure that part again, or Fit and see."),

@@ -32,6 +32,7 @@ OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
 NEXT = QT_TRANSLATE_NOOP("Words", "the field and the platform come next")
 COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
+STOPS = QT_TRANSLATE_NOOP("Words", "stopping")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
@@ -111,13 +112,10 @@ def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
     return words, mark, mark == "bad" and not (rests or past or now.as_set)
 
 
-def at_hands(
-    run: RunViewModel, now: LabNow, facts: Bench | None, known: state.LabState | None
-) -> dict[str, tuple[str, str]]:
+def at_hands(run: RunViewModel, now: LabNow, facts: Bench | None) -> dict[str, tuple[str, str]]:
     """For the frame: `keep_off`, and below the coils `hands`, where there is a lab that hands can be put into."""
-    heard = facts is not None and not (facts.virtual_time and known is None and not now.left_by)  # else it is none yet
-    heard = heard or bool(now.closed_with)
-    return {"keep_off": keep_off(run, now), "hands": hands_at(run, now) if heard else ("", "")}
+    there = facts is not None or bool(now.closed_with)
+    return {"keep_off": keep_off(run, now), "hands": hands_at(run, now) if there else ("", "")}
 
 
 def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
@@ -125,7 +123,8 @@ def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     promised = run.hands_off and run.state not in ("asking", "paused")
     words, mark = hands_of(now)
     if mark != "bad" and run.alive and (promised or run.segment is not None):
-        return translated(str(OUT_NOW)).format(translated(str(COMES))), "bad"
+        comes = STOPS if run.state == "stopping" else COMES  # nothing comes once the end is ordered
+        return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
     if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), "warning"
     if mark == "good" and (out := asked_out(run, now)):

@@ -261,6 +261,10 @@ class FaceStack(QStackedWidget):
         face = self.currentWidget()
         return QSize() if face is None else face.minimumSizeHint().expandedTo(face.minimumSize())
 
+    def hasHeightForWidth(self) -> bool:
+        """Qt would ask for the height of the highest face, and cut what stands beside this for one out of sight."""
+        return False
+
 
 class WholeWords(QLabel):
     """In short beside what says the rest; `text()`, and what is read aloud, is always the whole."""

@@ -14,6 +14,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.whole_card import WholeCard
 
 TITLES = {
     "input": "✕ This cannot be done as asked",
@@ -37,7 +38,7 @@ KEEP_OFF = ("coils", "platform")  # whose heading says that hands have to be off
 HANDS_MS = 500  # between two looks whether they may go near
 
 
-class FaultCard(Card):
+class FaultCard(WholeCard):
     """Words, state of the coils where that matters, what to do, details and "save a problem report".
 
     `hands`: whether they may go near an instrument that is lost, in words, and the state that goes with it.

@@ -40,6 +40,8 @@ class KeySheet(QDialog):
         grid.setHorizontalSpacing(3 * GRID)
         grid.setVerticalSpacing(GRID)
         column.addWidget(label(self.tr("Keys"), "large"))  # not every desktop gives a sheet a title
+        waits = self.tr("While this sheet is open no key answers a question; COILS OFF (F12) works.")
+        column.addWidget(label(waits, "caption", wrap=True))
         for row, (key, words) in enumerate(keys):
             grid.addWidget(label(key), row, 0, Qt.AlignmentFlag.AlignTop)
             grid.addWidget(label(words, wrap=True), row, 1)

@@ -163,6 +163,10 @@ class Traces(QWidget):
         self.plot = plot(theme, "time  s", left)
         self.plot.setMinimumHeight(LEAST_PX)
         row.addWidget(self.plot)
+        kept = self.plot.sizePolicy()
+        kept.setRetainSizeWhenHidden(True)  # nothing moves as the first row comes
+        self.plot.setSizePolicy(kept)
+        self.plot.hide()  # axes from 0 to 1 would say something of nothing
         self._curves = [self.plot.plot() for _ in AXES]
         self._names = [pg.TextItem(name, anchor=(0, 0.5)) for name in AXES]
         for name in self._names:
@@ -184,6 +188,7 @@ class Traces(QWidget):
 
     def show_rows(self, rows: Array) -> None:
         """Draw `rows` (n, 4): time [s], x, y, z; no line where nothing was heard for a while."""
+        self.plot.setVisible(bool(len(rows)))
         gaps = np.flatnonzero(np.diff(rows[:, 0]) > GAP_S) + 1
         nothing = np.column_stack([rows[gaps - 1, 0], np.full((len(gaps), len(AXES)), np.nan)])
         drawn = np.insert(rows, gaps, nothing, axis=0)

@@ -41,10 +41,13 @@ class StatedFields(QObject):
                 self.superseded.addItem(self.tr("Supersedes {0}").format(Path(other.path).stem), other.path)
 
     def objection(self) -> str:
-        """Why what stands for the day is none; "" where it is one, or nothing is stated."""
-        wrong = not self.until.isHidden() and self._day() is None
-        set_state(self.until, "bad" if wrong else "")
-        if not wrong:
+        """Why what stands for the day is none, or one that is over; "" where it is good, or nothing is stated."""
+        day = "" if self.until.isHidden() else self._day()
+        over = bool(day) and QDate.fromString(day or "", "yyyy-MM-dd") < QDate.currentDate()
+        set_state(self.until, "bad" if day is None or over else "")
+        if over:
+            return self.tr("{0} is over: the last day on which it is good is today or later").format(day)
+        if day is not None:
             return ""
         example = QLocale().toString(QDate(2027, 11, 21), QLocale.FormatType.ShortFormat)
         words = self.tr("“{0}” is no day: 2027-11-21, or {1}")

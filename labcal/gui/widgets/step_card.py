@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt
@@ -11,6 +12,7 @@ from PySide6.QtWidgets import QBoxLayout, QPushButton, QSizePolicy, QVBoxLayout,
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.signing import MARKS, SigningStep
+from labcal.gui.widgets import next_button
 from labcal.gui.widgets.common import Card, button, label, named, rename, set_primary, set_state
 from labcal.gui.widgets.flow import Flow
 
@@ -25,7 +27,7 @@ class StepCard(Card):
 
     def __init__(self, title: str, rules: str = "") -> None:
         super().__init__(title)
-        self._title = title
+        self._title, self._asked_s = title, 0.0
         self.mark, self.words, self.wrong = label("", "caption"), label("", wrap=True), label("", wrap=True)
         self.done, self.asked = label("", "caption", wrap=True), label("", wrap=True)
         self.rules = label(rules, "caption", wrap=True)
@@ -92,7 +94,7 @@ class StepCard(Card):
 
     def name_it(self, title: str) -> None:
         """Another title."""
-        self._title = title
+        self._title, self._asked_s = title, 0.0
         self._head_in_short()
 
     def _head_in_short(self) -> None:
@@ -132,6 +134,11 @@ class StepCard(Card):
         """What is to be known before its button is pressed once more."""
         self.asked.setText(words)
         self.asked.setVisible(bool(words))
+        self._asked_s = time.monotonic()
+
+    def asked_just_now(self) -> bool:
+        """Whether a press was meant for what the button said before: the second one of a double click."""
+        return not self.asked.isHidden() and time.monotonic() - self._asked_s < next_button.TOO_SOON_MS / 1000
 
     def say_wrong(self, words: str) -> None:
         """What is against that which is typed."""

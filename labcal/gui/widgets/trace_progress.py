@@ -11,6 +11,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.loop_words import headline
 from labcal.gui.widgets.common import label
+from labcal.gui.widgets.run_chooser import run_name
 from labcal.gui.widgets.work_bar import WorkBar
 
 
@@ -44,5 +45,8 @@ class TraceProgress(QWidget):
 
     def _traced(self, run: str) -> None:
         """Whoever went elsewhere meanwhile reads it below."""
-        if (said := self._study.loop) is not None:
-            self._app_state.lab.update(message=self.tr("Traced, run {0}: {1}").format(run, headline(said)[0]))
+        studied, runs = self._study.of(run), self._app_state.path.runs
+        name = next((run_name(one) for one in runs if one.run_id == run), run)
+        if studied is not None and studied.loop is not None:
+            said = self.tr("Traced, {0}: {1}").format(name, headline(studied.loop)[0])
+            self._app_state.lab.update(message=said)

@@ -8,14 +8,15 @@ from PySide6.QtGui import QColor, QPalette
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_verdict import RunVerdict
-from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, set_state
+from labcal.gui.widgets.common import AutoSizeLabel, button, label, set_state
 from labcal.gui.widgets.record_words import RecordWords
+from labcal.gui.widgets.whole_card import WholeCard
 
 HUGE_PT = 150
 NO_BREAK = "\N{NO-BREAK SPACE}"
 
 
-class VerdictCard(Card):
+class VerdictCard(WholeCard):
     """`details_wanted`: what was measured is to be shown instead."""
 
     details_wanted = Signal()
