@@ -12,6 +12,7 @@ import numpy as np
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.coils.agreement import LIMIT_NT
+from labcal.bench.coils.at_zero import of_this_bench
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import NOT_BY_REFERENCE, Vector
 from labcal.bench.coils.zero import AtZero
@@ -44,7 +45,7 @@ def look_again(path: Path, clear_as: str = "", clock: Clock | None = None) -> Lo
     latch = StoredDoubt(config.guarded_links)
     if (doubt := latch.doubt) is None:
         return None
-    ended = coils_off(path)
+    ended = of_this_bench(coils_off(path))
     supplies = "; ".join(f"coil {end.axis} {end.words}" for end in ended)
     seen, said = _reference(path, config, clock or RealClock())
     utc = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"

@@ -45,6 +45,7 @@ from labcal.session.importing import ImportRequest, ImportResult, import_foreign
 from labcal.session.instruments import (
     coils_off,
     coils_off_and_stopped,
+    earlier_supplies_are_gone,
     find_instruments,
     identify_instruments,
     look_again,
@@ -98,6 +99,7 @@ __all__ = [
     "correct_serial",
     "describe_run",
     "draft",
+    "earlier_supplies_are_gone",
     "export_calibration",
     "export_run",
     "filter_history",

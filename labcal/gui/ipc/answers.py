@@ -13,6 +13,7 @@ from labcal.bench.coils.state import PlatformReading
 from labcal.bench.parameters import ParameterSpec
 from labcal.gui.ipc.bench_facts import Bench as Bench
 from labcal.gui.ipc.bench_facts import Cage as Cage
+from labcal.gui.ipc.bench_facts import EarlierSupply as EarlierSupply
 from labcal.gui.ipc.bench_facts import Earth as Earth
 from labcal.gui.ipc.bench_facts import Instrument as Instrument
 from labcal.gui.ipc.bench_facts import Reference as Reference
@@ -119,7 +120,7 @@ class CoilEnd:
 
 @dataclass(frozen=True, slots=True)
 class SwitchedOff:
-    """Every axis, and the doubt that stands about zero ("": none), with what a person can do about it.
+    """Every axis of the bench, and the doubt that stands about zero ("": none), with what a person can do about it.
 
     `platform`: as it was brought to a stop; None where whoever drives it does that, or it has no motor.
     """
@@ -128,6 +129,7 @@ class SwitchedOff:
     doubt: str = ""
     advice: str = ""
     platform: PlatformReading | None = None
+    earlier: tuple[EarlierSupply, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -43,6 +43,20 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
+class EarlierSupply:
+    """One that an earlier session drove at another link, and that was not read back at zero; `name`: axis and port.
+
+    `gone`: nothing is at its link any more. `flows`: it answers, and is not at zero.
+    """
+
+    name: str
+    port: str
+    words: str
+    gone: bool
+    flows: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Earth:
     """The magnitude that a model of the Earth's field expects outdoors at the bench's place today, and U (k=2) [nT]."""
 

@@ -41,6 +41,15 @@ class Identify(Command[answers.Identified]):
 
 
 @dataclass(frozen=True, slots=True)
+class EarlierAreGone(Command[bool]):
+    """`who` says that the supplies of an earlier session on a bench, at these ports, are there no more."""
+
+    bench: str
+    ports: tuple[str, ...]
+    who: str
+
+
+@dataclass(frozen=True, slots=True)
 class ReadLab(Command[tuple[InstrumentRead, ...]]):
     """Read these instruments of a bench, all where none is named."""
 

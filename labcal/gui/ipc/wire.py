@@ -27,6 +27,7 @@ from labcal.errors import (
 from labcal.record.stream import Item
 from labcal.runner.control import Left
 
+OWN_MISTAKE = "labcal itself made a mistake here; the details hold what it says of it."
 BROKEN = ("crash", "ended", "off")  # kinds of fault after which nobody knows what the work left behind
 MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
 NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
@@ -91,6 +92,8 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
         )
     if isinstance(error, OSError) and error.errno is not None:  # the disk, or a file: nothing in labcal broke
         return Fault("input", words_of_system(error), "", details)
+    if kind == "crash":  # what it says is for who mends labcal
+        return Fault(kind, OWN_MISTAKE, "", details or f"{type(error).__name__}: {error}")
     return Fault(kind, str(error) or type(error).__name__, "", details)
 
 

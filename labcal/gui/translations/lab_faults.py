@@ -153,5 +153,6 @@ OF_THE_WORK = (  # of the window's own processes
     QT_TRANSLATE_NOOP("Data", "The work said what this window cannot read, and was ended by it."),
     QT_TRANSLATE_NOOP("Data", "The work ended by itself (exit {0})."),
     QT_TRANSLATE_NOOP("Data", "The work crashed (code {0})."),
+    QT_TRANSLATE_NOOP("Data", "labcal itself made a mistake here; the details hold what it says of it."),
     QT_TRANSLATE_NOOP("Data", "no run goes on here that could be come back to"),
 )

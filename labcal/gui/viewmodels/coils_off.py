@@ -16,6 +16,7 @@ from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Identify, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_heard import named_before
@@ -76,7 +77,7 @@ class CoilsOff(QObject):
 
     def __init__(self, window: KnowsLab) -> None:
         super().__init__()
-        self._window = window
+        self._window, self.earlier = window, EarlierSupplies(window)
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
         self._in_run: Fault | None = None  # `unconfirmed`, where a run that goes on lost a supply
@@ -127,6 +128,7 @@ class CoilsOff(QObject):
         words = "; ".join(f"{one.axis}: {in_words(named_links(one.words, names, brief=True))}" for one in said.coils)
         zero = all(axis.ok for axis in said.coils)
         window.kept.answered()
+        self.earlier.take(said.earlier)
         window.take_lab(switched_off(window.known or state.LabState(()), said, window.facts))
         if said.doubt or not zero:
             self.warn(Fault("coils", words))
@@ -236,6 +238,7 @@ class CoilsOff(QObject):
     def forget(self) -> None:
         """Of another bench nothing was said."""
         self.unconfirmed = self.turning = self._off_s = self._report = None
+        self.earlier.take(())
 
     def _failed(self, fault: Fault) -> None:
         """Who was to switch them off did not: how they are is not known."""

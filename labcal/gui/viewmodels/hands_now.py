@@ -75,7 +75,7 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """
     if left := left_words(now):
         return left, "bad"
-    first = [now.closed_with] if now.closed_with else []
+    first = [*filter(None, (now.closed_with, now.earlier_on))]
     if now.field_more_nT is not None:  # whatever a supply says, or does not
         first.append(sees_more(now.field_more_nT))
     if first:

@@ -10,6 +10,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
+from labcal.bench.essentials import AXES
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -60,7 +61,7 @@ class LabNow:
     Currents [A] and fields [nT] that are not known are None.
     """
 
-    coil_A: tuple[float | None, ...] = (None, None, None)
+    coil_A: tuple[float | None, ...] = (None, None, None)  # x, y, z
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
@@ -85,6 +86,7 @@ class LabNow:
     unread_since: str = ""  # by the clock on the wall: nobody has been at the window for long, and nobody reads
     left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
     driven_elsewhere: bool = False  # that run goes on in another process
+    earlier_on: str = ""  # a supply of an earlier session that answers and is not at zero, in words
     closed_with: str = ""  # what was not confirmed when a window closed, and was not read since
 
     @property
@@ -131,7 +133,7 @@ def lab_now(
     seen_nT, seen_s = _field_seen(lab)
     lost = {roles.get(one.name, "") for one in lab.instruments if one.fault}
     return LabNow(
-        coil_A=tuple(coil.current_A for coil in lab.coils),
+        coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
@@ -150,6 +152,12 @@ def lab_now(
         coils_lost=any(role.startswith("coil-") for role in lost),
         platform_lost="platform" in lost,
     )
+
+
+def _currents(lab: state.LabState, lost: set[str]) -> tuple[float | None, float | None, float | None]:
+    """Of the coils x, y, z, each by its name [A]; none of one whose supply does not answer, whatever it said before."""
+    flows = {coil.axis: coil.current_A for coil in lab.coils if not coil.fault and f"coil-{coil.axis}" not in lost}
+    return flows.get("x"), flows.get("y"), flows.get("z")
 
 
 def _field_seen(lab: state.LabState) -> tuple[state.Vector | None, float | None]:
@@ -330,7 +338,9 @@ def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None)
     witness = state.Witness()
     if said.doubt:
         witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
-    coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
+    ends = {one.axis: one for one in said.coils}
+    coils = tuple(coil_read(ends[axis]) for axis in AXES if axis in ends)  # by name: what has another is no coil here
+    heard = heard_from(before.instruments, said.coils, facts)
     platform = _stopped(before.platform, said.platform)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
 
