@@ -87,6 +87,7 @@ class Window(Frame):
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
+        self.fault.zero_wanted.connect(app_state.off.check_zero)
         self.setAcceptDrops(True)
         self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
@@ -356,6 +357,7 @@ class Window(Frame):
             known = ". ".join(filter(None, (now.silent_with_current, now.in_common)))
             self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), known)
             self.fault.say_platform(self.app_state.platform_words())
+        self.fault.let_check_zero(said and self.app_state.off.zero_in_doubt())
         self.fault.let_close(not (said and self.app_state.still_live()))
         self.app_state.warning_shown = said and not self.fault.isHidden()
 

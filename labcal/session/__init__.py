@@ -50,6 +50,7 @@ from labcal.session.instruments import (
     identify_instruments,
     look_again,
     read_lab,
+    refuse_doubt,
     serve_bench,
 )
 from labcal.session.made_ready import begin_to_make_ready
@@ -169,6 +170,7 @@ def run(
         filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
     named = run_id or run_id_at(datetime.now(UTC))
     first = admitted(bench, dut, found.name, named, override)  # before any instrument is spoken to
+    refuse_doubt(bench)
     remark = cage_remark(bench)
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
         if first is not None and override is not None:
@@ -202,6 +204,7 @@ def resume(
 
     `procedure` names the file where the run's was a file of one's own.
     """
+    refuse_doubt(bench)
     remark = cage_remark(bench)
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
+from labcal.bench.coils.doubt import doubt_of
 from labcal.bench.coils.state import PlatformReading
 from labcal.bench.identify import Identified, identify_all
 from labcal.bench.stage_off import StageStop
@@ -82,6 +83,14 @@ def look_again(bench: Path, clear_as: str = "") -> Looked | None:
 
     check_person(clear_as)
     return look_again(bench, clear_as)
+
+
+def refuse_doubt(bench: Path) -> None:
+    """Where a zero of this bench is in doubt it is measured now. Raises InstrumentError where it is in doubt still."""
+    if doubt_of(bench):
+        from labcal.bench.look_again import refuse_doubt
+
+        refuse_doubt(bench)
 
 
 def coils_off(bench: Path) -> list[AtZero]:

@@ -33,6 +33,7 @@ from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import (
+    CheckZero,
     EarlierAreGone,
     GoesOn,
     Identify,
@@ -54,6 +55,7 @@ if TYPE_CHECKING:
     from labcal.bench.coils.zero import AtZero
     from labcal.bench.config import BenchConfig, CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
+    from labcal.bench.look_again import Looked
     from labcal.bench.reading import InstrumentReading
     from labcal.runner import FoundProcedure, Outcome
 
@@ -125,9 +127,20 @@ def identify(channel: Channel, asked: Identify) -> Identified:
 
     answers = tuple(_instrument_answer(one) for one in session.identify_instruments(Path(asked.bench)))
     looked = session.look_again(Path(asked.bench))
-    if looked is None:
-        return Identified(answers, None)
-    return Identified(answers, Doubt(looked.words, looked.lifted, tuple(map(_coil_end, looked.ended))))
+    return Identified(answers, None if looked is None else _doubt(looked))
+
+
+def check_zero(channel: Channel, asked: CheckZero) -> Doubt:
+    """Coils to zero, then what the reference sees; where nothing is in doubt, that."""
+    from labcal import session
+
+    looked = session.look_again(Path(asked.bench))
+    return Doubt("", True) if looked is None else _doubt(looked)
+
+
+def _doubt(looked: Looked) -> Doubt:
+    words = f"{looked.words} {looked.advice}".strip()
+    return Doubt(words, looked.lifted, tuple(map(_coil_end, looked.ended)), looked.before)
 
 
 def _instrument_answer(one: Answered) -> InstrumentAnswer:
@@ -289,6 +302,7 @@ HANDLERS = (
     handles(Identify, identify),
     handles(ReadLab, read_lab),
     handles(SwitchOff, switch_off),
+    handles(CheckZero, check_zero),
     handles(EarlierAreGone, earlier_are_gone),
     handles(RunProcedure, run),
     handles(ResumeRun, resume),

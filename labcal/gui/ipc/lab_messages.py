@@ -34,6 +34,13 @@ class InstrumentRead:
 
 
 @dataclass(frozen=True, slots=True)
+class CheckZero(Command[answers.Doubt]):
+    """Take the coils of a bench to zero, and measure again the zero that is in doubt."""
+
+    bench: str
+
+
+@dataclass(frozen=True, slots=True)
 class Identify(Command[answers.Identified]):
     """Ask every instrument of a bench who it is."""
 

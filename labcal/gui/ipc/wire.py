@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.named_links import named_links
 from labcal.errors import (
     InputError,
@@ -29,7 +30,8 @@ from labcal.runner.control import Left
 
 OWN_MISTAKE = "labcal itself made a mistake here; the details hold what it says of it."
 BROKEN = ("crash", "ended", "off")  # kinds of fault after which nobody knows what the work left behind
-MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
+IN_DOUBT = (NOT_BY_REFERENCE, NOT_CONFIRMED)  # so begins what is said of a zero that nobody may energise over
+MENDED_FIRST = ("instrument", "record", "guardian", "zero")  # kinds over which a run is interrupted, not failed
 NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
     "disk full": "record",
     "store slow": "record",
@@ -63,6 +65,7 @@ class Fault:
     """What went wrong, for a card.
 
     `kind` is input, standard (check standard out of control), instrument, record (which is not kept), guardian, clock,
+    zero (in doubt: nothing is energised over it),
     coils (that may be on), platform (that may turn), limit, stopped, left (by whoever ran it), page, crash or ended
     (its process).
     """
@@ -78,6 +81,7 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
     """The fault that an exception of labcal's (or any other) stands for."""
     if isinstance(error, InstrumentError):
         kind = "input" if isinstance(error, LimitError) else NO_INSTRUMENT.get(error.fault, "instrument")
+        kind = "zero" if error.what.startswith(IN_DOUBT) else kind
         return Fault(kind, error.what, error.remedy, details, error.mends)
     if isinstance(error, OutOfControl):
         return Fault("standard", error.words, error.remedy, details or str(error))

@@ -133,6 +133,7 @@ class Live(QWidget):
         self._app_state.bench_changed.connect(self._take_camera)
         self._take_camera()
         self.fault.report_requested.connect(self._app_state.report_requested)
+        self.fault.zero_wanted.connect(self._app_state.off.check_zero)
         self.middle = FaceStack()
         self._picture = self._live_card()
         self.verdict = VerdictCard(self._app_state, self._theme)
@@ -345,16 +346,15 @@ class Live(QWidget):
 
     def _answer_again(self) -> str:
         """Whom this run waited for in vain, and who was heard since; "" where that is none, or lost still."""
-        fault, facts, now = self._run.fault, self._app_state.facts, self._app_state.lab.state.now
-        named = self._heard_again.named(fault, () if facts is None else facts.instruments, now.lights)
-        return self.tr("{0}: answers again").format(", ".join(named)) if named and self._run.state == "ended" else ""
+        return self._heard_again.words(self._run, self._app_state.facts, self._app_state.lab.state.now)
 
     def _coils_left(self) -> str:
         """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         words = f"{words}. {now.in_common}" if now.in_common else words
         say = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.")
-        return words if now.coils_at_zero is not False else say.format(words, ", ".join(self._app_state.by_hand()))
+        off = ", ".join(self._app_state.by_hand())
+        return say.format(words, off) if off and now.coils_at_zero is False else words
 
     def _ask(self) -> None:
         prompt = self._run.prompt
