@@ -14,7 +14,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.hands_now import reasons
 from labcal.gui.viewmodels.lab import LabState
-from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.viewmodels.lab_now import as_watched, platform_said
 from labcal.gui.widgets.close_at_rest import CloseAtRest
 from labcal.gui.widgets.close_question import CloseQuestion
 from labcal.gui.widgets.going_down import GoingDown
@@ -177,9 +177,10 @@ class Leaving(QObject):
         self._say_still_on()
         if self.question is not None:
             self.question.say_hands(*state.hands)
+        seen = as_watched(state.now)
         for dialog in (self.question, self.going):
             if dialog is not None:
-                dialog.say_lab(state.now.coil_words, state.now.platform_words)
+                dialog.say_lab(seen.coil_words, seen.platform_words)
 
     def _go_behind(self) -> None:
         self.behind = True

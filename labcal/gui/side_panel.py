@@ -12,11 +12,13 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
+from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import (
     LIGHT_SHAPES,
     LabNow,
     age_words,
+    as_watched,
     field_age,
     mark_of,
     platform_drawn,
@@ -169,11 +171,12 @@ class SidePanel(Surface):
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, current in enumerate(now.coil_A):  # x, y, z
             self.coils.show_row(row, "–" if current is None else format_number(current, 3), state=old)
-        shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
+        words = as_watched(now).coil_words  # what was read so short ago is watched: of how old it is the rows speak
+        shape, mark = mark_of(words, at_rest=now.at_rest)
         on = self.tr("on")
-        self.coils_on.setText(f"{shape} {on}" if now.coil_words.startswith(ON) else "")
+        self.coils_on.setText(f"{shape} {on}" if words.startswith(ON) else "")
         set_state(self.coils_on, mark)
-        self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
+        self.zero_words.setText(f"{shape} {in_words(words)}".strip())
         set_state(self.zero_words, mark)
 
     def _show_hands(self, state: LabState) -> None:
@@ -182,7 +185,7 @@ class SidePanel(Surface):
         self.keep_off.setText(off)
         set_state(self.keep_off, off_mark)
         self.keep_off.setVisible(bool(off))
-        coils = state.now.coil_words
+        coils = as_watched(state.now).coil_words
         said, mark = state.hands
         answer, _, why = said.partition(":")
         self.may_go_in.setText(answer.strip() if why else said)
@@ -191,7 +194,7 @@ class SidePanel(Surface):
         self.hands.setVisible(bool(said))
         for place in (self.may_go_in, self.hands):
             set_state(place, mark)
-        again = mark == "good" or in_words(coils) in why or coils.startswith(ON)
+        again = mark in MAY or in_words(coils) in why or coils.startswith(ON)
         again = again or (off_mark == "bad" and mark_of(coils)[1] in ("", "good"))  # what calms stands below no alarm
         self.zero_words.setVisible(bool(coils) and not again)
         self.hands_group.setVisible(bool(off or said or (coils and not again)))

@@ -52,7 +52,7 @@ def test_they_have_no_row_and_hold_no_zero_of_this_bench(qtbot, still):
     assert still.app_state.lab.state.message.startswith("COILS OFF done")
     assert still.earlier.isVisible()
     assert still.earlier.words.text().startswith("▲ Supplies of an earlier session do not answer: x at 127.0.0.1:")
-    assert still.side.may_go_in.text() == "✓ Hands may go in"
+    assert still.side.may_go_in.text() == "● Hands may go in"
     off(qtbot, still)
     assert not still.earlier.isVisible()
 

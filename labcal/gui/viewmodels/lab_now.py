@@ -65,6 +65,7 @@ class LabNow:
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    alone: str = ""  # why a zero rests on the supplies' word alone; "" where the reference has seen it
     reference_agreed: bool = False  # when it was looked at last
     silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
@@ -137,6 +138,7 @@ def lab_now(
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
+        alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
         reference_agreed=lab.reference.verdict == "agrees",
         driven=driven,
         as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
@@ -240,7 +242,8 @@ def as_watched(now: LabNow) -> LabNow:
     if now.coil_words.startswith(state.WAS_ZERO):
         now = replace(now, coil_words=state.AT_ZERO, coils_at_zero=True)
     elif now.coil_words.startswith(state.WAS_ZERO_BY_WORD):
-        now = replace(now, coil_words=state.BY_WORD, coils_at_zero=True)
+        words = f"{state.BY_WORD}: {now.alone}" if now.alone else state.BY_WORD
+        now = replace(now, coil_words=words, coils_at_zero=True)
     stood = platform_mark(now.platform_words)[1] == "old"
     return replace(now, platform_words=now.platform_words.partition(",")[0]) if stood else now
 
