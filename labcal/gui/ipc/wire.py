@@ -26,7 +26,7 @@ from labcal.errors import (
     words_of_system,
 )
 from labcal.record.stream import Item
-from labcal.runner.control import Left
+from labcal.runner.control import Later, Left
 
 OWN_MISTAKE = "labcal itself made a mistake here; the details hold what it says of it."
 BROKEN = ("crash", "ended", "off")  # kinds of fault after which nobody knows what the work left behind
@@ -86,7 +86,7 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
     if isinstance(error, OutOfControl):
         return Fault("standard", error.words, error.remedy, details or str(error))
     kinds: tuple[tuple[type[BaseException], str], ...] = (
-        (InputError, "input"), (LimitNotMet, "limit"), (Left, "left"),
+        (InputError, "input"), (LimitNotMet, "limit"), (Later, "stopped"), (Left, "left"),
         (Stopped, "stopped"), (KeyboardInterrupt, "stopped"),
     )  # fmt: skip
     kind = next((name for types, name in kinds if isinstance(error, types)), "crash")

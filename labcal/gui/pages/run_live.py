@@ -342,7 +342,8 @@ class Live(QWidget):
         gives_way, back = self._app_state.warning_shown, self._answer_again()
         self.fault.setVisible(not (gives_way or back))
         said = in_short(self._run.fault) if gives_way and self._run.fault is not None else ""
-        self.verdict.say_reason(back or said, "" if back else "bad")
+        alarm = said and not back and self._run.fault is not None and self._run.fault.kind != "stopped"
+        self.verdict.say_reason(back or said, "bad" if alarm else "")
 
     def _answer_again(self) -> str:
         """Whom this run waited for in vain, and who was heard since; "" where that is none, or lost still."""

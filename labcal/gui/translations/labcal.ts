@@ -683,7 +683,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8982,7 +8982,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it keeps turning, stop it at its controller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

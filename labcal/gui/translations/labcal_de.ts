@@ -683,7 +683,7 @@
         <translation>SPULEN AUS erreicht ihn nicht: am Controller anhalten. Hände weg, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
-        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
         <translation>Der Tisch drehte weiter: SPULEN AUS wird noch einmal gegeben, und hält ihn an …</translation>
     </message>
     <message>
@@ -8983,7 +8983,7 @@ diesem Schritt …</translation>
         <translation>gehört {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it keeps turning, stop it at its controller</source>
         <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>

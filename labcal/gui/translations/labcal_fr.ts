@@ -683,7 +683,7 @@
         <translation>BOBINES À ZÉRO ne l’atteint pas : arrêtez-la à son contrôleur. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
-        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
         <translation>La plate-forme tournait encore : BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
     </message>
     <message>
@@ -8983,7 +8983,7 @@ cette étape …</translation>
         <translation>entendu {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <source>press COILS OFF (F12) first: it stops the platform as well. If it keeps turning, stop it at its controller</source>
         <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>

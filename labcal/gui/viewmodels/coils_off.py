@@ -254,7 +254,7 @@ class CoilsOff(QObject):
         if free and self._off_s is not None and window.lab.state.now.left_turning and read_s > self._stop_due_s:
             window.watch.stop()
             self.switch_off()
-            window.lab.update(message=self.tr("The platform turned on: COILS OFF is given anew, and stops it …"))
+            window.lab.update(message=self.tr("The platform kept turning: COILS OFF is given anew, and stops it …"))
 
     def _report_whole(self) -> None:
         """What became of the platform after COILS OFF, where the line below still says that it is not known."""

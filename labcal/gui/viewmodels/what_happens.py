@@ -10,7 +10,7 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.hands import FAILED, READY, RETRY
+from labcal.gui.viewmodels.hands import FAILED, READY, RETRY, coming
 from labcal.gui.viewmodels.hands_now import MAY, hands_of
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
@@ -89,7 +89,8 @@ def asked_out(run: RunViewModel, now: LabNow) -> str:
     if run.prompt.key != READY:
         return ""
     asked = in_words(run.prompt.text)
-    return translated(str(OUT_NOW)).format(asked.rpartition(". ")[0] or asked)  # what comes, without "Hands off?"
+    what = asked.rpartition(". ")[0] or asked  # without "Hands off?"
+    return translated(str(OUT_NOW)).format(coming(run.prompt, what))
 
 
 def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:

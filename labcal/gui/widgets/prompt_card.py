@@ -20,7 +20,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
 from labcal.gui.viewmodels.first_thing import first_thing
-from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, reached_into
+from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, coming, reached_into
 from labcal.gui.viewmodels.hands_now import MAY, hands_of
 from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_drawn
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
@@ -163,7 +163,7 @@ class PromptCard(Card):
         self.call.start()
         self._reached_into = prompt.acts and prompt.key != "ready"
         self._show_hands()
-        self.text.order(unbroken(headline(prompt)))
+        self.text.order(unbroken(coming(prompt, headline(prompt))))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self._say_what_to_do()
         self.drawing.show_drawing(prompt.drawing)

@@ -1,0 +1,56 @@
+"""What was done on purpose is no accident, what is to come is not there yet, and nobody is sent to a line that is lost."""
+
+from dataclasses import replace
+
+import pytest
+from lab_states import told
+from test_hands_in_the_cage import READY, says, send, stands
+from test_hands_in_the_cage import real as real
+from test_hands_in_the_cage import running as running
+
+from labcal.bench.coils.state import MAY_TURN, PlatformReading
+from labcal.errors import Stopped
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.runner.control import GONE, LATER, Later, Left
+
+
+def test_who_goes_on_later_is_not_told_that_whoever_ran_this_is_gone(running):
+    later = fault_of(Later(LATER))
+    assert (later.kind, fault_of(Left(GONE)).kind) == ("stopped", "left")
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", later))
+    card = running.page("Run").live.fault
+    assert card.heading.text() == "■ Stopped"
+    assert not card.save.isVisibleTo(card), "a problem report"
+    assert card.heading.property("state") == ""
+
+
+def test_a_stop_that_was_asked_for_is_not_written_in_the_colour_of_an_alarm(running, monkeypatch):
+    live = running.page("Run").live
+    told(running, (0.0, 0.0, None))
+    monkeypatch.setattr(running.app_state, "warning_shown", True)
+    for fault, mark in ((fault_of(Stopped("stopped by the operator")), ""), (Fault("instrument", "dut: lost"), "bad")):
+        running.app_state.run.fault = fault
+        live._say_coils_left()
+        assert live.verdict.reason.property("state") == mark, fault
+
+
+@pytest.mark.parametrize(
+    "text", ["The field goes to 20 µT. Hands off?", "Next the platform looks for its zero. Hands off?"]
+)
+def test_what_comes_after_the_answer_is_said_as_to_come(running, text):
+    says(running, platform=stands())
+    send(running, replace(READY, text=text))
+    assert running.page("Run").live.prompt.text.text().replace("\N{NO-BREAK SPACE}", " ").startswith("Next")
+    assert running.side.hands.text().startswith("▲ Hands off: Next")
+
+
+def test_coils_off_is_not_offered_for_a_platform_whose_line_is_lost():
+    turned = PlatformReading(33.0, moving=True, read_s=90.0).sentence(100.0)
+    for lost in (MAY_TURN, turned):
+        assert "COILS OFF" not in platform_said(lost), lost
+        assert "at its controller" in platform_said(lost)
+    turns = PlatformReading(33.0, moving=True, read_s=99.5).sentence(100.0)
+    assert "COILS OFF (F12) first: it stops the platform as well. If it keeps turning" in platform_said(turns)
