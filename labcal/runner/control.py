@@ -41,11 +41,8 @@ def stopped_by(fault: BaseException | None) -> dict[str, str]:
     """What the last word of a record says of a run that a person ended; nothing of all others."""
     nobody = isinstance(fault, Left | NotKept) and not isinstance(fault, Later)
     person = isinstance(fault, Stopped | KeyboardInterrupt) and not nobody
-    return (
-        {STOPPED_BY: BY_ABORT if isinstance(fault, Aborted) and not isinstance(fault, Later) else "operator"}
-        if person
-        else {}
-    )
+    by_abort = isinstance(fault, Aborted) and not isinstance(fault, Later)
+    return {STOPPED_BY: BY_ABORT if by_abort else "operator"} if person else {}
 
 
 class Control:

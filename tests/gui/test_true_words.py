@@ -1,4 +1,4 @@
-"""What was done on purpose is no accident, what is to come is not there yet, and nobody is sent to a line that is lost."""
+"""What was done on purpose is no accident, what is to come is not there yet, COILS OFF is not said to reach all."""
 
 from dataclasses import replace
 
@@ -8,12 +8,13 @@ from test_hands_in_the_cage import READY, says, send, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
 
-from labcal.bench.coils.state import MAY_TURN, PlatformReading
+from labcal.bench.coils.state import MAY_TURN, Heard, LabState, PlatformReading, unread
 from labcal.errors import Stopped
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault, fault_of
-from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.theming.theme import GRID
+from labcal.gui.viewmodels.lab_now import lab_now, platform_said
 from labcal.runner.control import GONE, LATER, Later, Left
 
 
@@ -24,7 +25,7 @@ def test_who_goes_on_later_is_not_told_that_whoever_ran_this_is_gone(running):
     card = running.page("Run").live.fault
     assert card.heading.text() == "■ Stopped"
     assert not card.save.isVisibleTo(card), "a problem report"
-    assert card.heading.property("state") == ""
+    assert not card.heading.property("state")
 
 
 def test_a_stop_that_was_asked_for_is_not_written_in_the_colour_of_an_alarm(running, monkeypatch):
@@ -54,3 +55,28 @@ def test_coils_off_is_not_offered_for_a_platform_whose_line_is_lost():
         assert "at its controller" in platform_said(lost)
     turns = PlatformReading(33.0, moving=True, read_s=99.5).sentence(100.0)
     assert "COILS OFF (F12) first: it stops the platform as well. If it keeps turning" in platform_said(turns)
+
+
+@pytest.mark.parametrize(
+    ("fault", "driven", "said"),
+    [("no sample for 3 s", False, "no answer"), ("", True, "not read in this step"), ("", False, "not read yet")],
+)
+def test_a_field_that_is_not_shown_says_why(running, fault, driven, said):
+    facts = running.app_state.facts
+    roles = {name: one.role for name, one in facts.instruments.items()}
+    name = next(name for name, role in roles.items() if role == "reference")
+    lab = LabState(unread(), instruments=(Heard(name, None if fault else 1.0, fault),))
+    now = lab_now(lab, 1.0, roles, 1.0, driven=driven)
+    running.show_state(replace(running.app_state.lab.state, now=now))
+    assert running.side.field_age.text() == said
+    seen = replace(now, field_measured_nT=(1.0, 2.0, 3.0), field_why="")
+    running.show_state(replace(running.app_state.lab.state, now=seen))
+    assert running.side.field_age.text() == ""
+
+
+def test_no_empty_line_stands_above_the_words_of_a_card(still):
+    still.app_state.fault.emit(Fault("platform", "stage: silent."))
+    card = still.fault
+    still.resize(1360, 860)
+    card.layout().activate()
+    assert card.gravest.y() - card.contentsRect().y() <= 3 * GRID

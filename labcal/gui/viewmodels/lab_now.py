@@ -44,6 +44,9 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} min ago"),
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "changing"),
+    QT_TRANSLATE_NOOP("Words", "no answer"),
+    QT_TRANSLATE_NOOP("Words", "not read in this step"),
+    QT_TRANSLATE_NOOP("Words", "not read yet"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
@@ -79,6 +82,7 @@ class LabNow:
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
+    field_why: str = ""  # none was measured, in words
     field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
     lights: Lights = ()
@@ -149,6 +153,7 @@ def lab_now(
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=seen_nT,
         field_old_s=old_s(seen_s, now_s),
+        field_why="" if seen_nT is not None else _field_why(lab, roles, driven=driven),
         field_changing=driven and lab.field.changing and old_s(seen_s, now_s) is None,
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
@@ -189,6 +194,17 @@ def _platform_words(lab: state.LabState, now_s: float, *, driven: bool, lost: bo
     return f"{said}, read {state.ago(age_s)}" if age_s > state.FRESH_S else said
 
 
+def _field_why(lab: state.LabState, roles: Mapping[str, str], *, driven: bool) -> str:
+    """Why no measured field is shown, where there is a reference: "answers" beside a dash would be a riddle."""
+    name = next((name for name, role in roles.items() if role == "reference"), "")
+    heard = next((one for one in lab.instruments if one.name == name), None)
+    if not name or lab.field.changing or heard is None:
+        return ""
+    if heard.fault:
+        return translated("no answer")
+    return translated("not read in this step" if driven else "not read yet")
+
+
 def age_words(old_s: int | None) -> str:
     """In words: 12 s ago, 3 min ago, 2 h ago; nothing of what is fresh."""
     if old_s is None:
@@ -200,7 +216,7 @@ def age_words(old_s: int | None) -> str:
 
 def field_age(now: LabNow) -> str:
     """Of the measured field: what is seen while the coils are on their way is no settled value, however fresh."""
-    return translated("changing") if now.field_changing else age_words(now.field_old_s)
+    return translated("changing") if now.field_changing else now.field_why or age_words(now.field_old_s)
 
 
 def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:

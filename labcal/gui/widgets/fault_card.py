@@ -52,6 +52,7 @@ class FaultCard(Card):
     def __init__(self, closable: bool = True, hands: Callable[[], tuple[str, str]] | None = None) -> None:
         super().__init__(" ")
         self._hands = hands
+        self.unit.hide()  # there is none: it would be an empty line above the words
         self.hands = label("", "title", wrap=True)
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.hands_timer = QTimer(self, interval=HANDS_MS)
